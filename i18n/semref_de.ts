@@ -3644,6 +3644,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die ersten {count} Bilder; der Layer hat alle.</translation>
   </message>
   <message>
+   <source>The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m.</source>
+   <translation>Der Flug geht weiter, aber wo dieses Bild liegt, ist nur auf {radius:.0f} m bekannt, und es zeigt {edge:.0f} m.</translation>
+  </message>
+  <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>Der Flug verrät bisher nicht, wo er ist: die beste Spur ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>

@@ -3644,6 +3644,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las primeras {count} imágenes; la capa las tiene todas.</translation>
   </message>
   <message>
+   <source>The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m.</source>
+   <translation>El vuelo continúa, pero la posición de esta imagen solo se conoce con {radius:.0f} m, y muestra {edge:.0f} m.</translation>
+  </message>
+  <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>El vuelo hasta ahora no revela dónde está: la mejor traza es errónea con una probabilidad de {risk:.2g}; se permite como máximo {allowed:.2g}.</translation>
   </message>

@@ -3644,6 +3644,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les {count} premières images ; la couche les a toutes.</translation>
   </message>
   <message>
+   <source>The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m.</source>
+   <translation>Le vol continue, mais la position de cette image n’est connue qu’à {radius:.0f} m près, et elle montre {edge:.0f} m.</translation>
+  </message>
+  <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>Le vol ne dit pas encore où il est : la meilleure trace est fausse avec une probabilité de {risk:.2g} ; au plus {allowed:.2g} est permis.</translation>
   </message>

@@ -3644,6 +3644,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>前 {count} 幅影像；图层中有全部影像。</translation>
   </message>
   <message>
+   <source>The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m.</source>
+   <translation>飞行仍在继续,但此图像的位置只知道在 {radius:.0f} m 以内,而它显示 {edge:.0f} m 的地面。</translation>
+  </message>
+  <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>目前的航飞尚不能确定位置：最佳航迹错误的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>

@@ -10,19 +10,34 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..errors import ParameterError
 from ..localizer.localizer import Localizer
 from .evidence import seen_image
-from .measurement import Measurement, distance
+from .links import links_by_image
+from .measurement import Measurement, distance, measured_near, shared_variance
 from .model import FlightImage, FlightPose, FlightResult
 from .motion import Link
 from .pool import Pool, moved, predicted, updated
 from .settings import FLIGHT, FlightSettings
-from .smoothing import Estimate, Step, first_estimate, smoothed, step_over, with_measurement
-from .tracker import FlightTracker, Looked, measured_near, shared_variance, told_pose
+from .smoothing import (
+    Estimate,
+    Step,
+    drift_of,
+    first_estimate,
+    smoothed,
+    softened,
+    step_over,
+    with_measurement,
+    without_measurement,
+)
+from .states import turned
+from .telling import told_pose
+from .tracker import FlightTracker, Looked
 
 ROUNDS = 3
-"""In which measurements that the smoothed track contradicts are left out."""
+"""In which images are looked at where all others expect them; the last one only weighs."""
+
+AGREES = 1.5
+"""An image that was measured within so many deviations of where all others expect it isn't looked at again."""
 
 FIRST_DEVIATIONS = (0.25, 0.2, 0.1)
 """Of a track's first image before anything is measured: share of its edge, radians, ln pixel size."""
@@ -98,8 +113,7 @@ class FlightSolver:
             poses.append(tracker.add(image, known.get(number)))
             self._looked.append(tracker.looked)
             if tracker.looked.is_new:
-                risk = poses[-1].risk
-                tracks.append(_Track(tracker.track, 1.0 if risk is None else risk, number, number, number))
+                tracks.append(_Track(tracker.track, tracker.risk, number, number, number))
             elif tracker.looked.estimate is not None:
                 tracks[-1].last = number
             self.causal = tuple(poses)
@@ -107,8 +121,8 @@ class FlightSolver:
         earliest = 0
         for track in tracks:
             self._carry_back(images, track, earliest)
-            for pose in self._smoothed(images, track):
-                poses[pose.number] = pose
+            for _ in self._smoothed(images, track, poses):
+                yield len(images), len(images)
             earliest = track.last + 1
         self.result = FlightResult(tuple(poses))
 
@@ -135,45 +149,56 @@ class FlightSolver:
             spread = np.diag(pool.variances[0, [0, 0, 1, 2]])
             measured = measured_near(images[number], self.localizer, pool.states[0], spread, settings)
             if measured is not None:
-                pool = Pool(measured.state[None], np.diag(measured.covariance)[None, [0, 2, 3]], pool.evidence)
+                pool = _joined(pool, measured)
             self._looked[number] = replace(
                 self._looked[number], measured=measured, estimate=Estimate(pool.states[0], spread)
             )
             track.first = number
 
-    def _smoothed(self, images: Sequence[FlightImage], track: _Track) -> list[FlightPose]:
-        """The poses of a track, without measurements that the rest contradicts."""
-        numbers = range(track.first, track.last + 1)
+    def _smoothed(self, images: Sequence[FlightImage], track: _Track, poses: list[FlightPose]) -> Iterator[None]:
+        """Puts the poses of a track into ``poses``; one step an image that is measured once more.
+
+        Images are looked at again where all others expect them, unless they were measured there: so one that was led
+        astray by what came before it alone is set right. Measurements that the others contradict are left out.
+        """
+        settings, numbers = self.settings, range(track.first, track.last + 1)
         looked = [self._looked[number] for number in numbers]
-        measured = [one.measured for one in looked]
-        estimates: list[Estimate] = []
-        for _ in range(ROUNDS):
-            estimates = self._estimated(looked, measured, images[track.first])
-            off = [
-                one is not None and distance(one, estimate.state, estimate.pose_covariance) > self.settings.gate
-                for one, estimate in zip(measured, estimates)
-            ]
-            if not any(off):
-                break
-            measured = [None if is_off else one for one, is_off in zip(measured, off)]
-        return [
-            told_pose(images[number], number, self.localizer, estimate, track.risk, track.number)
-            for number, estimate in zip(numbers, estimates)
-        ]
+        links = [one.link for one in looked[1:] if one.link is not None]
+        drift = drift_of(links, settings)
+        first, kept = [one.measured for one in looked], [one.measured for one in looked]
+        estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
+        for look in range(ROUNDS):
+            for n, number in enumerate(numbers):
+                expected = estimates[n]
+                used, measured = kept[n], first[n]
+                if used is not None:
+                    expected = without_measurement(expected, used, shared_m2)
+                is_far = measured is None or distance(measured, *expected.pose) > AGREES
+                if is_far and look + 1 < ROUNDS:
+                    yield
+                    measured = first[n] = measured_near(images[number], self.localizer, *expected.pose, settings)
+                if measured is not None and distance(measured, *expected.pose) > settings.gate:
+                    measured = None
+                kept[n] = None if measured is None else softened(measured, expected)
+            estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
+        for number, estimate in zip(numbers, estimates):
+            poses[number] = told_pose(
+                images[number], number, self.localizer, estimate, track.risk, track.number, settings
+            )
 
     def _estimated(
-        self, looked: list[Looked], measured: list[Measurement | None], image: FlightImage
-    ) -> list[Estimate]:
-        """Of each image of a track, with what all of them tell."""
+        self, looked: list[Looked], measured: list[Measurement | None], image: FlightImage, drift: float
+    ) -> tuple[list[Estimate], float]:
+        """Of each image of a track, with what all of them tell; the displacement's variance."""
         settings = self.settings
         shared_m2 = shared_variance([one for one in measured if one is not None], settings)
         start = looked[0].estimate
         if start is None:
-            return []
+            return [], shared_m2
         share, heading, size = FIRST_DEVIATIONS
         position = share * float(np.sqrt(image.labels_hw.size) * np.exp(start.mean[3]))
         deviations = np.array([position, position, heading, size])
-        estimates = [first_estimate(start.mean[:4], deviations, shared_m2, settings)]
+        estimates = [first_estimate(start.mean[:4], deviations, shared_m2, drift)]
         steps: list[Step] = []
         for number, one in enumerate(measured):
             link = looked[number].link
@@ -182,20 +207,15 @@ class FlightSolver:
                 estimates.append(steps[-1].predicted)
             if one is not None:
                 estimates[-1] = with_measurement(estimates[-1], one, shared_m2)
-        return smoothed(estimates, steps)
+        return smoothed(estimates, steps), shared_m2
 
 
-def links_by_image(links: Sequence[Link], count: int) -> dict[int, Link]:
-    """Links between consecutive images by the number of the second one.
-
-    Args:
-        links: Of the flight; those that leave out images are not used.
-        count: Of images.
-
-    Raises:
-        ParameterError: A link is of images that the flight doesn't have.
-    """
-    for link in links:
-        if link.second >= count:
-            raise ParameterError("flight.link_of_no_image", second=link.second, count=count)
-    return {link.second: link for link in links if link.second == link.first + 1}
+def _joined(pool: Pool, measured: Measurement) -> Pool:
+    """One hypothesis with a measurement."""
+    known = np.diag(pool.variances[0, [0, 0, 1, 2]])
+    expected = Estimate(pool.states[0], known)
+    gain = known @ np.linalg.inv(known + softened(measured, expected).covariance)
+    off = measured.state - expected.state
+    off[2] = turned(off[2])
+    left = np.diag(known - gain @ known)
+    return Pool((expected.state + gain @ off)[None], left[None, [0, 2, 3]], pool.evidence)

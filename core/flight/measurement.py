@@ -2,22 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..correlation.class_pyramid import MapPyramid
+from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
 from ..correlation.exactness import known_pose, noise_factor
-from ..correlation.places import finest_pose, image_evidence, reduced_image
-from ..correlation.refine import NOT_COMPARABLE, ScoredPose, refine, score_at
+from ..correlation.places import edge_m, finest_pose, image_evidence, missing_information, reduced_image
+from ..correlation.refine import ScoredPose, score_at
 from ..geometry.pose import PoseCovariance
 from ..localization import Localization, Prior
 from ..localizer.localizer import Localizer
+from .model import FlightImage
+from .nearby import places_near
 from .settings import FlightSettings
 from .states import place_of, state_of, turned
 
 FINEST_EDGE = 256
 """Pixels along an edge up to which an image is refined here: its neighbors tell the rest."""
+
+SHARED_PERCENTILE = 25
+"""Of a track's measurements, by their variance: what they share is not larger than what the better ones have."""
+
+SHARED_STEP = 0.4
+"""Of that, in its logarithm, from image to image."""
+
+LEAST_SHARE = 0.02
+"""Places less likely than this are left out."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +69,9 @@ def of_own(own: Localization | None, pyramid: MapPyramid) -> Measurement | None:
 def by_areas(
     labels_hw: np.ndarray, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
-    """Moved to where class areas agree best near an expected place; None where they don't.
+    """Moved to where class areas agree near an expected place; None where they don't, or where they can't tell where.
+
+    Where several places are about as likely their mean is told, with a covariance that reaches all of them.
 
     Args:
         labels_hw: (H, W) uint8 labels.
@@ -66,32 +80,66 @@ def by_areas(
         covariance: (4, 4) of that.
         settings: Of flights.
     """
-    pyramid, errors = localizer.pyramid, localizer.errors
+    pyramid = localizer.pyramid
     if not pyramid.space.channels:
         return None
     image = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
-    pose = ScoredPose(float(state[0]), float(-state[1]), float(np.degrees(state[2]) % 360), float(np.exp(state[3])))
-    edge, decision = pyramid.settings.coarse_edge, pyramid.settings.decision_edge
-    while edge <= decision:
-        pose = refine(reduced_image(image, edge), pyramid, pose, pyramid.quiet, 4)
-        edge *= 2
-    if pose.score <= 0:
+    if missing_information(reduced_image(image, pyramid.settings.coarse_edge), pyramid):
         return None
+    likely = places_near(image, pyramid, state, covariance, settings)
+    found = []
+    for pose, share in likely:
+        one = _measured_at(image, localizer, pose, settings) if share >= LEAST_SHARE else None
+        if one is not None:
+            found.append((one, share))
+    if not found:
+        return None
+    whole = mixed(found)
+    loosest_m = settings.loosest * edge_m(image, float(np.exp(whole.state[3])))
+    if np.trace(whole.covariance[:2, :2]) / 2 > loosest_m**2:
+        return None
+    return whole if distance(whole, state, covariance) <= settings.gate else None
+
+
+def _measured_at(
+    image: EvidenceLevel, localizer: Localizer, pose: ScoredPose, settings: FlightSettings
+) -> Measurement | None:
+    """A place as exactly as class areas tell it; None where they don't tell all of the pose."""
+    pyramid, errors = localizer.pyramid, localizer.errors
     pose, spread = finest_pose(reduced_image(image, FINEST_EDGE), pyramid, pose)
-    score = score_at(reduced_image(image, decision), pyramid, pose, pyramid.quiet)
-    if score == NOT_COMPARABLE or not np.isfinite(spread).all():
+    score = score_at(reduced_image(image, pyramid.settings.decision_edge), pyramid, pose, pyramid.quiet)
+    if score < settings.least_score or not np.isfinite(spread).all():
         return None
-    spread = (settings.measured_factor * noise_factor(score, pyramid.settings)) ** 2 * spread
-    edge_m = float(np.sqrt(labels_hw.size)) * pose.pixel_size_m
-    known = known_pose(pose, spread, edge_m, pyramid.frame.pixel_size, errors)
+    ground_m = edge_m(image, pose.pixel_size_m)
+    spread = (factor_of(ground_m, settings) * noise_factor(score, pyramid.settings)) ** 2 * spread
+    known = known_pose(pose, spread, ground_m, pyramid.frame.pixel_size, errors)
     full = full_covariance(known, pose.pixel_size_m)
     if full is None:
         return None
     moved = np.array([pose.x, -pose.y, np.radians(pose.heading_deg), np.log(pose.pixel_size_m)])
-    found = Measurement(moved, full, score=float(score))
-    if np.trace(full[:2, :2]) / 2 > (settings.loosest * edge_m) ** 2:
-        return None
-    return found if distance(found, state, covariance) <= settings.gate else None
+    return Measurement(moved, full, score=float(score))
+
+
+def factor_of(edge_m: float, settings: FlightSettings) -> float:
+    """What deviations of class areas' fits are multiplied with: of little ground, neighboring parts err alike."""
+    factor, enough_m, power = settings.measured_factor
+    return factor * max(1.0, enough_m / edge_m) ** power
+
+
+def mixed(found: Sequence[tuple[Measurement, float]]) -> Measurement:
+    """One measurement of several that may be, with the shares that they are likely with.
+
+    Args:
+        found: At least one, each with its share; the first is the most likely one.
+    """
+    first, total = found[0][0], sum(share for _, share in found)
+    off = np.array([one.state - first.state for one, _ in found])
+    off[:, 2] = turned(off[:, 2])
+    shares = np.array([share for _, share in found]) / total
+    mean = shares @ off
+    apart = off - mean
+    covariance = sum(share * one.covariance for share, (one, _) in zip(shares, found))
+    return replace(first, state=first.state + mean, covariance=covariance + (shares[:, None] * apart).T @ apart)
 
 
 def by_landmarks(
@@ -130,3 +178,46 @@ def distance(measured: Measurement, state: np.ndarray, covariance: np.ndarray) -
     off[2] = turned(off[2])
     square = float(off @ np.linalg.solve(measured.covariance + covariance, off))
     return float(np.sqrt(max(square, 0.0) / 2))
+
+
+def measured_near(
+    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
+) -> Measurement | None:
+    """What an image says itself at an expected place: its own fix, landmarks, or class areas; None where nothing.
+
+    Args:
+        image: Of the flight.
+        localizer: Of the database.
+        state: (4,) expected.
+        covariance: (4, 4) of that.
+        settings: Of flights.
+    """
+    own = of_own(image.own, localizer.pyramid)
+    if own is not None and distance(own, state, covariance) <= settings.gate:
+        return own
+    found = by_areas(image.labels_hw, localizer, state, covariance, settings)
+    if found is not None:
+        near = by_landmarks(image.labels_hw, localizer, found.state, found.covariance, settings)
+        return near or found
+    return by_landmarks(image.labels_hw, localizer, state, covariance, settings)
+
+
+def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:
+    """Of the displacement that neighboring measurements share, along an axis, map units²."""
+    variances = [float(np.trace(one.covariance[:2, :2])) / 2 for one in measured]
+    return settings.shared_share * float(np.percentile(variances, SHARED_PERCENTILE)) if variances else 0.0
+
+
+def shared_after(shared_m2: float, measured: Measurement, settings: FlightSettings) -> float:
+    """``shared_variance`` image by image, without keeping them: a step towards the percentile with each of them.
+
+    Args:
+        shared_m2: Until now; of no measurement 0.
+        measured: The next one.
+        settings: Of flights.
+    """
+    here = shared_variance([measured], settings)
+    if shared_m2 <= 0:
+        return here
+    share = SHARED_PERCENTILE / 100
+    return shared_m2 * float(np.exp(SHARED_STEP * (share if here > shared_m2 else share - 1)))

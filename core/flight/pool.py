@@ -107,7 +107,7 @@ def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, set
         found = scored(seen, pyramid, as_poses(states))
         off = as_states(found) - states
         off[:, 2] = turned(off[:, 2])
-        noise = look_noise(seen, states, settings)
+        noise = look_noise(seen, states, settings.search_noise)
         total = variances + noise
         far = (off[:, :2] ** 2).sum(axis=1) / total[:, 0] + (off[:, 2:] ** 2 / total[:, 1:]).sum(axis=1)
         worths = worth(np.array([pose.score for pose in found]), seen, settings) - np.maximum(far - 4, 0) / 2
@@ -119,9 +119,9 @@ def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, set
     return Pool(states, variances, evidence)
 
 
-def look_noise(seen: SeenImage, states: np.ndarray, settings: FlightSettings) -> np.ndarray:
-    """(n, 3) variances of a place that the first look gives."""
-    position, heading_deg, size = settings.search_noise
+def look_noise(seen: SeenImage, states: np.ndarray, deviations: tuple[float, float, float]) -> np.ndarray:
+    """(n, 3) variances of a place that the first look gives: deviations in its pixels, degrees, ln pixel size."""
+    position, heading_deg, size = deviations
     pixel = 1.0 if seen.evidence is None else seen.evidence.pixel[0]
     noise = np.empty((len(states), 3))
     noise[:, 0] = (position * pixel * np.exp(states[:, 3])) ** 2
@@ -147,7 +147,7 @@ def own_lead(seen: SeenImage, settings: FlightSettings) -> float:
 def started(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
     """Hypotheses at the best places of an image, with its evidence alone."""
     states = as_states(poses)
-    variances = look_noise(seen, states, settings)
+    variances = look_noise(seen, states, settings.search_noise)
     evidence = np.zeros((len(states), settings.window))
     worths = worth(np.array([pose.score for pose in poses]), seen, settings)
     evidence[:, -1] = weight * worths + own_worth(states, variances, seen, settings)

@@ -37,14 +37,25 @@ class FlightSettings:
             [by hand, for the time].
         search_noise: Of a refined place of the first look: deviation in its pixels, degrees, ln pixel size
             [by hand; flights].
+        start_noise: Of a track's first place before it is measured, in the same units: a hypothesis is known to a
+            pixel of the first look, however often that has looked [reasoning; flights].
         assumed: Deviations of a link that is assumed: share of the distance, degrees, ln pixel size [reasoning].
         size_range: Ratio to either side that a pixel size is searched in around what is known [reasoning].
         map_length: Length over which errors of the map and of labels on it are shared along the track, meters
             [shared errors].
         shared_share: Share of a measurement's variance that its neighbors have alike [by hand; flights].
-        measured_factor: What deviations of class areas' fits are multiplied with: a single image's are told with room
-            for one that is not known to be near its place [by hand; flights].
+        measured_factor: What deviations of class areas' fits are multiplied with – a single image's are told with room
+            for one that is not known to be near its place –, the edge on the ground in meters that this holds from,
+            and the power that they grow with below [flight measurements].
+        comparisons: Independent parts that an image's agreement is worth: tells places near each other apart
+            [flight measurements].
+        least_score: An image that agrees less with the map where it is expected measures nothing there
+            [flight measurements].
         loosest: Measurements whose deviation is more than this share of the image's edge on the ground tell nothing
+            [reasoning].
+        wrong_share: A pose that is farther off than this share of the image's edge is wrong: the risk of a single one
+            [as the benches judge].
+        loosest_pose: An image whose 95 % radius is larger than this share of its edge is left without a place
             [reasoning].
         gate: Measurements farther from what the flight expects than so many deviations are outvoted [reasoning].
         drift: Deviation of a flight's constant errors of links: share of the distance along and, in radians, across
@@ -67,12 +78,17 @@ class FlightSettings:
     search_first: int = 4
     search_every: tuple[int, int] = (2, 5)
     search_noise: tuple[float, float, float] = (0.4, 2.5, 0.04)
+    start_noise: tuple[float, float, float] = (1.0, 5.0, 0.08)
     assumed: tuple[float, float, float] = (0.4, 20.0, 0.1)
     size_range: float = 1.15
     map_length: float = 800.0
     shared_share: float = 0.4
-    measured_factor: float = 0.6
+    measured_factor: tuple[float, float, float] = (0.6, 640.0, 0.7)
+    comparisons: float = 80.0
+    least_score: float = 0.2
     loosest: float = 0.05
+    wrong_share: float = 0.1
+    loosest_pose: float = 0.5
     gate: float = 4.0
     drift: float = 0.01
 

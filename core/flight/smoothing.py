@@ -8,16 +8,22 @@ share links are wrong all along the flight (along, across).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from .measurement import Measurement
-from .motion import Link
+from .motion import Link, LinkSource
 from .settings import FlightSettings
 from .states import turned
 
 SIZE = 8
+TAILS = 4.0
+"""Degrees of freedom of measurements' errors: 1 in 100 is as far off as 1 in 40,000 would be without tails."""
+
+MOST_DRIFT = 0.2
+
 _SEEN = np.eye(4, SIZE)
 _SEEN[:2, 4:6] = np.eye(2)
 """What is measured: the pose, its position with the displacement."""
@@ -45,6 +51,11 @@ class Estimate:
         """(4, 4) of the pose."""
         return self.covariance[:4, :4]
 
+    @property
+    def pose(self) -> tuple[np.ndarray, np.ndarray]:
+        """(4,) and (4, 4) of it."""
+        return self.state, self.pose_covariance
+
 
 @dataclass(frozen=True)
 class Step:
@@ -59,17 +70,32 @@ class Step:
     predicted: Estimate
 
 
-def first_estimate(state: np.ndarray, deviations: np.ndarray, shared_m2: float, settings: FlightSettings) -> Estimate:
+def first_estimate(state: np.ndarray, deviations: np.ndarray, shared_m2: float, drift: float) -> Estimate:
     """Of a track's first image.
 
     Args:
         state: (4,) about where it lies.
         deviations: (4,) of that.
         shared_m2: Variance of the displacement along an axis.
-        settings: Of flights.
+        drift: Deviation of what is wrong with links all along, as ``drift_of`` tells it.
     """
-    variances = [*np.square(deviations), shared_m2, shared_m2, settings.drift**2, settings.drift**2]
+    variances = [*np.square(deviations), shared_m2, shared_m2, drift**2, drift**2]
     return Estimate(np.array([*state, 0.0, 0.0, 0.0, 0.0]), np.diag(variances))
+
+
+def drift_of(links: Iterable[Link], settings: FlightSettings) -> float:
+    """Deviation of links' constant errors: half of the variance that they state may be the same all along.
+
+    Args:
+        links: Of the flight, as far as known; assumed ones tell nothing.
+        settings: Of flights: the least.
+    """
+    shares = [
+        np.sqrt(np.trace(np.array(link.covariance)[:2, :2]) / 4) / abs(link.step)
+        for link in links
+        if link.source is not LinkSource.ASSUMED and abs(link.step) > 0
+    ]
+    return float(np.clip(np.median(shares), settings.drift, MOST_DRIFT)) if shares else settings.drift
 
 
 def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSettings) -> Step:
@@ -108,16 +134,46 @@ def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSe
 
 def with_measurement(expected: Estimate, measured: Measurement, shared_m2: float) -> Estimate:
     """The estimate after a measurement, of whose variance a part is the displacement's."""
-    noise = measured.covariance.copy()
-    shared = min(shared_m2, 0.95 * float(np.linalg.eigvalsh(noise[:2, :2])[0]))
-    noise[:2, :2] -= shared * np.eye(2)
+    noise = _own_noise(measured, shared_m2)
     gain = np.linalg.solve(_SEEN @ expected.covariance @ _SEEN.T + noise, _SEEN @ expected.covariance).T
-    off = measured.state - _SEEN @ expected.mean
-    off[2] = turned(off[2])
     # Joseph's form stays symmetric and positive.
     left = np.eye(SIZE) - gain @ _SEEN
     covariance = left @ expected.covariance @ left.T + gain @ noise @ gain.T
-    return Estimate(expected.mean + gain @ off, covariance)
+    return Estimate(expected.mean + gain @ _off(expected, measured), covariance)
+
+
+def without_measurement(estimate: Estimate, measured: Measurement, shared_m2: float) -> Estimate:
+    """What all others tell of an image: its estimate, with its own measurement taken out again."""
+    seen = np.linalg.solve(_own_noise(measured, shared_m2), _SEEN)
+    covariance = np.linalg.inv(np.linalg.inv(estimate.covariance) - _SEEN.T @ seen)
+    covariance = (covariance + covariance.T) / 2
+    return Estimate(estimate.mean - covariance @ seen.T @ _off(estimate, measured), covariance)
+
+
+def softened(measured: Measurement, expected: Estimate) -> Measurement:
+    """A measurement, the less exact the farther it is from what is expected: errors of labels have long tails.
+
+    By Student's t with ``TAILS`` degrees of freedom, as in iteratively reweighted least squares.
+    """
+    off = measured.state - expected.state
+    off[2] = turned(off[2])
+    square = float(off @ np.linalg.solve(measured.covariance + expected.pose_covariance, off))
+    factor = (TAILS + square) / (TAILS + len(off))
+    return replace(measured, covariance=factor * measured.covariance) if factor > 1 else measured
+
+
+def _own_noise(measured: Measurement, shared_m2: float) -> np.ndarray:
+    """(4, 4) of a measurement without what it shares with its neighbors."""
+    noise = measured.covariance.copy()
+    noise[:2, :2] -= min(shared_m2, 0.95 * float(np.linalg.eigvalsh(noise[:2, :2])[0])) * np.eye(2)
+    return noise
+
+
+def _off(expected: Estimate, measured: Measurement) -> np.ndarray:
+    """(4,) of a measurement from what is expected."""
+    off = measured.state - _SEEN @ expected.mean
+    off[2] = turned(off[2])
+    return off
 
 
 def smoothed(filtered: list[Estimate], steps: list[Step]) -> list[Estimate]:

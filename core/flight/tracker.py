@@ -11,28 +11,20 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ParameterError
-from ..geometry.pose import PoseCovariance
-from ..geometry.shared_errors import covariance_of
-from ..localization import LEAST_RISK, Method, Prior, Status, risk_of
+from ..localization import Method, Prior, Status, risk_of
 from ..localizer.localizer import Localizer, default_scales
 from ..sentences import Sentence
 from .evidence import SeenImage, best_of, seen_image
-from .measurement import Measurement, by_areas, by_landmarks, distance, of_own
+from .measurement import Measurement, measured_near, shared_after, shared_variance
 from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
-from .model import FlightImage, FlightPose, PoseSource
+from .model import FlightImage, FlightPose
 from .motion import MOST_LOG_SCALE, Link, LinkSource, as_rows
-from .pool import Pool, predicted, pruned, same_place, started, updated, with_past
+from .pool import Pool, look_noise, predicted, pruned, same_place, started, updated, with_past
 from .settings import FLIGHT, FlightSettings
-from .smoothing import SIZE, Estimate, first_estimate, step_over, with_measurement
-from .states import place_of
-
-SAME_SHARE = 0.02
-"""An image's own fix that is within this share of its edge agrees with the flight, however exact it claims to be."""
+from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
+from .telling import told_pose, unplaced
 
 STATE_VERSION = 1
-
-SHARED_PERCENTILE = 25
-"""Of a track's measurements, by their variance: what they share is not larger than what the better ones have."""
 
 
 @dataclass(frozen=True)
@@ -152,6 +144,11 @@ class FlightTracker:
             raise ParameterError("flight.no_state") from error
         return tracker
 
+    @property
+    def risk(self) -> float:
+        """That the latest track is wrong as a whole; 1 before the first."""
+        return self._risk
+
     def _pools(self) -> list[tuple[str, Pool]]:
         return [("pool", self._pool), ("mirror", self._mirror)]
 
@@ -235,7 +232,10 @@ class FlightTracker:
         if self._held is not None and link is not None:
             expected = step_over(self._held, link, self._shared_m2, settings).predicted
             measured = self._measured(image, expected)
-            self._held = expected if measured is None else with_measurement(expected, measured, self._shared_m2)
+            self._held = expected
+            if measured is not None:
+                self._held = with_measurement(expected, softened(measured, expected), self._shared_m2)
+                self._shared_m2 = shared_after(self._shared_m2, measured, settings)
             found = Looked(self._held, measured, link)
             if self._is_lost(seen):
                 # The mirrored flight was not followed meanwhile: what is decided waits for it.
@@ -261,18 +261,15 @@ class FlightTracker:
 
     def _start(self, image: FlightImage, seen: SeenImage) -> Looked:
         """The first estimate of a track, at the best hypothesis."""
-        state, variances = self._pool.states[0], self._pool.variances[0]
-        deviations = np.sqrt(variances[[0, 0, 1, 2]])
-        bare = first_estimate(state, deviations, 0.0, self.settings)
+        state, drift = self._pool.states[0], drift_of((past.link for past in self._past), self.settings)
+        # A hypothesis is known to a pixel of the first look, however often that has looked.
+        deviations = np.sqrt(look_noise(seen, state[None], self.settings.start_noise)[0][[0, 0, 1, 2]])
+        bare = first_estimate(state, deviations, 0.0, drift)
         measured = self._measured(image, bare)
-        if measured is None:
-            self._shared_m2 = self.settings.shared_share * float(variances[0])
-        else:
-            self._shared_m2 = shared_variance([measured], self.settings)
-        estimate = first_estimate(state, deviations, self._shared_m2, self.settings)
+        self._shared_m2 = 0.0 if measured is None else shared_variance([measured], self.settings)
+        estimate = first_estimate(state, deviations, self._shared_m2, drift)
         if measured is not None:
-            wide = first_estimate(state, 3 * deviations, self._shared_m2, self.settings)
-            estimate = with_measurement(wide, measured, self._shared_m2)
+            estimate = with_measurement(estimate, measured, self._shared_m2)
         return Looked(estimate, measured, None, is_new=True)
 
     def _measured(self, image: FlightImage, expected: Estimate) -> Measurement | None:
@@ -301,16 +298,8 @@ class FlightTracker:
         if held is None:
             reason = Sentence("flight.undecided", risk=self._decided(), allowed=self.settings.allowed_risk)
             status = Status.AMBIGUOUS if len(self._pool) > 1 else Status.NO_MATCH
-            return FlightPose(
-                image.name,
-                self._number,
-                status,
-                reason,
-                own=image.own,
-                time_s=image.time_s,
-                size_wh=image.size_wh,
-            )
-        return told_pose(image, self._number, self.localizer, held, self._risk, self.track)
+            return unplaced(image, self._number, reason, status)
+        return told_pose(image, self._number, self.localizer, held, self._risk, self.track, self.settings)
 
 
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:
@@ -333,70 +322,3 @@ def _saved_pool(state: Mapping[str, np.ndarray], name: str, settings: FlightSett
         raise ValueError("there are too many hypotheses")
     variances = checked_array(state, f"{name}_variances", count, 3, above=-1e-9)
     return Pool(states, variances, checked_array(state, f"{name}_evidence", count, settings.window))
-
-
-def measured_near(
-    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
-) -> Measurement | None:
-    """What an image says itself at an expected place: its own fix, landmarks, or class areas; None where nothing.
-
-    Args:
-        image: Of the flight.
-        localizer: Of the database.
-        state: (4,) expected.
-        covariance: (4, 4) of that.
-        settings: Of flights.
-    """
-    own = of_own(image.own, localizer.pyramid)
-    if own is not None and distance(own, state, covariance) <= settings.gate:
-        return own
-    found = by_areas(image.labels_hw, localizer, state, covariance, settings)
-    if found is not None:
-        near = by_landmarks(image.labels_hw, localizer, found.state, found.covariance, settings)
-        return near or found
-    return by_landmarks(image.labels_hw, localizer, state, covariance, settings)
-
-
-def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:
-    """Of the displacement that neighboring measurements share, along an axis, map units²."""
-    variances = [float(np.trace(one.covariance[:2, :2])) / 2 for one in measured]
-    return settings.shared_share * float(np.percentile(variances, SHARED_PERCENTILE)) if variances else 0.0
-
-
-def told_pose(  # noqa: PLR0913 - an image, and what its track says
-    image: FlightImage, number: int, localizer: Localizer, estimate: Estimate, risk: float, track: int
-) -> FlightPose:
-    """An estimate as what is told of an image.
-
-    Args:
-        image: Of the flight.
-        number: Of it.
-        localizer: Of the database.
-        estimate: Of its pose.
-        risk: That its track is wrong.
-        track: Number of that.
-    """
-    place = place_of(estimate.state, localizer.pyramid.frame.origin)
-    size = place.oriented[1]
-    known: PoseCovariance = covariance_of(estimate.pose_covariance, size, ())
-    own = of_own(image.own, localizer.pyramid)
-    agrees = False
-    if own is not None:
-        apart = float(np.hypot(*(own.state - estimate.state)[:2]))
-        reach = SAME_SHARE * float(np.sqrt(image.labels_hw.size)) * size
-        agrees = apart <= reach or distance(own, estimate.state, estimate.pose_covariance) <= 3
-    return FlightPose(
-        image.name,
-        number,
-        Status.FIX,
-        None,
-        place,
-        known,
-        max(risk, LEAST_RISK),
-        PoseSource.OWN if agrees else PoseSource.FLIGHT,
-        track,
-        own is not None and not agrees,
-        image.own,
-        image.time_s,
-        image.size_wh,
-    )

@@ -31,6 +31,9 @@ SENTENCES = {
         "The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; "
         "at most {allowed:.2g} is allowed."
     ),
+    "flight.too_loose": (
+        "The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows {edge:.0f} m."
+    ),
     "flight.no_log": "{path} is no flight log that SemRef reads; it reads {kinds}.",
     "flight.empty_log": "{path} tells neither heading nor height nor speed of a flight.",
     # Video

@@ -129,7 +129,7 @@ class FlightReader:
         self.taken: list[TakenImage] = []
         self.links: list[Link] = []
         self.unlinked: list[tuple[int, str]] = []
-        self._features: Features | None = None
+        self._features: list[Features] = []
 
     @property
     def flown(self) -> list[FlightImage]:
@@ -164,14 +164,15 @@ class FlightReader:
     def _link(self, features: Features, number: int) -> None:
         from ...core.flight.pixel_motion import motion_between
 
-        before, self._features = self._features, features
-        if before is None:
-            return
-        motion = motion_between(before, features, (number - 1, number))
-        if motion.link is not None:
-            self.links.append(motion.link)
-        elif motion.reason is not None:
-            self.unlinked.append((number, worded(motion.reason)))
+        before, self._features = self._features, [*self._features[-1:], features]
+        # One image that is blurred lies between two that show the same ground.
+        for away, earlier in enumerate(reversed(before), 1):
+            motion = motion_between(earlier, features, (number - away, number))
+            if motion.link is not None:
+                self.links.append(motion.link)
+                return
+            if away == 1 and motion.reason is not None:
+                self.unlinked.append((number, worded(motion.reason)))
 
     def links_with(self, steps: Sequence[Step], log: Telemetry | None) -> list[Link]:
         """All links: those of an odometry table, of pixels where it tells none, of a log where neither does."""

@@ -166,6 +166,7 @@ COLUMNS = (
     "flights with a wrong track",
     "median, 95th percentile of error",
     "in the 95 % ellipse",
+    "wrong ones that risks tell",
     "s an image: median, p95; before, with a track",
 )
 
@@ -175,8 +176,8 @@ def _cells(case: Case, tried: Sequence[Tried]) -> list[str]:
     placed = [(pose, view) for pose, view in pairs if pose.is_fix]
     wrong = [pair for pair in placed if not case.is_somewhere or is_wrong(*pair)]
     lost = sum(any(p.is_fix and (not case.is_somewhere or is_wrong(p, v)) for p, v in _both(one)) for one in tried)
-    right = [pair for pair in placed if pair not in wrong] if case.is_somewhere else []
-    errors = [error(*pair) for pair in right]
+    told = placed if case.is_somewhere else []
+    errors = [error(*pair) for pair in told]
     seconds = np.concatenate([one.seconds for one in tried])
     held = np.concatenate([[pose.is_fix for pose in one.causal] for one in tried])
     parts = [f"{np.median(seconds[part]):.1f}" if part.any() else "–" for part in (~held, held)]
@@ -187,7 +188,8 @@ def _cells(case: Case, tried: Sequence[Tried]) -> list[str]:
         page.rate(len(wrong), len(pairs)),
         page.rate(lost, len(tried)),
         f"{np.median(errors):.1f} m, {np.percentile(errors, 95):.1f} m" if errors else "–",
-        page.rate(sum(is_held(*pair) for pair in right), len(right)),
+        page.rate(sum(is_held(*pair) for pair in told), len(told)),
+        f"{sum(pose.risk for pose, _ in told):.1f}" if told else "–",
         f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}; {parts[0]}, {parts[1]}",
     ]
 
@@ -259,8 +261,9 @@ off by 1 % of the distance (σ, right and down) and all of them by another 1 %, 
 size to 10 %; nothing of place and heading; no image has a fix of its own. Drift: that share instead of 1 %. Searched:
 the whole country. Whole flight: with what later images tell. Wrong: farther off than {wrong:g} % of the image's edge;
 flights that are mirrored or of the half that the database lacks (10 images) have no right place. Errors and ellipses:
-of images that are not wrong. Christchurch: LCDB v5.0, label images of another date without other noise, 12 images of
-6.4 km, 1.6 km apart. Times: processor, on a machine that others used too."""
+of all images that are placed, wrong ones included; beside them the sum of the risks that are told of them.
+Christchurch: LCDB v5.0, label images of another date without other noise, 12 images of 6.4 km, 1.6 km apart. Times:
+processor, on a machine that others used too."""
 
 _STEPS = "Known image by image, from the images until then alone: flights placed, median error, in the 95 % ellipse:"
 _BESIDE = """\

@@ -11,6 +11,7 @@ NAME is one of
     covariance     coverage and likelihood of true errors under other settings of the errors that landmarks share
     biases         how far off networks show their classes: the shipped one, and --model on --tile of dubai_aerial
     probability    right and wrong places of images of all qualities, the curve that fits them, images of two places
+    flights        images of flights measured near their places, and told from others near by; --count flights
 
 They print what a setting is chosen from; nothing is changed. Figures to quote are those of tools/bench, whose images
 come from the southern half.
@@ -40,6 +41,7 @@ MODULES = {
     "covariance": "covariance",
     "biases": "biases",
     "probability": "trials",
+    "flights": "flights",
 }
 COUNTS = {
     "constellation": 300,
@@ -50,6 +52,7 @@ COUNTS = {
     "covariance": 60,
     "biases": 5,
     "probability": 1000,
+    "flights": 6,
 }
 
 

@@ -1,12 +1,23 @@
 """The smoother, against simulated tracks whose errors are known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from semref.core.flight.measurement import Measurement
-from semref.core.flight.motion import Link, as_rows
+from semref.core.flight.motion import Link, LinkSource, as_rows
 from semref.core.flight.settings import FLIGHT
-from semref.core.flight.smoothing import first_estimate, smoothed, step_over, with_measurement
+from semref.core.flight.smoothing import (
+    Estimate,
+    drift_of,
+    first_estimate,
+    smoothed,
+    softened,
+    step_over,
+    with_measurement,
+    without_measurement,
+)
 
 STEP_M, SHARED_M2, OWN_M2, DRIFT = 200.0, 4.0, 4.0, 0.01
 HEADING, SIZE = 0.005, 0.003
@@ -24,7 +35,7 @@ def track(count, measured, rng, shared_m2=SHARED_M2):
     kept = np.exp(-STEP_M / FLIGHT.map_length)
     displacement = rng.normal(0, np.sqrt(SHARED_M2), 2)
     covariance = np.diag([SHARED_M2 + OWN_M2] * 2 + [0.01**2, 0.01**2])
-    estimates, steps = [first_estimate(np.zeros(4), np.array([50, 50, 0.1, 0.1]), shared_m2, FLIGHT)], []
+    estimates, steps = [first_estimate(np.zeros(4), np.array([50, 50, 0.1, 0.1]), shared_m2, FLIGHT.drift)], []
     for number in range(count):
         if number:
             steps.append(step_over(estimates[-1], a_link(number - 1, rng), shared_m2, FLIGHT))
@@ -73,7 +84,55 @@ def test_later_images_tell_of_earlier_ones():
 
 
 def test_motion_in_meters_needs_no_pixel_size():
-    start = first_estimate(np.array([0, 0, np.pi / 2, 3.0]), np.array([1, 1, 0.0, 1.0]), 1.0, FLIGHT)
+    start = first_estimate(np.array([0, 0, np.pi / 2, 3.0]), np.array([1, 1, 0.0, 1.0]), 1.0, FLIGHT.drift)
     step = step_over(start, Link.of_odometry(0, 1, 0.0, 100.0, 0.0, 1.0, 0.0), 1.0, FLIGHT)
     assert step.predicted.state[:2] == pytest.approx((100.0, 0.0))
     assert deviation(step.predicted).max() < 3
+
+
+def track_of(count=6):
+    """Filtered and smoothed estimates of a straight track, its measurements, and what they share."""
+    link = Link(0, 1, (0.0, -100.0), 0.0, 0.0, as_rows(np.diag([9.0, 9.0, 1e-4, 1e-4])))
+    measured = [
+        Measurement(np.array([3.0, 100.0 * n, 0.01, 0.0]), np.diag([16.0, 25.0, 1e-3, 1e-3])) for n in range(count)
+    ]
+
+    def estimated(kept):
+        estimates, steps = [first_estimate(np.zeros(4), np.array([80.0, 80.0, 0.2, 0.1]), 4.0, 0.01)], []
+        for n, one in enumerate(kept):
+            if n:
+                steps.append(step_over(estimates[-1], link, 4.0, FLIGHT))
+                estimates.append(steps[-1].predicted)
+            if one is not None:
+                estimates[-1] = with_measurement(estimates[-1], one, 4.0)
+        return smoothed(estimates, steps)
+
+    return estimated, measured
+
+
+@pytest.mark.parametrize("left_out", [0, 3, 5])
+def test_a_measurement_taken_out_of_the_track_leaves_what_all_others_tell(left_out):
+    estimated, measured = track_of()
+    whole = estimated(measured)
+    others = estimated([None if n == left_out else one for n, one in enumerate(measured)])
+    alone = without_measurement(whole[left_out], measured[left_out], 4.0)
+    # The motion is bent a little differently with each of them.
+    assert alone.state == pytest.approx(others[left_out].state, abs=0.05)
+    assert np.diag(alone.covariance) == pytest.approx(np.diag(others[left_out].covariance), rel=0.02)
+
+
+def test_a_measurement_far_from_what_is_expected_pulls_less():
+    expected = Estimate(np.zeros(8), np.eye(8))
+    near = Measurement(np.array([1.0, 0.0, 0.0, 0.0]), np.eye(4))
+    assert softened(near, expected) is near
+    far = softened(replace(near, state=np.array([10.0, 0.0, 0.0, 0.0])), expected)
+    assert far.covariance == pytest.approx(np.eye(4) * (4 + 50) / 8)
+
+
+def test_links_that_state_more_may_be_wrong_all_along_by_more():
+    def stated(share, source=LinkSource.PIXELS):
+        return Link(0, 1, (0.0, -200.0), 0.0, 0.0, as_rows(np.diag([2 * (share * 200) ** 2] * 2 + [1e-4] * 2)), source)
+
+    assert drift_of([stated(0.05)] * 3, FLIGHT) == pytest.approx(0.05)
+    assert drift_of([stated(0.001)], FLIGHT) == FLIGHT.drift == drift_of([], FLIGHT)
+    assert drift_of([stated(0.001), *[stated(0.4, LinkSource.ASSUMED)] * 5], FLIGHT) == FLIGHT.drift

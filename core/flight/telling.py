@@ -1,0 +1,95 @@
+"""A track's estimate of an image as what is told of it.
+
+Told in docs/method.md#flights.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..geometry.pose import PoseCovariance
+from ..geometry.shared_errors import covariance_of
+from ..localization import LEAST_RISK, Status
+from ..localizer.localizer import Localizer
+from ..sentences import Sentence
+from .measurement import distance, of_own
+from .model import FlightImage, FlightPose, PoseSource
+from .settings import FlightSettings
+from .smoothing import TAILS, Estimate
+from .states import place_of
+
+SAME_SHARE = 0.02
+"""An image's own fix that is within this share of its edge agrees with the flight, however exact it claims to be."""
+
+
+def told_pose(  # noqa: PLR0913 - an image, and what its track says
+    image: FlightImage,
+    number: int,
+    localizer: Localizer,
+    estimate: Estimate,
+    risk: float,
+    track: int,
+    settings: FlightSettings,
+) -> FlightPose:
+    """An estimate as what is told of an image: a place, unless it could as well lie beside the image.
+
+    Args:
+        image: Of the flight.
+        number: Of it.
+        localizer: Of the database.
+        estimate: Of its pose.
+        risk: That its track is wrong.
+        track: Number of that.
+        settings: Of flights.
+    """
+    place = place_of(estimate.state, localizer.pyramid.frame.origin)
+    size = place.oriented[1]
+    known: PoseCovariance = covariance_of(estimate.pose_covariance, size, ())
+    edge_m = float(np.sqrt(image.labels_hw.size)) * size
+    if known.radius_95 is None or known.radius_95 > settings.loosest_pose * edge_m:
+        return unplaced(image, number, Sentence("flight.too_loose", radius=known.radius_95, edge=edge_m))
+    risk = max(risk, LEAST_RISK, chance_off(estimate.pose_covariance, settings.wrong_share * edge_m))
+    own = of_own(image.own, localizer.pyramid)
+    agrees = False
+    if own is not None:
+        apart = float(np.hypot(*(own.state - estimate.state)[:2]))
+        reach = SAME_SHARE * edge_m
+        agrees = apart <= reach or distance(own, estimate.state, estimate.pose_covariance) <= 3
+    return FlightPose(
+        image.name,
+        number,
+        Status.FIX,
+        None,
+        place,
+        known,
+        risk,
+        PoseSource.OWN if agrees else PoseSource.FLIGHT,
+        track,
+        own is not None and not agrees,
+        image.own,
+        image.time_s,
+        image.size_wh,
+    )
+
+
+def unplaced(image: FlightImage, number: int, reason: Sentence, status: Status = Status.AMBIGUOUS) -> FlightPose:
+    """An image that the flight doesn't place.
+
+    Args:
+        image: Of the flight.
+        number: Of it.
+        reason: Why.
+        status: What became of it.
+    """
+    return FlightPose(image.name, number, status, reason, own=image.own, time_s=image.time_s, size_wh=image.size_wh)
+
+
+def chance_off(covariance: np.ndarray, reach_m: float) -> float:
+    """Probability that a place lies farther off than so many meters, by its covariance, with the tails of measurements.
+
+    Args:
+        covariance: (4, 4) of the pose.
+        reach_m: Meters.
+    """
+    strongest = max(float(np.linalg.eigvalsh(covariance[:2, :2])[-1]), 1e-12)
+    return float((1 + reach_m**2 / (TAILS * strongest)) ** (-TAILS / 2))
