@@ -244,6 +244,10 @@
    <translation>Alle Dateien (*)</translation>
   </message>
   <message>
+   <source>All places are done.</source>
+   <translation>Alle Stellen sind erledigt.</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Alles, was der Bericht zeigt, für Skripte.</translation>
   </message>
@@ -628,6 +632,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Ein Segmentierungsmodell wählen</translation>
   </message>
   <message>
+   <source>Choose the annotation that you mended</source>
+   <translation>Wählen Sie die verbesserte Annotation</translation>
+  </message>
+  <message>
    <source>Choose the folder of your models</source>
    <translation>Ordner Ihrer Modelle wählen</translation>
   </message>
@@ -802,10 +810,6 @@ Der Bericht sagt auch, wie weit von ihrem Ort die Landmarken jeder Klasse gezeig
   <message>
    <source>Corrected label map</source>
    <translation>Korrigierte Klassenkarte</translation>
-  </message>
-  <message>
-   <source>Corrected places</source>
-   <translation>Korrigierte Stellen</translation>
   </message>
   <message>
    <source>Correlation of both</source>
@@ -1642,6 +1646,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>In the project…</source>
    <translation>Im Projekt…</translation>
+  </message>
+  <message>
+   <source>Information</source>
+   <translation>Hinweis</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -2640,10 +2648,6 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>OpenStreetMap-Polygone</translation>
   </message>
   <message>
-   <source>Opens “Update reference database” with the places that are done</source>
-   <translation>Öffnet „Referenzdatenbank aktualisieren“ mit den erledigten Stellen</translation>
-  </message>
-  <message>
    <source>Orthophoto</source>
    <translation>Orthofoto</translation>
   </message>
@@ -2748,12 +2752,20 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Vom Flug verortet</translation>
   </message>
   <message>
+   <source>Places</source>
+   <translation>Stellen</translation>
+  </message>
+  <message>
    <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
    <translation>Verortet alle Bilder zusammen, in der Reihenfolge ihrer Zeiten, sonst ihrer Namen: auch solche ohne eigenen Fix</translation>
   </message>
   <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>Orte werden mit Netzen geprüft, die ohne sie trainiert wurden.</translation>
+  </message>
+  <message>
+   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>Hier erscheinen die Stellen, die zu verbessern sind: „Annotation prüfen“ und „Klassenkarten vergleichen“ finden sie.</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -2864,6 +2876,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
   </message>
   <message>
+   <source>Puts {file} back in its place</source>
+   <translation>Setzt {file} wieder an ihre Stelle</translation>
+  </message>
+  <message>
    <source>Python that trains</source>
    <translation>Python, das trainiert</translation>
   </message>
@@ -2928,8 +2944,20 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Rang</translation>
   </message>
   <message>
+   <source>Rasterize and update the database</source>
+   <translation>Rastern und Datenbank aktualisieren</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Annotation rastern</translation>
+  </message>
+  <message>
+   <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
+   <translation>Rastert die Annotation auf die Karte der Datenbank und aktualisiert diese an Ort und Stelle; die alte Datei bleibt erhalten</translation>
+  </message>
+  <message>
+   <source>Rasterizing the correction</source>
+   <translation>Korrektur wird gerastert</translation>
   </message>
   <message>
    <source>Rasterizing the sample area</source>
@@ -3582,6 +3610,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
    <translation>Die Datenbank hat {count} Fenster der Stufe {level}, ihr Raster aber {known}; sie neu erstellen.</translation>
+  </message>
+  <message>
+   <source>The database is as it was before the last update.</source>
+   <translation>Die Datenbank ist wie vor der letzten Aktualisierung.</translation>
+  </message>
+  <message>
+   <source>The database is up to date; the old file is kept beside it.</source>
+   <translation>Die Datenbank ist aktuell; die alte Datei liegt daneben.</translation>
   </message>
   <message>
    <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
@@ -4352,6 +4388,14 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Unbedeckte, von Polygonen umschlossene Stellen bis zu dieser Fläche sind Lücken; schmale bei jeder Fläche.</translation>
   </message>
   <message>
+   <source>Undo the last update</source>
+   <translation>Letzte Aktualisierung rückgängig machen</translation>
+  </message>
+  <message>
+   <source>Undoing the update</source>
+   <translation>Aktualisierung wird rückgängig gemacht</translation>
+  </message>
+  <message>
    <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
    <translation>Unbekanntes Gelände bleibt beim Training außen vor. „Etwas anderes“ nur wählen, wo alles gezeichnet wurde, was zu einer Klasse gehört; die Ausdehnung hält dann Gelände fern, wo nichts gezeichnet wurde.</translation>
   </message>
@@ -4368,12 +4412,16 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Referenzdatenbank aktualisieren</translation>
   </message>
   <message>
-   <source>Update the database…</source>
-   <translation>Datenbank aktualisieren…</translation>
+   <source>Update the database</source>
+   <translation>Datenbank aktualisieren</translation>
   </message>
   <message>
    <source>Updated database</source>
    <translation>Aktualisierte Datenbank</translation>
+  </message>
+  <message>
+   <source>Updating the database</source>
+   <translation>Datenbank wird aktualisiert</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -4410,6 +4458,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Verdict</source>
    <translation>Urteil</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <translation>Warnung</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -6534,6 +6586,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>„{layer}“ enthält Geometrien vom Typ {kind}; ein Annotationslayer enthält Polygone.</translation>
+  </message>
+  <message>
+   <source>“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database.</source>
+   <translation>„{layer}“ liegt außerhalb der Karte von {name}; wählen Sie die Annotation und die Stellen, die zu dieser Datenbank gehören.</translation>
   </message>
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>

@@ -244,6 +244,10 @@
    <translation>Todos los archivos (*)</translation>
   </message>
   <message>
+   <source>All places are done.</source>
+   <translation>Todos los lugares están hechos.</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Todo lo que muestra el informe, para scripts.</translation>
   </message>
@@ -353,7 +357,7 @@
   </message>
   <message>
    <source>Area (m²)</source>
-   <translation>Superficie (m²)</translation>
+   <translation>Área (m²)</translation>
   </message>
   <message>
    <source>Area or route</source>
@@ -628,6 +632,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elegir un modelo de segmentación</translation>
   </message>
   <message>
+   <source>Choose the annotation that you mended</source>
+   <translation>Elija la anotación que ha corregido</translation>
+  </message>
+  <message>
    <source>Choose the folder of your models</source>
    <translation>Elija la carpeta de sus modelos</translation>
   </message>
@@ -802,10 +810,6 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
   <message>
    <source>Corrected label map</source>
    <translation>Mapa de etiquetas corregido</translation>
-  </message>
-  <message>
-   <source>Corrected places</source>
-   <translation>Lugares corregidos</translation>
   </message>
   <message>
    <source>Correlation of both</source>
@@ -1642,6 +1646,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>In the project…</source>
    <translation>En el proyecto…</translation>
+  </message>
+  <message>
+   <source>Information</source>
+   <translation>Información</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -2640,10 +2648,6 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Polígonos de OpenStreetMap</translation>
   </message>
   <message>
-   <source>Opens “Update reference database” with the places that are done</source>
-   <translation>Abre «Actualizar base de datos de referencia» con los lugares hechos</translation>
-  </message>
-  <message>
    <source>Orthophoto</source>
    <translation>Ortofoto</translation>
   </message>
@@ -2748,12 +2752,20 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Situada por el vuelo</translation>
   </message>
   <message>
+   <source>Places</source>
+   <translation>Lugares</translation>
+  </message>
+  <message>
    <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
    <translation>Sitúa todas las imágenes juntas, en el orden de sus horas, si no, de sus nombres: también las que no tienen posición propia</translation>
   </message>
   <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>Los lugares se prueban con redes entrenadas sin ellos.</translation>
+  </message>
+  <message>
+   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>Aquí aparecen los lugares que hay que corregir: los encuentran «Comprobar anotación» y «Comparar mapas de etiquetas».</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -2864,6 +2876,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
   </message>
   <message>
+   <source>Puts {file} back in its place</source>
+   <translation>Vuelve a poner {file} en su lugar</translation>
+  </message>
+  <message>
    <source>Python that trains</source>
    <translation>Python que entrena</translation>
   </message>
@@ -2928,8 +2944,20 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Orden</translation>
   </message>
   <message>
+   <source>Rasterize and update the database</source>
+   <translation>Rasterizar y actualizar la base de datos</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Rasterizar anotación</translation>
+  </message>
+  <message>
+   <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
+   <translation>Rasteriza la anotación sobre el mapa de la base de datos y la actualiza en su sitio; el archivo antiguo se conserva</translation>
+  </message>
+  <message>
+   <source>Rasterizing the correction</source>
+   <translation>Rasterizando la corrección</translation>
   </message>
   <message>
    <source>Rasterizing the sample area</source>
@@ -3582,6 +3610,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
    <translation>La base de datos tiene {count} ventanas del nivel {level} donde su cuadrícula tiene {known}; vuelva a crearla.</translation>
+  </message>
+  <message>
+   <source>The database is as it was before the last update.</source>
+   <translation>La base de datos está como antes de la última actualización.</translation>
+  </message>
+  <message>
+   <source>The database is up to date; the old file is kept beside it.</source>
+   <translation>La base de datos está al día; el archivo antiguo se conserva a su lado.</translation>
   </message>
   <message>
    <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
@@ -4352,6 +4388,14 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Los lugares no cubiertos hasta esta área, rodeados de polígonos, son huecos; los delgados lo son sea cual sea su área.</translation>
   </message>
   <message>
+   <source>Undo the last update</source>
+   <translation>Deshacer la última actualización</translation>
+  </message>
+  <message>
+   <source>Undoing the update</source>
+   <translation>Deshaciendo la actualización</translation>
+  </message>
+  <message>
    <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
    <translation>El terreno desconocido queda fuera del entrenamiento. Elija «otra cosa» solo donde se dibujó todo lo que es de una clase; la extensión aparta entonces el terreno donde no se dibujó nada.</translation>
   </message>
@@ -4368,12 +4412,16 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Actualizar base de datos de referencia</translation>
   </message>
   <message>
-   <source>Update the database…</source>
-   <translation>Actualizar la base de datos…</translation>
+   <source>Update the database</source>
+   <translation>Actualizar la base de datos</translation>
   </message>
   <message>
    <source>Updated database</source>
    <translation>Base de datos actualizada</translation>
+  </message>
+  <message>
+   <source>Updating the database</source>
+   <translation>Actualizando la base de datos</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -4410,6 +4458,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Verdict</source>
    <translation>Veredicto</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <translation>Advertencia</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -6534,6 +6586,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>«{layer}» contiene geometrías {kind}; una capa de anotación contiene polígonos.</translation>
+  </message>
+  <message>
+   <source>“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database.</source>
+   <translation>«{layer}» queda fuera del mapa de {name}; elija la anotación y los lugares que pertenecen a esta base de datos.</translation>
   </message>
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>

@@ -244,6 +244,10 @@
    <translation>Tous les fichiers (*)</translation>
   </message>
   <message>
+   <source>All places are done.</source>
+   <translation>Tous les endroits sont traités.</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>Tout ce que montre le rapport, pour les scripts.</translation>
   </message>
@@ -628,6 +632,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisir un modèle de segmentation</translation>
   </message>
   <message>
+   <source>Choose the annotation that you mended</source>
+   <translation>Choisissez l’annotation que vous avez corrigée</translation>
+  </message>
+  <message>
    <source>Choose the folder of your models</source>
    <translation>Choisir le dossier de vos modèles</translation>
   </message>
@@ -802,10 +810,6 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
   <message>
    <source>Corrected label map</source>
    <translation>Carte d’étiquettes corrigée</translation>
-  </message>
-  <message>
-   <source>Corrected places</source>
-   <translation>Endroits corrigés</translation>
   </message>
   <message>
    <source>Correlation of both</source>
@@ -1642,6 +1646,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>In the project…</source>
    <translation>Dans le projet…</translation>
+  </message>
+  <message>
+   <source>Information</source>
+   <translation>Information</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -2640,10 +2648,6 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Polygones OpenStreetMap</translation>
   </message>
   <message>
-   <source>Opens “Update reference database” with the places that are done</source>
-   <translation>Ouvre « Mettre à jour une base de données de référence » avec les endroits terminés</translation>
-  </message>
-  <message>
    <source>Orthophoto</source>
    <translation>Orthophoto</translation>
   </message>
@@ -2748,12 +2752,20 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Placée par le vol</translation>
   </message>
   <message>
+   <source>Places</source>
+   <translation>Endroits</translation>
+  </message>
+  <message>
    <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
    <translation>Place toutes les images ensemble, dans l’ordre de leurs heures, sinon de leurs noms : aussi celles sans position propre</translation>
   </message>
   <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>Les lieux sont testés par des réseaux entraînés sans eux.</translation>
+  </message>
+  <message>
+   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>Les endroits à corriger apparaissent ici : « Vérifier l’annotation » et « Comparer des cartes d’étiquettes » les trouvent.</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -2864,6 +2876,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
   </message>
   <message>
+   <source>Puts {file} back in its place</source>
+   <translation>Remet {file} à sa place</translation>
+  </message>
+  <message>
    <source>Python that trains</source>
    <translation>Python qui entraîne</translation>
   </message>
@@ -2928,8 +2944,20 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Rang</translation>
   </message>
   <message>
+   <source>Rasterize and update the database</source>
+   <translation>Rastériser et mettre à jour la base</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>Rastériser l’annotation</translation>
+  </message>
+  <message>
+   <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
+   <translation>Rastérise l’annotation sur la carte de la base de données et met celle-ci à jour sur place ; l’ancien fichier est conservé</translation>
+  </message>
+  <message>
+   <source>Rasterizing the correction</source>
+   <translation>Rastérisation de la correction</translation>
   </message>
   <message>
    <source>Rasterizing the sample area</source>
@@ -3582,6 +3610,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
    <translation>La base de données a {count} fenêtres du niveau {level} là où sa grille en a {known} ; recréez-la.</translation>
+  </message>
+  <message>
+   <source>The database is as it was before the last update.</source>
+   <translation>La base de données est comme avant la dernière mise à jour.</translation>
+  </message>
+  <message>
+   <source>The database is up to date; the old file is kept beside it.</source>
+   <translation>La base de données est à jour ; l’ancien fichier est conservé à côté.</translation>
   </message>
   <message>
    <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
@@ -4352,6 +4388,14 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Les endroits non couverts jusqu’à cette surface, entourés de polygones, sont des lacunes ; les endroits minces le sont quelle que soit leur surface.</translation>
   </message>
   <message>
+   <source>Undo the last update</source>
+   <translation>Annuler la dernière mise à jour</translation>
+  </message>
+  <message>
+   <source>Undoing the update</source>
+   <translation>Annulation de la mise à jour</translation>
+  </message>
+  <message>
    <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
    <translation>Le terrain inconnu est laissé de côté. Ne choisissez « autre chose » que là où tout ce qui est d’une classe a été dessiné ; l’emprise écarte alors le terrain où rien n’a été dessiné.</translation>
   </message>
@@ -4368,12 +4412,16 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Mettre à jour une base de données de référence</translation>
   </message>
   <message>
-   <source>Update the database…</source>
-   <translation>Mettre à jour la base de données…</translation>
+   <source>Update the database</source>
+   <translation>Mettre à jour la base de données</translation>
   </message>
   <message>
    <source>Updated database</source>
    <translation>Base de données mise à jour</translation>
+  </message>
+  <message>
+   <source>Updating the database</source>
+   <translation>Mise à jour de la base de données</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -4410,6 +4458,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Verdict</source>
    <translation>Verdict</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <translation>Avertissement</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -6534,6 +6586,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>« {layer} » contient des géométries {kind} ; une couche d’annotation contient des polygones.</translation>
+  </message>
+  <message>
+   <source>“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database.</source>
+   <translation>« {layer} » se trouve hors de la carte de {name} ; choisissez l’annotation et les endroits qui appartiennent à cette base de données.</translation>
   </message>
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>

@@ -244,6 +244,10 @@
    <translation>所有文件 (*)</translation>
   </message>
   <message>
+   <source>All places are done.</source>
+   <translation>所有位置均已处理。</translation>
+  </message>
+  <message>
    <source>All that the report shows, for scripts.</source>
    <translation>报告所示的全部内容，供脚本使用。</translation>
   </message>
@@ -353,7 +357,7 @@
   </message>
   <message>
    <source>Area (m²)</source>
-   <translation>面积（平方米）</translation>
+   <translation>面积 (m²)</translation>
   </message>
   <message>
    <source>Area or route</source>
@@ -628,6 +632,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>选择分割模型</translation>
   </message>
   <message>
+   <source>Choose the annotation that you mended</source>
+   <translation>选择您修正过的标注</translation>
+  </message>
+  <message>
    <source>Choose the folder of your models</source>
    <translation>选择您的模型文件夹</translation>
   </message>
@@ -802,10 +810,6 @@ The report also tells how far from where they are the landmarks of each class ar
   <message>
    <source>Corrected label map</source>
    <translation>更正后的标签图</translation>
-  </message>
-  <message>
-   <source>Corrected places</source>
-   <translation>已修正的位置</translation>
   </message>
   <message>
    <source>Correlation of both</source>
@@ -1041,7 +1045,7 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   </message>
   <message>
    <source>Error</source>
-   <translation>误差</translation>
+   <translation>错误</translation>
   </message>
   <message>
    <source>Error (m)</source>
@@ -1642,6 +1646,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>In the project…</source>
    <translation>工程中的数据库…</translation>
+  </message>
+  <message>
+   <source>Information</source>
+   <translation>提示</translation>
   </message>
   <message>
    <source>Inspect</source>
@@ -2640,10 +2648,6 @@ The model that ships with SemRef can read these photos.</source>
    <translation>OpenStreetMap 多边形</translation>
   </message>
   <message>
-   <source>Opens “Update reference database” with the places that are done</source>
-   <translation>打开“更新参考数据库”，并带上已完成的位置</translation>
-  </message>
-  <message>
    <source>Orthophoto</source>
    <translation>正射影像</translation>
   </message>
@@ -2748,12 +2752,20 @@ The model that ships with SemRef can read these photos.</source>
    <translation>由航次定位</translation>
   </message>
   <message>
+   <source>Places</source>
+   <translation>位置</translation>
+  </message>
+  <message>
    <source>Places all images together, in the order of their times, else of their names: also those that have no fix of their own</source>
    <translation>把所有影像一起定位，按时间排序，没有时间则按名称：也包括没有自身定位的影像</translation>
   </message>
   <message>
    <source>Places are tested by networks that were trained without them.</source>
    <translation>各地点均由训练时未使用该地点的网络来检验。</translation>
+  </message>
+  <message>
+   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>待修正的位置显示在此处：由“检查标注”和“比较标签图”找出。</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -2864,6 +2876,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>以米为单位的投影坐标参照系。若留空：图层自身的坐标参照系以米为单位时采用该坐标参照系，否则采用 UTM 分带。</translation>
   </message>
   <message>
+   <source>Puts {file} back in its place</source>
+   <translation>将 {file} 放回原处</translation>
+  </message>
+  <message>
    <source>Python that trains</source>
    <translation>用于训练的 Python</translation>
   </message>
@@ -2928,8 +2944,20 @@ The model that ships with SemRef can read these photos.</source>
    <translation>名次</translation>
   </message>
   <message>
+   <source>Rasterize and update the database</source>
+   <translation>栅格化并更新数据库</translation>
+  </message>
+  <message>
    <source>Rasterize annotation</source>
    <translation>栅格化标注</translation>
+  </message>
+  <message>
+   <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
+   <translation>将标注栅格化到数据库的地图上并就地更新数据库；保留旧文件</translation>
+  </message>
+  <message>
+   <source>Rasterizing the correction</source>
+   <translation>正在栅格化更正内容</translation>
   </message>
   <message>
    <source>Rasterizing the sample area</source>
@@ -3582,6 +3610,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The database has {count} windows of level {level} where its grid has {known}; build it again.</source>
    <translation>数据库在第 {level} 级有 {count} 个窗口，而其格网有 {known} 个；请重新构建。</translation>
+  </message>
+  <message>
+   <source>The database is as it was before the last update.</source>
+   <translation>数据库已恢复到上次更新之前的状态。</translation>
+  </message>
+  <message>
+   <source>The database is up to date; the old file is kept beside it.</source>
+   <translation>数据库已更新；旧文件保留在其旁边。</translation>
   </message>
   <message>
    <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once with “Build reference database”.</source>
@@ -4352,6 +4388,14 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>被多边形包围、面积不超过该值的未覆盖处视为间隙；细长的无论面积大小都视为间隙。</translation>
   </message>
   <message>
+   <source>Undo the last update</source>
+   <translation>撤销上次更新</translation>
+  </message>
+  <message>
+   <source>Undoing the update</source>
+   <translation>正在撤销更新</translation>
+  </message>
+  <message>
    <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
    <translation>未知地面不参与训练。仅当属于各类别的内容已全部绘出时才选择“其他”；此时用范围排除未绘制的地面。</translation>
   </message>
@@ -4368,12 +4412,16 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>更新参考数据库</translation>
   </message>
   <message>
-   <source>Update the database…</source>
-   <translation>更新数据库…</translation>
+   <source>Update the database</source>
+   <translation>更新数据库</translation>
   </message>
   <message>
    <source>Updated database</source>
    <translation>更新后的数据库</translation>
+  </message>
+  <message>
+   <source>Updating the database</source>
+   <translation>正在更新数据库</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -4410,6 +4458,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Verdict</source>
    <translation>评定</translation>
+  </message>
+  <message>
+   <source>Warning</source>
+   <translation>警告</translation>
   </message>
   <message>
    <source>Well-known text in the project’s CRS</source>
@@ -6534,6 +6586,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>“{layer}” holds {kind} geometry; an annotation layer holds polygons.</source>
    <translation>“{layer}”包含 {kind} 几何图形；标注图层包含多边形。</translation>
+  </message>
+  <message>
+   <source>“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database.</source>
+   <translation>“{layer}”位于 {name} 的地图之外；请选择属于该数据库的标注和位置。</translation>
   </message>
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>

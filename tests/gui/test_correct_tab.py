@@ -10,12 +10,14 @@ SPECK_M = 0.1
 
 @pytest.fixture
 def tab(iface):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsProject
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsSettings
 
     from semref.ui.tabs.correct.tab import CorrectTab
 
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
+    QgsSettings().remove("semref/correct")
     tab = CorrectTab(iface.canvas)
+    tab.open.setChecked(False)
     yield tab
     tab.shut_down()
     tab.deleteLater()
@@ -95,7 +97,7 @@ def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
     tab.done.click()
     assert tab.progress.text() == "1 of 4 done"
     tab.mend.click()
-    shown = [tab.places.item(row, 1).text() for row in range(tab.places.rowCount())]
+    shown = [tab.places.item(row, 2).text() for row in range(tab.places.rowCount())]
     assert shown == ["1", "3"] and tab.progress.text() == "0 of 2 done"
     tab.mend.click()
     assert tab.places.rowCount() == 4 and tab.progress.text() == "1 of 4 done"
@@ -106,15 +108,37 @@ def test_layers_without_severity_have_no_information_to_leave_out(tab, add_layer
     assert not tab.mend.isEnabled() and tab.places.rowCount() == 2
 
 
+def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add_layer):
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "land cover", "memory")
+    QgsProject.instance().addMapLayer(cover)
+    settle()
+    assert [tab.layer.layer(row) for row in range(tab.layer.count())] == [None]
+    found = add_layer("issues")
+    settle()
+    assert tab.layer.currentLayer() == found
+    assert [tab.layer.layer(row) for row in range(tab.layer.count())] == [None, found]
+    assert tab.updating.annotation.currentLayer() == cover
+    assert tab.updating.class_field.currentField() == "class"
+
+
+def test_headings_are_there_before_a_choice(tab):
+    header = [tab.places.horizontalHeaderItem(column).text() for column in range(tab.places.columnCount())]
+    assert header == ["", "Kind", "Message", "Area (m²)"]
+    assert tab.places.horizontalHeaderItem(0).toolTip() == "Severity"
+
+
 # --- in the dock ---
 
 
 def listed(tab) -> list[str]:
-    return [tab.places.item(row, 0).text() for row in range(tab.places.rowCount())]
+    return [tab.places.item(row, 1).text() for row in range(tab.places.rowCount())]
 
 
 def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface, issues):
     tab = dock.content.correct
+    tab.open.setChecked(False)
     assert listed(tab) == ["overlap", "gap", "sliver"]
     tab.after.click()
     assert "Here is a overlap." in tab.text.text()
@@ -130,24 +154,13 @@ def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface
 
 def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, issues):
     fields = issues.fields().names()
+    dock.content.correct.open.setChecked(False)
     dock.content.correct.places.selectRow(2)
     dock.content.correct.done.click()
     dock.content.correct.layer.setLayer(None)
     dock.content.correct.layer.setLayer(issues)
     assert dock.content.correct.progress.value() == 1
     assert issues.fields().names() == fields
-
-
-def test_the_done_places_go_to_the_update_of_the_database(dock, issues):
-    asked = []
-    dock.content.correct.updateAsked.disconnect()
-    dock.content.correct.updateAsked.connect(asked.append)
-    assert not dock.content.correct.update_button.isEnabled()
-    dock.content.correct.places.selectRow(1)
-    dock.content.correct.done.click()
-    dock.content.correct.update_button.click()
-    (places,) = asked
-    assert [feature["kind"] for feature in places.getFeatures()] == ["gap"]
 
 
 def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock, iface, issues):
@@ -173,6 +186,7 @@ def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, is
         feature.setAttributes(["gap", "warning", "A gap.", 1.0])
         features.append(feature)
     issues.dataProvider().addFeatures(features)
+    dock.content.correct.open.setChecked(False)
     dock.content.correct.layer.setLayer(None)
     dock.content.correct.layer.setLayer(issues)
     places = dock.content.correct.places
@@ -188,3 +202,28 @@ def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, is
     QgsProject.instance().removeMapLayer(issues.id())
     settle()
     assert places.rowCount() == 0
+
+
+def test_severities_are_shown_and_read_aloud(dock, issues):
+    from qgis.PyQt.QtCore import Qt
+
+    places = dock.content.correct.places
+    assert not places.isColumnHidden(0) and not places.item(0, 0).icon().isNull()
+    assert places.item(0, 0).data(Qt.ItemDataRole.AccessibleTextRole) == "Warning"
+
+
+def test_a_done_place_leaves_the_list_of_what_is_open(dock, issues):
+    tab = dock.content.correct
+    assert tab.open.isChecked()
+    tab.places.selectRow(0)
+    for left in (["gap", "sliver"], ["sliver"], []):
+        tab.done.click()
+        assert listed(tab) == left
+    assert tab.text.text() == "All places are done." and not tab.done.isEnabled()
+    tab.open.setChecked(False)
+    assert listed(tab) == ["overlap", "gap", "sliver"]
+
+
+def test_messages_have_two_lines(dock, issues):
+    places = dock.content.correct.places
+    assert places.rowHeight(0) >= 2 * places.fontMetrics().lineSpacing()

@@ -133,12 +133,13 @@ def correct(session: Session) -> None:
     tab.mend.setChecked(True)
     severities = [feature["severity"] for feature in issues.getFeatures()]
     to_mend = len(severities) - severities.count("information")
+    tab.open.setChecked(False)
     wait_until(lambda: tab.places.rowCount() == to_mend, "the list of issues")
     tab.places.selectRow(0)
     tab.done.click()
     tab.done.click()
-    kinds = [tab.places.item(row, 0).text() for row in range(tab.places.rowCount())]
-    tab.places.selectRow(kinds.index("unknown_class"))
+    kinds = [tab.places.item(row, 1).text() for row in range(tab.places.rowCount())]
+    tab.places.selectRow(kinds.index("unknown class"))
     session.take("correct")
     QgsProject.instance().removeMapLayer(issues.id())
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProject, QgsSettings, QgsVectorLayer
+from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
-from ...processing.exchange.database_layers import add_database_to_map
+from ...processing.exchange.database_layers import add_database_to_map, reload_database
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
 from ..packages.missing_notice import MissingNotice
@@ -23,8 +23,6 @@ from ..widgets.messages import Messages
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 """The tabs."""
-
-UPDATE_DATABASE = "semref:updatedatabase"
 
 _TAB_SETTING = "semref/dock/tab"
 
@@ -73,10 +71,13 @@ class DockContent(QWidget):
         self.localize.hit.described.connect(self.inspect.compare_with)
         self.inspect.databaseWanted.connect(self._read_database)
         self.inspect.said.connect(self._messages.info)
-        self.correct.updateAsked.connect(self._update_database)
+        self.correct.updated.connect(self._show_updated)
+        self.correct.failed.connect(self._messages.error)
+        self.correct.broke.connect(self._messages.bug)
         self._reader.answered.connect(self.inspect.use)
         self._reader.failed.connect(self._messages.error)
         self._reader.broke.connect(self._messages.bug)
+        self.correct.updating.use_database(self.database.path())
         self.notice.use_model(self.localize.images.model_path())
 
     def shut_down(self) -> None:
@@ -88,6 +89,7 @@ class DockContent(QWidget):
     def _forget_database(self) -> None:
         self._reader.forget()
         self.inspect.use(None)
+        self.correct.updating.use_database(self.database.path())
 
     def _read_database(self) -> None:
         """The inspected database, in the background."""
@@ -102,12 +104,11 @@ class DockContent(QWidget):
         except DatabaseError as error:
             self._messages.error(worded(error))
 
-    def _update_database(self, places: QgsVectorLayer) -> None:
-        """Opens the algorithm's dialog: the corrected label map has to be chosen."""
-        from processing import execAlgorithmDialog
-
-        QgsProject.instance().addMapLayer(places)
-        execAlgorithmDialog(UPDATE_DATABASE, {"DATABASE": self.database.path(), "CHANGED": places})
+    def _show_updated(self, path: str) -> None:
+        """A database that was replaced: on the map, and in the tabs that have read it."""
+        reload_database(path, QgsProject.instance())
+        if path == self.database.path():
+            self.database.choose(path)
 
     def _remember_tab(self, tab: int) -> None:
         QgsSettings().setValue(_TAB_SETTING, tab)

@@ -1,48 +1,31 @@
-"""The dock's third tab: an annotator goes through the findings of a check, place by place, and marks what is done."""
+"""The dock's third tab: an annotator goes through places that were found, and brings the result into the database."""
 
 from __future__ import annotations
 
 import json
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 
-from qgis.core import (
-    QgsFeature,
-    QgsFeatureRequest,
-    QgsMapLayerProxyModel,
-    QgsProject,
-    QgsVectorLayer,
-)
+from qgis.core import QgsFeature, QgsMapLayerProxyModel, QgsProject, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapLayerComboBox
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtWidgets import (
-    QAbstractItemView,
-    QCheckBox,
-    QHeaderView,
-    QLabel,
-    QProgressBar,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from ....core.annotation.findings import INFORMATION
-from ....processing.compat import is_null
 from ....processing.translation import tr
 from ...canvas.place_mark import PlaceMark
+from ...running.background import Reader
+from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.buttons import shortcut, tool_button
 from ...widgets.layouts import narrow, row_of
+from .places_table import Place, PlacesTable, has_severity, is_places, place_text, places_of
+from .update_box import UpdateBox
 
 DONE_PROPERTY = "semref/done"
 """Custom property of the layer, so that the project remembers what is done and the layer's own table stays as it is."""
 
-_COLUMNS = (("kind", "annotated_class"), ("message", "predicted_class"), ("area",))
-"""Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
-
-_SEVERITY = "severity"
-"""Field of *Check annotation*'s issues."""
+OPEN_SETTING, MEND_SETTING = "semref/correct/only_open", "semref/correct/only_to_mend"
 
 _LEAST_EXTENT_SHARE = 1e-4
 """Points and lines have no extent: this share of the layer's is added."""
@@ -52,9 +35,16 @@ _FILL_S = 0.03
 
 
 class CorrectTab(QWidget):
-    """``updateAsked`` comes with a layer of the places marked as done. ``shut_down`` before it is deleted."""
+    """``shut_down`` before it is deleted.
 
-    updateAsked = pyqtSignal(object)
+    updated: the path of a database that was replaced; failed: a sentence; broke: a bug's traceback.
+    """
+
+    updated = pyqtSignal(str)
+    failed = pyqtSignal(str)
+    broke = pyqtSignal(str)
+
+    _undone = ""
 
     def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -62,14 +52,20 @@ class CorrectTab(QWidget):
         self._done: set[int] = set()
         self._ids: set[int] = set()
         self._counted: set[int] = set()
-        self._rows: Iterator[dict] = iter(())
+        self._rows: Iterator[Place] = iter(())
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self._fill_on)
+        self._listing = QTimer(self)
+        self._listing.setSingleShot(True)
+        self._listing.timeout.connect(self._list_layers)
         self._layer: QgsVectorLayer | None = None
         self._mark = PlaceMark(canvas)
+        self.run = CorrectionRun(self)
+        self._undoing = Reader(self)
         self._lay_out()
         self._connect()
+        self._list_layers()
         self._use_layer()
 
     def _lay_out(self) -> None:
@@ -77,15 +73,8 @@ class CorrectTab(QWidget):
         self.layer.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.layer.setAllowEmptyLayer(True, tr("Choose a layer of issues or disagreements"))
         self.layer.setToolTip(tr("The result of “Check annotation” or “Compare label maps”"))
-        self.places = QTableWidget(0, len(_COLUMNS))
-        self.places.setObjectName("SemRefPlaces")
-        self.places.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.places.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.places.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.places.verticalHeader().hide()
-        self.places.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
-        self.places.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
-        self.places.setTabKeyNavigation(False)
+        self.layer.setMinimumWidth(1)
+        self.places = PlacesTable()
         self.text = QLabel()
         self.text.setWordWrap(True)
         self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -94,22 +83,24 @@ class CorrectTab(QWidget):
         self.done = QPushButton(tr("Done, next"))
         self.done.setToolTip(tr("Marks the place as done and goes to the next one that is not (Ctrl+D)"))
         self.open = QCheckBox(tr("Only what is open"))
+        self.open.setChecked(QgsSettings().value(OPEN_SETTING, True, type=bool))
         self.mend = QCheckBox(tr("Without information"))
         self.mend.setToolTip(tr("Lists errors and warnings only: what has to be mended"))
+        self.mend.setChecked(QgsSettings().value(MEND_SETTING, False, type=bool))
+        for box in (self.open, self.mend):
+            # The dock may be narrower than both.
+            box.setMinimumWidth(1)
         self.progress = QProgressBar()
         self.progress.setFormat(tr("%v of %m done"))
-        self.update_button = QPushButton(tr("Update the database…"))
-        self.update_button.setToolTip(tr("Opens “Update reference database” with the places that are done"))
-        chosen = row_of(self.open, self.mend)
-        chosen.addStretch()
+        self.updating = UpdateBox()
         layout = narrow(QVBoxLayout(self), 0)
         layout.addWidget(self.layer)
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
         layout.addLayout(row_of(self.before, self.after, (self.done, 1)))
-        layout.addLayout(chosen)
+        layout.addLayout(row_of((self.open, 1), (self.mend, 1)))
         layout.addWidget(self.progress)
-        layout.addWidget(self.update_button)
+        layout.addWidget(self.updating)
 
     def _connect(self) -> None:
         self.layer.layerChanged.connect(self._use_layer)
@@ -118,16 +109,35 @@ class CorrectTab(QWidget):
         self.after.clicked.connect(lambda: self._step(1))
         self.done.clicked.connect(self._mark_done)
         shortcut("Ctrl+D", self).activated.connect(self._mark_done)
-        self.open.toggled.connect(self._fill)
-        self.mend.toggled.connect(self._fill)
-        self.update_button.clicked.connect(self._ask_update)
-        QgsProject.instance().layersWillBeRemoved.connect(self._leave_removed)
+        self.open.toggled.connect(lambda on: self._choose_rows(OPEN_SETTING, on))
+        self.mend.toggled.connect(lambda on: self._choose_rows(MEND_SETTING, on))
+        self.updating.startAsked.connect(self._update_database)
+        self.updating.cancelAsked.connect(self.run.cancel)
+        self.updating.undoAsked.connect(self._undo_update)
+        self.run.said.connect(self.updating.state.show_text)
+        self.run.progressed.connect(lambda percent: self.updating.progress.setValue(round(percent)))
+        self.run.done.connect(self._tell_updated)
+        self.run.canceled.connect(lambda: self.updating.show_running(False, tr("Canceled.")))
+        self._undoing.answered.connect(lambda _: self._tell_undone())
+        for part in (self.run, self._undoing):
+            part.failed.connect(self.failed)
+            part.broke.connect(self.broke)
+            for ended in (part.failed, part.broke):
+                ended.connect(lambda *_: self.updating.show_running(False))
+        project = QgsProject.instance()
+        project.layersWillBeRemoved.connect(self._leave_removed)
+        project.layersAdded.connect(self._take_added)
 
     def shut_down(self) -> None:
-        """Stops filling the list and takes the mark off the canvas."""
-        self._soon.stop()
+        """Cancels what runs, stops filling the list and takes the mark off the canvas."""
+        for timer in (self._soon, self._listing):
+            timer.stop()
         self._rows = iter(())
-        QgsProject.instance().layersWillBeRemoved.disconnect(self._leave_removed)
+        self.run.shut_down()
+        self._undoing.shut_down()
+        project = QgsProject.instance()
+        project.layersWillBeRemoved.disconnect(self._leave_removed)
+        project.layersAdded.disconnect(self._take_added)
         self.layer.layerChanged.disconnect(self._use_layer)
         self._mark.remove()
 
@@ -139,17 +149,32 @@ class CorrectTab(QWidget):
         self._done = set(json.loads(stored)) if stored else set()
         self._fill()
 
+    def _take_added(self, layers: list) -> None:
+        """Lists them when they are wholly there; places that somebody just had found are what is wanted now."""
+        self._listing.start(0)
+        found = [layer for layer in layers if is_places(layer)]
+        if found and self._layer is None:
+            self.layer.setLayer(found[-1])
+
+    def _list_layers(self) -> None:
+        layers = QgsProject.instance().mapLayers().values()
+        self.layer.setExceptedLayerList([layer for layer in layers if not is_places(layer)])
+        self.updating.list_layers()
+
     def _leave_removed(self, ids: list[str]) -> None:
         """Else the box would go on to some other layer, without telling."""
         if self._layer is not None and self._layer.id() in ids:
             self.layer.setLayer(None)
 
+    def _choose_rows(self, setting: str, on: bool) -> None:
+        QgsSettings().setValue(setting, on)
+        self._fill()
+
     def _fill(self) -> None:
-        fields = [None] * len(_COLUMNS) if self._layer is None else _fields(self._layer)
-        self.places.setHorizontalHeaderLabels([_title(name) for name in fields])
-        self._rows = iter(()) if self._layer is None else _rows(self._layer, fields)
+        self.places.show_titles(self._layer)
+        self._rows = iter(()) if self._layer is None else places_of(self._layer)
         self._ids, self._counted = set(), set()
-        self.mend.setEnabled(self._layer is not None and _SEVERITY in self._layer.fields().names())
+        self.mend.setEnabled(self._layer is not None and has_severity(self._layer))
         self.places.setRowCount(0)
         self.progress.setRange(0, 1 if self._layer is None else max(self._layer.featureCount(), 1))
         self._show_progress()
@@ -160,12 +185,12 @@ class CorrectTab(QWidget):
         """A check of a large annotation has tens of thousands of findings: their rows come a few at a time, so that
         QGIS is never held up."""
         end = time.perf_counter() + _FILL_S
-        for row in self._rows:
-            self._ids.add(row["id"])
-            if not (row["is_information"] and self.mend.isEnabled() and self.mend.isChecked()):
-                self._counted.add(row["id"])
-                if not (self.open.isChecked() and row["id"] in self._done):
-                    self._add_row(row)
+        for place in self._rows:
+            self._ids.add(place.id)
+            if not (place.severity == INFORMATION and self.mend.isEnabled() and self.mend.isChecked()):
+                self._counted.add(place.id)
+                if not (self.open.isChecked() and place.id in self._done):
+                    self.places.strike_out(self.places.add(place), place.id in self._done)
             if time.perf_counter() > end:
                 self._soon.start(0)
                 break
@@ -175,115 +200,82 @@ class CorrectTab(QWidget):
             self.progress.setRange(0, max(len(self._counted), 1))
             self.progress.setTextVisible(bool(self._counted))
             self._show_progress()
-            self.places.resizeColumnToContents(0)
-            self.places.resizeColumnToContents(2)
-            self._enable()
-
-    def _add_row(self, row: dict) -> None:
-        number = self.places.rowCount()
-        self.places.setRowCount(number + 1)
-        for column, text in enumerate(row["texts"]):
-            item = QTableWidgetItem(text)
-            item.setData(Qt.ItemDataRole.UserRole, row["id"])
-            self.places.setItem(number, column, item)
-        if row["id"] in self._done:
-            self._show_done(number)
-
-    def _id_of(self, row: int) -> int:
-        return self.places.item(row, 0).data(Qt.ItemDataRole.UserRole)
-
-    def _selected_row(self) -> int:
-        rows = self.places.selectionModel().selectedRows()
-        return rows[0].row() if rows else -1
+            self.places.fit_columns()
+            self._show_place()
 
     def _selected(self) -> QgsFeature | None:
-        row = self._selected_row()
+        row = self.places.selected_row()
         if row < 0 or self._layer is None:
             return None
-        feature = self._layer.getFeature(self._id_of(row))
+        feature = self._layer.getFeature(self.places.id_of(row))
         return feature if feature.isValid() else None
 
     # --- going through it ---
 
     def _step(self, step: int) -> None:
         if self.places.rowCount():
-            self.places.selectRow((self._selected_row() + step) % self.places.rowCount())
+            self.places.selectRow((self.places.selected_row() + step) % self.places.rowCount())
 
     def _mark_done(self) -> None:
-        row = self._selected_row()
+        row = self.places.selected_row()
         if row < 0:
             return
-        self._done ^= {self._id_of(row)}
+        place = self.places.id_of(row)
+        self._done ^= {place}
         self._layer.setCustomProperty(DONE_PROPERTY, json.dumps(sorted(self._done)))
         QgsProject.instance().setDirty()
-        self._show_done(row)
         self._show_progress()
-        if self._id_of(row) not in self._done:
+        if place in self._done and self.open.isChecked():
+            self.places.removeRow(row)
+            self.places.selectRow(row if row < self.places.rowCount() else 0)
+            self._show_place()
             return
-        order = [*range(row + 1, self.places.rowCount()), *range(row)]
-        following = next((n for n in order if self._id_of(n) not in self._done), None)
-        if following is not None:
-            self.places.selectRow(following)
-
-    def _show_done(self, row: int) -> None:
-        done = self._id_of(row) in self._done
-        for column in range(self.places.columnCount()):
-            item = self.places.item(row, column)
-            font = item.font()
-            font.setStrikeOut(done)
-            item.setFont(font)
+        self.places.strike_out(row, place in self._done)
+        if place in self._done:
+            order = [*range(row + 1, self.places.rowCount()), *range(row)]
+            following = next((n for n in order if self.places.id_of(n) not in self._done), None)
+            if following is not None:
+                self.places.selectRow(following)
 
     def _show_progress(self) -> None:
         self.progress.setValue(len(self._done & self._counted))
-        self.update_button.setEnabled(bool(self._done))
-
-    def _enable(self) -> None:
-        for button in (self.before, self.after, self.done):
-            button.setEnabled(self.places.rowCount() > 0)
 
     def _show_place(self) -> None:
         feature = self._selected()
-        self._enable()
+        for button in (self.before, self.after):
+            button.setEnabled(self.places.rowCount() > 0)
+        self.done.setEnabled(feature is not None)
         self._mark.clear()
         if feature is None:
-            self.text.setText("" if self.places.rowCount() else tr("No place to look at."))
+            self.text.setText(self._what_is_left())
             return
-        self.text.setText(" · ".join(filter(None, _texts(feature, _fields(self._layer)))))
+        self.text.setText(place_text(feature, self._layer))
         self._mark.show(feature.geometry(), self._layer.crs())
         whole = self._layer.extent()
         self._mark.zoom(_LEAST_EXTENT_SHARE * max(whole.width(), whole.height()))
 
-    def _ask_update(self) -> None:
-        request = QgsFeatureRequest().setFilterFids(sorted(self._done))
-        places = self._layer.materialize(request)
-        places.setName(tr("Corrected places"))
-        self.updateAsked.emit(places)
+    def _what_is_left(self) -> str:
+        if self.places.rowCount() or self._layer is None:
+            return ""
+        return tr("All places are done.") if self._counted else tr("No place to look at.")
 
+    # --- bringing it into the database ---
 
-def _fields(layer: QgsVectorLayer) -> list[str | None]:
-    """The field shown in each column; None where the layer has none of those."""
-    names = set(layer.fields().names())
-    return [next((name for name in choices if name in names), None) for choices in _COLUMNS]
+    def _update_database(self, correction: Correction) -> None:
+        self.updating.show_running(True)
+        self.run.start(replace(correction, places=self._layer))
 
+    def _tell_updated(self, database: str) -> None:
+        self.updating.show_running(False, tr("The database is up to date; the old file is kept beside it."))
+        self.updated.emit(database)
 
-def _title(field: str | None) -> str:
-    titles = {
-        "kind": tr("Kind"),
-        "message": tr("Message"),
-        "annotated_class": tr("Annotated"),
-        "predicted_class": tr("Predicted"),
-        "area": tr("Area"),
-    }
-    return titles.get(field, "")
+    def _undo_update(self, database: str) -> None:
+        # Not at the top: it writes databases, and the dock shall open at once.
+        from ....storage.database.undo import undo_update
 
+        self._undone = database
+        self._undoing.read(tr("Undoing the update"), undo_update, database)
 
-def _texts(feature: QgsFeature, fields: list[str | None]) -> list[str]:
-    values = [None if name is None else feature[name] for name in fields]
-    return ["" if is_null(v) else f"{v:.1f}" if isinstance(v, float) else str(v) for v in values]
-
-
-def _rows(layer: QgsVectorLayer, fields: list[str | None]) -> Iterator[dict]:
-    has_severity = _SEVERITY in layer.fields().names()
-    for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
-        is_information = has_severity and feature[_SEVERITY] == INFORMATION
-        yield {"id": feature.id(), "texts": _texts(feature, fields), "is_information": is_information}
+    def _tell_undone(self) -> None:
+        self.updating.show_running(False, tr("The database is as it was before the last update."))
+        self.updated.emit(self._undone)

@@ -1,0 +1,153 @@
+"""The tab Correct brings a mended annotation into the database, with one button, and takes it back."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from pathlib import Path
+
+import pytest
+from dock_area import CRS, ORIGIN, messages, settle, wait_until
+
+SIDE, ACROSS = 20, 6
+"""Meters from square to square, and squares along an edge."""
+
+
+@pytest.fixture
+def annotation(qgis_app, tmp_path):
+    """A GeoPackage layer of squares of two classes."""
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorFileWriter, QgsVectorLayer
+
+    made = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string&field=zorder:integer", "cover", "memory")
+    for number in range(ACROSS * ACROSS):
+        left, top = ORIGIN[0] + SIDE * (number % ACROSS) + 3, ORIGIN[1] - SIDE * (number // ACROSS) - 3
+        feature = QgsFeature(made.fields())
+        size = 8 + number % 5
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(left, top - size, left + size, top)))
+        feature.setAttributes([("building", "water")[number % 2], 1])
+        made.dataProvider().addFeature(feature)
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    path = str(tmp_path / "cover.gpkg")
+    QgsVectorFileWriter.writeAsVectorFormatV3(made, path, QgsProject.instance().transformContext(), options)
+    return QgsVectorLayer(path, "cover", "ogr")
+
+
+@pytest.fixture
+def database(annotation, run_algorithm, tmp_path):
+    return built_of(annotation, run_algorithm, tmp_path, "area")
+
+
+def built_of(annotation, run_algorithm, folder: Path, name: str) -> str:
+    table = folder / "classes.csv"
+    table.write_text("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,reference\n")
+    rasterized = {"INPUT": annotation, "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder", "CLASS_TABLE": str(table)}
+    extent = f"{ORIGIN[0]},{ORIGIN[0] + SIDE * ACROSS},{ORIGIN[1] - SIDE * ACROSS},{ORIGIN[1]} [{CRS}]"
+    labels = str(folder / f"{name}.tif")
+    run_algorithm("semref:rasterizeannotation", {**rasterized, "EXTENT": extent, "PIXEL_SIZE": 0.5, "OUTPUT": labels})
+    path = str(folder / f"{name}.gpkg")
+    sizes = {"WINDOW_SIZE": 60, "STRIDE": 30, "MINIMUM_AREA": 10}
+    run_algorithm("semref:builddatabase", {"LABELS": labels, **sizes, "DATABASE": path})
+    return path
+
+
+def landmarks(path: str) -> list:
+    with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
+        rows = connection.execute('SELECT class, round(area, 3), geom FROM "references"').fetchall()
+    return sorted(rows)
+
+
+@pytest.fixture
+def box(dock, annotation, database):
+    """The lower part of the tab, ready."""
+    from qgis.core import QgsProject
+
+    QgsProject.instance().addMapLayer(annotation)
+    dock.content.database.file.setFilePath(database)
+    settle()
+    return dock.content.correct.updating
+
+
+def mend(annotation) -> None:
+    """Two squares become water: one saved, one as it is while somebody edits."""
+    for number, is_saved in ((1, True), (3, False)):
+        annotation.startEditing()
+        annotation.changeAttributeValue(number, annotation.fields().indexOf("class"), "water")
+        if is_saved:
+            annotation.commitChanges()
+
+
+def press(dock, box) -> None:
+    box.button.click()
+    wait_until(lambda: not dock.content.correct.run.running, "the update")
+    settle()
+
+
+def test_one_button_makes_the_database_that_a_full_build_would(
+    dock, iface, box, annotation, database, run_algorithm, tmp_path
+):
+    from qgis.core import QgsProject
+
+    before = landmarks(database)
+    assert box.annotation.currentLayer().id() == annotation.id()
+    assert (box.class_field.currentField(), box.priority_field.currentField()) == ("class", "zorder")
+    assert box.button.isEnabled() and not box.undo.isVisibleTo(dock)
+    dock.content.database.add_to_map.click()
+    mend(annotation)
+    press(dock, box)
+    assert messages(iface) == []
+    annotation.commitChanges()
+    assert landmarks(database) == landmarks(built_of(annotation, run_algorithm, tmp_path, "anew")) != before
+    assert "up to date" in box.state.text_shown
+    names = [layer.name() for layer in QgsProject.instance().mapLayers().values()]
+    assert sorted(names) == ["Landmarks", "Overview", "Windows", "cover"]
+    shown = [f["class"] for f in QgsProject.instance().mapLayersByName("Landmarks")[0].getFeatures()]
+    assert sorted(shown) == sorted(row[0] for row in landmarks(database))
+
+
+def test_an_update_is_undone_by_one_button(dock, box, annotation, database):
+    before = landmarks(database)
+    mend(annotation)
+    press(dock, box)
+    assert landmarks(database) != before and box.undo.isVisibleTo(dock.content.correct)
+    assert landmarks(database.replace(".gpkg", "_before_update.gpkg")) == before
+    box.undo.click()
+    wait_until(lambda: not box.undo.isVisibleTo(dock.content.correct), "the undo")
+    assert landmarks(database) == before
+    assert sorted(p.name for p in Path(database).parent.glob("area*.gpkg")) == ["area.gpkg"]
+
+
+def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, iface, box, annotation, database):
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
+
+    other = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "another country", "memory")
+    feature = QgsFeature(other.fields())
+    feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(0, 0, 10, 10)))
+    other.dataProvider().addFeature(feature)
+    other.updateExtents()
+    QgsProject.instance().addMapLayer(other)
+    settle()
+    before = Path(database).read_bytes()
+    box.annotation.setLayer(other)
+    press(dock, box)
+    wait_until(lambda: messages(iface), "the refusal")
+    assert "“another country” lies outside the map of area.gpkg" in messages(iface)[0]
+    assert Path(database).read_bytes() == before and not box.undo.isVisibleTo(dock.content.correct)
+
+
+def test_a_canceled_update_leaves_the_database_as_it_is(dock, box, annotation, database):
+    before = Path(database).read_bytes()
+    mend(annotation)
+    box.button.click()
+    assert box.button.text() == "Cancel"
+    box.button.click()
+    wait_until(lambda: not dock.content.correct.run.running, "the cancel")
+    settle()
+    assert Path(database).read_bytes() == before
+    assert box.state.text_shown == "Canceled." and box.button.isEnabled()
+
+
+def test_layers_of_databases_and_of_places_are_no_annotation(dock, box, annotation, issues):
+    dock.content.database.add_to_map.click()
+    settle()
+    offered = [box.annotation.layer(row) for row in range(box.annotation.count())]
+    assert [layer.id() for layer in offered if layer is not None] == [annotation.id()]

@@ -1,0 +1,149 @@
+"""From a corrected annotation to the updated database in the background: rasterized, updated, put in its place."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+
+from qgis.core import QgsProcessingUtils, QgsProject, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ...processing.translation import tr
+from .algorithm_run import AlgorithmRun
+from .background import Reader
+
+RASTERIZE, UPDATE = "semref:rasterizeannotation", "semref:updatedatabase"
+
+_RASTERIZED_PERCENT = 50
+"""The share of the first of both in the bar; which one takes longer depends on the map."""
+
+
+@dataclass(frozen=True)
+class Correction:
+    """What is to be done.
+
+    Attributes:
+        database: Path of the one to update.
+        annotation: Its polygons, as they are now.
+        class_field: That tells their class.
+        priority_field: That decides where they overlap; empty for none.
+        places: The layer of findings that was gone through; None without one.
+    """
+
+    database: str
+    annotation: QgsVectorLayer
+    class_field: str
+    priority_field: str = ""
+    places: QgsVectorLayer | None = None
+
+
+class CorrectionRun(QObject):
+    """One correction at a time. After ``start`` exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
+
+    ``shut_down`` before it is deleted.
+
+    said: what is being done; progressed: percent; done: the path of the database; failed: a sentence for the user;
+    broke: a bug's traceback.
+    """
+
+    said = pyqtSignal(str)
+    progressed = pyqtSignal(float)
+    logged = pyqtSignal(str)
+    done = pyqtSignal(str)
+    failed = pyqtSignal(str)
+    broke = pyqtSignal(str)
+    canceled = pyqtSignal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self.running = False
+        self._wanted: Correction | None = None
+        self._folder = self._updated = ""
+        self._first_percent = 0
+        self._next = self._rasterize
+        self._reader = Reader(self)
+        self._reader.answered.connect(lambda answer: self._next(answer))
+        self._run = AlgorithmRun(self)
+        self._run.done.connect(lambda results, _context: self._next(results))
+        self._run.said.connect(self.said)
+        self._run.logged.connect(self.logged)
+        self._run.progressed.connect(self._show_progress)
+        for part in (self._reader, self._run):
+            part.failed.connect(self._fail)
+            part.broke.connect(self._break)
+        self._run.canceled.connect(self._cancel)
+
+    def shut_down(self) -> None:
+        """Cancels, and waits until no code of the plugin runs in the background any more."""
+        self._reader.shut_down()
+        self._run.abandon()
+
+    def start(self, wanted: Correction) -> None:
+        """Begins. The annotation may be edited and removed once it is being rasterized."""
+        # Not at the top: it reads databases, and the dock shall open at once.
+        from ...processing.inspection.correction import Ground, rasterize_parameters
+
+        self.running, self._wanted = True, wanted
+        self._folder = QgsProcessingUtils.generateTempFilename("correction")
+        layers = [layer for layer in (wanted.annotation, wanted.places) if layer is not None and layer.featureCount()]
+        grounds = [Ground(layer.name(), layer.extent(), layer.crs()) for layer in layers]
+        context = QgsProject.instance().transformContext()
+        self._next = self._rasterize
+        self.said.emit(tr("Reading the database"))
+        text = tr("Reading the database")
+        self._reader.read(text, rasterize_parameters, wanted.database, grounds, self._folder, context)
+
+    def cancel(self) -> None:
+        """Leaves the database as it is."""
+        if self._run.running:
+            self._run.cancel()
+        elif self.running:
+            self._reader.forget()
+            self._cancel()
+
+    # --- one after the other ---
+
+    def _rasterize(self, grid: dict) -> None:
+        wanted = self._wanted
+        self._next, self._first_percent = self._update, 0
+        parameters = {
+            "INPUT": wanted.annotation,
+            "CLASS_FIELD": wanted.class_field,
+            "OUTPUT": os.path.join(self._folder, "labels.tif"),
+            **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
+            **grid,
+        }
+        self._run.start_algorithm(RASTERIZE, parameters, tr("Rasterizing the correction"))
+
+    def _update(self, rasterized: dict) -> None:
+        self._next, self._first_percent = self._replace, _RASTERIZED_PERCENT
+        self._updated = os.path.join(self._folder, "updated.gpkg")
+        parameters = {"DATABASE": self._wanted.database, "LABELS": rasterized["OUTPUT"], "OUTPUT": self._updated}
+        self._run.start_algorithm(UPDATE, parameters, tr("Updating the database"))
+
+    def _replace(self, _updated: dict) -> None:
+        from ...storage.database.undo import replace_keeping
+
+        self._next = self._end
+        self._reader.read(tr("Updating the database"), replace_keeping, self._wanted.database, self._updated)
+
+    def _end(self, _nothing: None) -> None:
+        self.running = False
+        self.done.emit(self._wanted.database)
+
+    # --- ends before its time ---
+
+    def _fail(self, sentence: str) -> None:
+        self.running = False
+        self.failed.emit(sentence)
+
+    def _break(self, report: str) -> None:
+        self.running = False
+        self.broke.emit(report)
+
+    def _cancel(self) -> None:
+        self.running = False
+        self.canceled.emit()
+
+    def _show_progress(self, percent: float) -> None:
+        self.progressed.emit(self._first_percent + percent * _RASTERIZED_PERCENT / 100)

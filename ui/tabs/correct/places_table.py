@@ -1,0 +1,180 @@
+"""The list of places of the tab Correct: findings of a check, or disagreements of two maps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from qgis.core import QgsApplication, QgsFeature, QgsFeatureRequest, QgsMapLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import QLocale, Qt
+from qgis.PyQt.QtGui import QPaintEvent
+from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+
+from ....core.annotation.findings import ERROR, INFORMATION, WARNING
+from ....processing.compat import POLYGON_GEOMETRY, is_null
+from ....processing.translation import tr
+from ...widgets.placeholder import paint_placeholder
+from ...widgets.tips import plain_tip
+
+SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, AREA_COLUMN = range(4)
+
+SEVERITY = "severity"
+"""Field of *Check annotation*'s issues."""
+
+_COLUMNS = (("kind", "annotated_class"), ("message", "predicted_class"), ("area",))
+"""Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
+
+_ICONS = {ERROR: "/mIconCritical.svg", WARNING: "/mIconWarning.svg", INFORMATION: "/mIconInfo.svg"}
+_LINES = 2
+"""Of a message, before it is cut: most have no more in a dock of the usual width."""
+_MARGIN_PX = 6
+
+
+class Place(NamedTuple):
+    """One row: id of the feature, its severity (empty without one), and the texts of the other columns."""
+
+    id: int
+    severity: str
+    texts: list[str]
+
+
+class PlacesTable(QTableWidget):
+    """Rows of places, each with the id of its feature; done ones are struck out."""
+
+    def __init__(self) -> None:
+        super().__init__(0, 1 + len(_COLUMNS))
+        self.setObjectName("SemRefPlaces")
+        self.setAccessibleName(tr("Places"))
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setWordWrap(True)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(_LINES * self.fontMetrics().lineSpacing() + _MARGIN_PX)
+        header = self.horizontalHeader()
+        header.setMinimumSectionSize(self.fontMetrics().height())
+        header.setSectionResizeMode(MESSAGE_COLUMN, QHeaderView.ResizeMode.Stretch)
+        self.show_titles(None)
+
+    def show_titles(self, layer: QgsVectorLayer | None) -> None:
+        """Headings for a layer; those of a check before one is chosen."""
+        names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
+        self.setHorizontalHeaderLabels(["", *(_title(name) for name in names)])
+        self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
+        self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(QgsApplication.getThemeIcon("/mIconWarning.svg"))
+        self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
+        self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
+
+    def add(self, place: Place) -> int:
+        """Adds a row at the end; gives its number."""
+        number = self.rowCount()
+        self.setRowCount(number + 1)
+        severity = QTableWidgetItem()
+        if place.severity:
+            severity.setIcon(QgsApplication.getThemeIcon(_ICONS.get(place.severity, _ICONS[WARNING])))
+            title = severity_name(place.severity)
+            severity.setToolTip(title)
+            severity.setData(Qt.ItemDataRole.AccessibleTextRole, title)
+        for column, item in enumerate((severity, *(QTableWidgetItem(text) for text in place.texts))):
+            item.setData(Qt.ItemDataRole.UserRole, place.id)
+            if column == MESSAGE_COLUMN:
+                item.setToolTip(plain_tip(item.text()))
+            if column == AREA_COLUMN:
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            self.setItem(number, column, item)
+        return number
+
+    def id_of(self, row: int) -> int:
+        """Of the feature that a row shows."""
+        return self.item(row, 0).data(Qt.ItemDataRole.UserRole)
+
+    def selected_row(self) -> int:
+        """−1 without one."""
+        rows = self.selectionModel().selectedRows()
+        return rows[0].row() if rows else -1
+
+    def strike_out(self, row: int, done: bool) -> None:
+        """Shows whether a place is done."""
+        for column in range(KIND_COLUMN, self.columnCount()):
+            item = self.item(row, column)
+            font = item.font()
+            font.setStrikeOut(done)
+            item.setFont(font)
+
+    def fit_columns(self) -> None:
+        """As wide as kinds and areas need, but no wider than a third: the message matters more."""
+        for column in (KIND_COLUMN, AREA_COLUMN):
+            self.resizeColumnToContents(column)
+            self.setColumnWidth(column, min(self.columnWidth(column), self.viewport().width() // 3))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self.rowCount():
+            paint_placeholder(
+                self, tr("Places to mend appear here: “Check annotation” and “Compare label maps” find them.")
+            )
+
+
+def is_places(layer: QgsMapLayer) -> bool:
+    """Whether a layer is what *Check annotation* or *Compare label maps* gives, by its fields."""
+    if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
+        return False
+    names = set(layer.fields().names())
+    return any({kind, message} <= names for kind, message in zip(*_COLUMNS[:2]))
+
+
+def has_severity(layer: QgsVectorLayer) -> bool:
+    """Whether places have one: those of a check do."""
+    return SEVERITY in layer.fields().names()
+
+
+def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
+    """All of a layer, one after the other."""
+    fields, with_severity = _fields(layer), has_severity(layer)
+    for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
+        severity = feature[SEVERITY] if with_severity else ""
+        yield Place(feature.id(), "" if is_null(severity) else severity, _texts(feature, fields))
+
+
+def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
+    """All that is known of a place."""
+    severity = feature[SEVERITY] if has_severity(layer) else None
+    first = "" if is_null(severity) else severity_name(severity)
+    kind, message, area = _texts(feature, _fields(layer))
+    return " · ".join(filter(None, (first, kind, message, f"{area} m²" if area else "")))
+
+
+def severity_name(severity: str) -> str:
+    """Of one place; what this version does not know stands for itself."""
+    return {ERROR: tr("Error"), WARNING: tr("Warning"), INFORMATION: tr("Information")}.get(severity, severity)
+
+
+def _fields(layer: QgsVectorLayer) -> list[str | None]:
+    """The field shown in each column; None where the layer has none of those."""
+    names = set(layer.fields().names())
+    return [next((name for name in choices if name in names), None) for choices in _COLUMNS]
+
+
+def _title(field: str | None) -> str:
+    titles = {
+        "kind": tr("Kind"),
+        "message": tr("Message"),
+        "annotated_class": tr("Annotated"),
+        "predicted_class": tr("Predicted"),
+        "area": tr("Area (m²)"),
+    }
+    return titles.get(field, "")
+
+
+def _texts(feature: QgsFeature, fields: list[str | None]) -> list[str]:
+    values = [None if name is None else feature[name] for name in fields]
+    return ["" if is_null(value) else _text(value) for value in values]
+
+
+def _text(value: object) -> str:
+    """Numbers as the user's language writes them, codes as words."""
+    if isinstance(value, float):
+        return QLocale().toString(value, "f", 1)
+    text = str(value)
+    return text.replace("_", " ") if text.isidentifier() else text

@@ -1,0 +1,155 @@
+"""The end of a correction: what the mended annotation is, one button that brings it into the database, and its undo."""
+
+from __future__ import annotations
+
+from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
+from qgis.gui import QgsCollapsibleGroupBox, QgsFieldComboBox, QgsMapLayerComboBox
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QFormLayout, QProgressBar, QPushButton
+
+from ....processing.exchange.database_layers import database_file
+from ....processing.translation import tr
+from ....storage.database.undo import can_undo, file_before
+from ...running.correction_run import Correction
+from ...widgets.layouts import narrow
+from ...widgets.status_line import StatusLine
+from ...widgets.tips import plain_tip
+from .places_table import is_places
+
+SCOPE = "SemRef"
+_ANNOTATION_ENTRY, _CLASS_ENTRY, _PRIORITY_ENTRY = "/annotation", "/class_field", "/priority_field"
+
+_CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe", "type", "code")
+_PRIORITY_FIELDS = ("priority", "zorder", "z_order", "draw_order", "layer")
+"""What people call them, the likeliest first."""
+
+
+class UpdateBox(QgsCollapsibleGroupBox):
+    """startAsked: with a Correction that lacks its places; cancelAsked, undoAsked: while one runs, after one."""
+
+    startAsked = pyqtSignal(object)
+    cancelAsked = pyqtSignal()
+    undoAsked = pyqtSignal(str)
+
+    def __init__(self) -> None:
+        super().__init__(tr("Update the database"))
+        self.setObjectName("SemRefUpdate")
+        self._database = ""
+        self._running = False
+        self.annotation = QgsMapLayerComboBox()
+        self.annotation.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
+        self.annotation.setAllowEmptyLayer(True, tr("Choose the annotation that you mended"))
+        self.class_field, self.priority_field = QgsFieldComboBox(), QgsFieldComboBox()
+        self.priority_field.setAllowEmptyFieldName(True)
+        self.button = QPushButton()
+        self.progress = QProgressBar()
+        self.state = StatusLine()
+        self.undo = QPushButton(tr("Undo the last update"))
+        layout = narrow(QFormLayout(self))
+        layout.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
+        layout.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        for title, widget in (
+            (tr("Annotation"), self.annotation),
+            (tr("Class field"), self.class_field),
+            (tr("Priority field"), self.priority_field),
+        ):
+            widget.setMinimumWidth(1)
+            layout.addRow(title, widget)
+        for widget in (self.button, self.progress, self.state, self.undo):
+            layout.addRow(widget)
+        self._connect()
+        self.list_layers()
+        self.show_running(False)
+
+    def _connect(self) -> None:
+        self.annotation.layerChanged.connect(self._use_annotation)
+        self.class_field.fieldChanged.connect(self._show_ready)
+        self.button.clicked.connect(self._press)
+        self.undo.clicked.connect(lambda: self.undoAsked.emit(self._database))
+
+    def use_database(self, path: str) -> None:
+        """The one that is updated."""
+        self._database = path
+        self._show_ready()
+
+    def list_layers(self) -> None:
+        """Leaves out what no annotation is: places, and the layers of databases."""
+        layers = QgsProject.instance().mapLayers().values()
+        self.annotation.setExceptedLayerList([layer for layer in layers if is_places(layer) or database_file(layer)])
+        if self.annotation.currentLayer() is None:
+            self._choose_annotation()
+
+    def show_running(self, running: bool, text: str = "") -> None:
+        """Whether an update works; ``text`` is what is to be read about it."""
+        self._running = running
+        for part in (self.annotation, self.class_field, self.priority_field):
+            part.setEnabled(not running)
+        self.progress.setVisible(running)
+        self.progress.setValue(0)
+        self.button.setText(tr("Cancel") if running else tr("Rasterize and update the database"))
+        self.button.setToolTip(
+            tr("Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept")
+        )
+        self.state.show_text(text)
+        self._show_ready()
+
+    def _show_ready(self, *_) -> None:
+        ready = bool(self._database and self.annotation.currentLayer() and self.class_field.currentField())
+        self.button.setEnabled(self._running or ready)
+        if not self._running and not self._database:
+            self.state.show_text(tr("Choose a database."))
+        possible = not self._running and can_undo(self._database)
+        self.undo.setVisible(possible)
+        if possible:
+            self.undo.setToolTip(
+                plain_tip(tr("Puts {file} back in its place").format(file=file_before(self._database)))
+            )
+
+    def _press(self) -> None:
+        if self._running:
+            self.button.setEnabled(False)
+            self.state.show_text(tr("Canceling…"))
+            self.cancelAsked.emit()
+            return
+        layer = self.annotation.currentLayer()
+        fields = self.class_field.currentField(), self.priority_field.currentField()
+        project = QgsProject.instance()
+        for entry, value in zip((_ANNOTATION_ENTRY, _CLASS_ENTRY, _PRIORITY_ENTRY), (layer.id(), *fields)):
+            project.writeEntry(SCOPE, entry, value)
+        self.startAsked.emit(Correction(self._database, layer, *fields))
+
+    # --- guesses, for the user to change ---
+
+    def _choose_annotation(self) -> None:
+        project = QgsProject.instance()
+        remembered = project.mapLayer(project.readEntry(SCOPE, _ANNOTATION_ENTRY)[0])
+        offered = [self.annotation.layer(row) for row in range(self.annotation.count())]
+        likely = [layer for layer in offered if layer is not None and _class_field_of(layer)]
+        if remembered is not None or likely:
+            self.annotation.setLayer(remembered or likely[0])
+
+    def _use_annotation(self, layer: QgsVectorLayer | None) -> None:
+        for box in (self.class_field, self.priority_field):
+            box.setLayer(layer)
+        if layer is not None:
+            project = QgsProject.instance()
+            is_remembered = project.readEntry(SCOPE, _ANNOTATION_ENTRY)[0] == layer.id()
+            entries = [project.readEntry(SCOPE, entry)[0] for entry in (_CLASS_ENTRY, _PRIORITY_ENTRY)]
+            guesses = _class_field_of(layer), _field_of(layer, _PRIORITY_FIELDS, True)
+            chosen = entries if is_remembered else guesses
+            self.class_field.setField(chosen[0])
+            self.priority_field.setField(chosen[1])
+        self._show_ready()
+
+
+def _class_field_of(layer: QgsVectorLayer) -> str:
+    """By which the layer's style tells classes apart, else one that is called so; empty for none."""
+    renderer = layer.renderer()
+    is_by_class = renderer is not None and renderer.type() == "categorizedSymbol"
+    styled = renderer.classAttribute().strip('"') if is_by_class else ""
+    return styled if styled in layer.fields().names() else _field_of(layer, _CLASS_FIELDS)
+
+
+def _field_of(layer: QgsVectorLayer, names: tuple[str, ...], is_number: bool = False) -> str:
+    by_name = {field.name().lower(): field for field in layer.fields() if not is_number or field.isNumeric()}
+    return next((by_name[name].name() for name in names if name in by_name), "")
