@@ -10,9 +10,10 @@ import numpy as np
 from ..geometry.error_settings import ClassBias, SharedErrors
 from ..geometry.pose import PoseCovariance, as_pairs
 from ..geometry.radius import CIRCLE_95
-from ..geometry.shared_errors import AREAS, CLASSES, MAP, covariance_of
+from ..geometry.shared_errors import AREAS, CLASSES, MAP, VIEW, covariance_of
 from .refine import ScoredPose, axes
 from .settings import CORRELATION, CorrelationSettings
+from .view_effects import ViewEffect
 
 SAMPLES = 5
 """Places along an edge of an image, by whose distances it is told how much of a map's displacement all of it shares."""
@@ -36,8 +37,13 @@ def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
     return to_map @ covariance @ to_map.T
 
 
-def known_pose(
-    pose: ScoredPose, covariance: np.ndarray, edge_m: float, overview_pixel_m: float, errors: SharedErrors
+def known_pose(  # noqa: PLR0913 - a fit, what it was made on, and what it does not show
+    pose: ScoredPose,
+    covariance: np.ndarray,
+    edge_m: float,
+    overview_pixel_m: float,
+    errors: SharedErrors,
+    effect: ViewEffect | None = None,
 ) -> PoseCovariance:
     """How exactly a pose is known.
 
@@ -47,29 +53,42 @@ def known_pose(
         edge_m: Of the ground that the image shows.
         overview_pixel_m: Pixel of the map's overview.
         errors: What is known of the map and of the labels.
+        effect: What lens and tilt may have done, where that was looked at.
     """
     if not np.isfinite(covariance).all():
         return PoseCovariance(as_pairs(np.full((2, 2), np.inf)), np.inf, np.inf)
     own = covariance_on_map(pose, covariance)
     own[:2, :2] += (CORRELATION.error_floor_px * overview_pixel_m / CIRCLE_95) ** 2 * np.eye(2)
     shared = errors.map_accuracy**2 * shared_over(errors.settings.map_kernels, edge_m)
+    own += shared
     known = [errors.bias_of(bias.value) for bias in (*errors.class_biases, ClassBias(0))]
     # Which class moved the place, and how far, areas don't tell: what is stated is not taken off.
     common = errors.common_spread if errors.unstated([one.value for one in known]) else 0.0
     bias = common**2 + max(errors.spread_of(one, pose.pixel_size_m) ** 2 + one.length**2 / 2 for one in known)
     parts = [
-        (AREAS, float(np.sqrt(np.trace(own[:2, :2]) / 2))),
-        (MAP, float(np.sqrt(shared))),
+        (AREAS, float(np.sqrt(np.trace((own - shared)[:2, :2]) / 2))),
+        (MAP, float(np.sqrt(shared[0, 0]))),
         (CLASSES, float(np.sqrt(bias))),
     ]
-    own[:2, :2] += (shared + bias) * np.eye(2)
+    if effect is not None:
+        view = covariance_on_map(pose, effect.covariance)
+        parts.append((VIEW, float(np.sqrt(np.trace(view[:2, :2]) / 2))))
+        own += view
+    own[:2, :2] += bias * np.eye(2)
     told = tuple(sorted(((name, CIRCLE_95 * part) for name, part in parts), key=lambda part: -part[1]))
     return covariance_of(own, pose.pixel_size_m, told)
 
 
-def shared_over(kernels: tuple[tuple[float, float], ...], edge_m: float) -> float:
-    """Share of a map's displacement that does not average out over an image: the mean correlation of its places."""
-    places = np.arange(SAMPLES) / (SAMPLES - 1) * edge_m
+def shared_over(kernels: tuple[tuple[float, float], ...], edge_m: float) -> np.ndarray:
+    """(4, 4) covariance of what a map's displacement of variance 1 m² does to a pose: what does not average out.
+
+    Of map x and y in meters, heading in radians and ln pixel size.
+    """
+    places = np.arange(SAMPLES) / (SAMPLES - 1) * edge_m - edge_m / 2
     x, y = (axis.ravel() for axis in np.meshgrid(places, places))
     away = np.hypot(x[:, None] - x, y[:, None] - y)
-    return float(sum(share * np.exp(-away / length).mean() for length, share in kernels))
+    together = sum(share * np.exp(-away / length) for length, share in kernels)
+    # Displacements along both axes are independent: turn and growth are their moments about the center.
+    turning = np.stack([x, y]) / (x**2 + y**2).sum()
+    turned = float(sum(moment @ together @ moment for moment in turning))
+    return np.diag([float(together.mean())] * 2 + [turned] * 2)

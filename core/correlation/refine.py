@@ -116,7 +116,7 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         return np.full((4, 4), np.inf)
     inverse, units = _inverse(pull, damping), parameter_units(image)
     height, width = image.known.shape
-    pulls = _clustered(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
+    pulls = clustered(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
@@ -194,16 +194,16 @@ def _move(pull: _Pull, image: EvidenceLevel, settings: CorrelationSettings) -> n
     return np.clip(-(_inverse(pull, settings.damping) @ descent) * parameter_units(image), -limit, limit)
 
 
-def _clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
-    """(4, 4) covariance of the sum of all pixels' pulls (4, h·w·C), whose neighbors err together.
+def clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
+    """(P, P) covariance of the sum of all pixels' pulls (P, h·w·C), whose neighbors err together.
 
     Pulls are summed in blocks × blocks parts of the image, which are taken as independent (cluster-robust "sandwich"
     covariance, Liang & Zeger 1986): a patch of a wrong class counts as one error, not as a thousand.
     """
     height, width = shape_hw
     rows, columns = (np.linspace(0, edge, min(blocks, edge), endpoint=False).astype(int) for edge in (height, width))
-    sums = pulls.reshape(4, height, width, -1).sum(axis=3)
-    sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(4, -1)
+    sums = pulls.reshape(len(pulls), height, width, -1).sum(axis=3)
+    sums = np.add.reduceat(np.add.reduceat(sums, rows, axis=1), columns, axis=2).reshape(len(pulls), -1)
     sums = sums - sums.mean(axis=1, keepdims=True)
     return np.einsum("ik,jk->ij", sums, sums)
 

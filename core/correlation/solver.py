@@ -40,6 +40,7 @@ from .places import (
 )
 from .refine import NOT_COMPARABLE, ScoredPose, score_at
 from .search import SearchSpace
+from .view_effects import view_effect
 
 
 def localize(  # noqa: PLR0913 - an image by its labels and their shares, the map, and what is known beforehand
@@ -86,10 +87,12 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     pose, covariance = finest_pose(image, pyramid, poses[0])
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
+    errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
+    effect = view_effect(reduced_image(image, settings.decision_edge), pyramid, pose, factor, errors)
+    pose = pose if effect is None else effect.moved(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
-    spread = noise_factor(peaks.score, settings) ** 2 * covariance
-    known = known_pose(pose, spread, edge_m, pyramid.frame.pixel_size, errors or SharedErrors())
+    known = known_pose(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
 
 

@@ -33,10 +33,10 @@ def measure(run: inputs.Run) -> dict[str, str]:
     if run.area.name == "sample":
         return {"automatic": "Not measured: the real data is not here."}
     ground, count = Ground.of(run), run.how_many(COUNT, QUICK_COUNT)
-    found = [*tried(run, ground, CASES, count, SEED)]
-    found += tried(run, ground.known_elsewhere(), ELSEWHERE, count, SEED + 1)
+    found = [*tried(run, ground, CASES, count, SEED, "automatic")]
+    found += tried(run, ground.known_elsewhere(), ELSEWHERE, count, SEED + 1, "automatic")
     ground.spoiled_values = BUILDINGS
-    found += tried(run, ground, POOR_CASES, count, SEED + 2)
+    found += tried(run, ground, POOR_CASES, count, SEED + 2, "automatic")
     rows = []
     for case, trials in found:
         roads = Counter(t.result.method for t in trials if t.is_right)

@@ -42,6 +42,7 @@ AERIAL = (
     replace(TILE, name="aerial label maps, mirrored, modest noise", wanted=replace(ON_A_TILE, is_mirrored=True)),
 )
 PRIOR_RADIUS_M = 1000.0
+KEPT_IN = "correlation"
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
@@ -49,8 +50,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
         reason = "Not measured: the real data is not here."
         return {"map correlation": reason, "map correlation times": reason}
     ground, count = country(run), run.how_many(COUNT, QUICK_COUNT)
-    found = [*tried(run, ground, COUNTRY, count, SEED)]
-    found += tried(run, ground.known_elsewhere(), ELSEWHERE, count, SEED)
+    found = [*tried(run, ground, COUNTRY, count, SEED, KEPT_IN)]
+    found += tried(run, ground.known_elsewhere(), ELSEWHERE, count, SEED, KEPT_IN)
     found += tried_on_tiles(run, tile_paths(run)[: 1 if run.quick else None], -(-count // 6))
     rows = [[*cells(trials, case.name), best_right(trials)] for case, trials in found]
     table = page.table([*COLUMNS, "best place right, fix or not"], rows)
@@ -84,7 +85,7 @@ def tried_on_tiles(run: inputs.Run, paths: Sequence[Path], count: int) -> list[t
     for number, path in enumerate(paths if any(run.wants(case.name) for case in AERIAL) else []):
         ground = tile_ground(path)
         ground.spoiled_values = BUILDINGS
-        for case, trials in tried(run, ground, AERIAL, count, SEED + number):
+        for case, trials in tried(run, ground, AERIAL, count, SEED + number, f"{KEPT_IN}_{path.stem}"):
             together[case] += trials
     return list(together.items())
 

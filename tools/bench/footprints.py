@@ -1,7 +1,7 @@
-"""Automatic by ground in view, landmarks in view and noise: images of a quarter to once a window's ground, anywhere.
+"""Which share of the ground has a right fix, by footprint, landmarks in view, noise and road.
 
-Positions are uniform over the ground. What the camera knew is a case of its own: pixel sizes within 20 %, as height and
-lens tell them.
+Positions are uniform over the ground; images show a quarter to once a window's. What the camera knew is a case of its
+own: pixel sizes within 20 %, as height and lens tell them. In parts; a later run with the same --work goes on.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bench import inputs, page, two_dates
+from bench import inputs, kept, page, two_dates
 from bench.ground import GOAL, Ground, Image, milliseconds
 from semref.core.assessment.cells import ground_cells
 from semref.core.evaluation.trial import Query, Trial
@@ -38,7 +38,17 @@ CAMERA_SPREAD = 0.2
 """How far off the pixel size is told where the camera tells it."""
 
 GROUPS = ((0, 2), (3, 11), (12, 10**9))
-COLUMNS = ("images", "landmarks", "right", "wrong", "refused", "by constellation, map correlation", "ms: median, p95")
+METHODS = (Method.CONSTELLATION, Method.AUTOMATIC)
+COLUMNS = (
+    "images",
+    "landmarks",
+    "automatic: right",
+    "wrong",
+    "refused",
+    "right by constellation, by map correlation",
+    "constellation alone: right; wrong",
+    "ms: median, p95",
+)
 
 
 @dataclass(frozen=True)
@@ -74,8 +84,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
                 for told in (False, True):
                     case = _name(name, ground, share, noise, told)
                     if run.wants(case):
-                        trials = [_trial(ground, share, noise, told, number) for number in range(count)]
-                        rows += _rows(case, trials)
+                        measured = functools.partial(_part, ground, share, noise, told)
+                        rows += _rows(case, kept.trials(run, "footprints", case, count, measured))
     return {"footprints": f"{_ABOUT.format(half=run.half)}\n\n{page.table(COLUMNS, rows)}"}
 
 
@@ -90,8 +100,14 @@ def _name(area: str, ground: Ground, share: float, noise: Noise, told: bool) -> 
     return f"{area}, {edge:,.0f} m, {noise.name}" + (", pixel size told" if told else "")
 
 
-def _trial(ground: Ground, share: float, noise: Noise, told: bool, number: int) -> Trial:
-    """One image; the same one whether its pixel size is told or not."""
+def _part(ground: Ground, share: float, noise: Noise, told: bool, part: int, size: int) -> list[list[Trial]]:
+    """Trials of METHODS an image."""
+    first = part * kept.TRIALS_A_PART
+    return [_tried(ground, share, noise, told, number) for number in range(first, first + size)]
+
+
+def _tried(ground: Ground, share: float, noise: Noise, told: bool, number: int) -> list[Trial]:
+    """One image, by every method; the same one whether its pixel size is told or not."""
     rng = np.random.default_rng([SEED, round(100 * share), NOISES.index(noise), number])
     image = drawn(ground, share, rng)
     view = image.view
@@ -103,7 +119,7 @@ def _trial(ground: Ground, share: float, noise: Noise, told: bool, number: int) 
     labels = spoil_labels(image.labels_hw, spoiled, rng, ground.spoiled_values, donor, smallest)
     off = 1 + CAMERA_SPREAD
     ground.prior = Prior(pixel_size_range=(view.pixel_size / off, view.pixel_size * off)) if told else None
-    return ground.try_image(replace(image, labels_hw=labels), Method.AUTOMATIC)
+    return [ground.try_image(replace(image, labels_hw=labels), method) for method in METHODS]
 
 
 def drawn(ground: Ground, share: float, rng: np.random.Generator) -> Image:
@@ -131,22 +147,23 @@ def _centers(ground: Ground, spacing: float) -> np.ndarray:
     return ground_cells(ground.database, spacing).centers
 
 
-def _rows(case: str, trials: Sequence[Trial]) -> list[list[str]]:
+def _rows(case: str, trials: Sequence[Sequence[Trial]]) -> list[list[str]]:
     """All images of a case, and those with few, some and many landmarks in view."""
     rows = [_row(case, "any", trials)]
     for low, high in GROUPS:
-        chosen = [trial for trial in trials if low <= (trial.landmarks or 0) <= high]
+        chosen = [each for each in trials if low <= (each[0].landmarks or 0) <= high]
         if chosen:
             rows.append(_row("", f"{low}–{high}" if high < 10**9 else f"≥ {low}", chosen))
     print("  " + " | ".join(rows[0]), file=sys.stderr, flush=True)
     return rows
 
 
-def _row(case: str, landmarks: str, trials: Sequence[Trial]) -> list[str]:
-    right = [trial for trial in trials if trial.is_right]
+def _row(case: str, landmarks: str, trials: Sequence[Sequence[Trial]]) -> list[str]:
+    alone, both = zip(*trials)
+    right, total = [trial for trial in both if trial.is_right], len(both)
     roads = Counter(trial.result.method for trial in right)
-    wrong, refused = sum(trial.is_wrong for trial in trials), sum(not trial.is_fix for trial in trials)
+    wrong, refused = sum(trial.is_wrong for trial in both), sum(not trial.is_fix for trial in both)
     by = f"{roads[Method.CONSTELLATION]}, {roads[Method.MAP_CORRELATION]}"
-    total = len(trials)
     counts = (page.rate(count, total) for count in (len(right), wrong, refused))
-    return [case, landmarks, *counts, by, milliseconds(trials)]
+    own = f"{page.rate(sum(t.is_right for t in alone), total)}; {sum(t.is_wrong for t in alone)}"
+    return [case, landmarks, *counts, by, own, milliseconds(both)]

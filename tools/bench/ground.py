@@ -7,11 +7,12 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from bench import inputs, page
+from bench import inputs, kept, page
 from semref.core.constellation.index import ConstellationIndex
 from semref.core.constellation.solver import localize as solve
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
@@ -151,10 +152,10 @@ class Ground:
         is_north = self.extent[1] >= self.middle
         edge = self.extent[1] - REACH_PX if is_north else self.extent[3] + REACH_PX
         references, overview = self.database.references, self.database.overview.copy()
-        kept = references.positions[:, 1] < edge if is_north else references.positions[:, 1] > edge
+        inside = references.positions[:, 1] < edge if is_north else references.positions[:, 1] > edge
         row = int((self.frame.origin[1] - edge) / self.database.parameters.overview_frame.pixel_size)
         overview[slice(0, row) if is_north else slice(row, None)] = 0
-        database = replace(self.database, references=chosen(references, kept), overview=overview)
+        database = replace(self.database, references=chosen(references, inside), overview=overview)
         other = Ground(self.labels_hw, database, size_px=self.size_px)
         other.extent, other.references, other.spoiled_values = self.extent, self.references, self.spoiled_values
         return other
@@ -263,6 +264,11 @@ class Ground:
             return self.try_landmarks(image, self.spoiled_landmarks(image, noise, rng), case.right_within, index)
         return self.try_image(self.spoiled(image, noise, rng), case.method, case.right_within)
 
+    def attempts(self, case: Case, seed: Sequence[int], part: int, size: int) -> list[Trial]:
+        """A part of a case's images; each part has its own seed."""
+        rng = np.random.default_rng([*seed, part])
+        return [self.attempt(case, rng) for _ in range(size)]
+
     def try_vector(self, view: View, labels_hw: np.ndarray | None = None, localizer: Localizer | None = None) -> Trial:
         """A view by its topology vector; right is the window nearest to its center."""
         nearest = np.hypot(*(self.database.windows.centers - view.position).T).min()
@@ -333,25 +339,24 @@ COLUMNS = (
 )
 
 
-def tried(run: inputs.Run, ground: Ground, cases: Sequence[Case], count: int, seed: int) -> Iterator[tuple]:
-    """(case, trials) one after the other; trials are None, and the reason is said, where the map has no such image."""
+def tried(
+    run: inputs.Run, ground: Ground, cases: Sequence[Case], count: int, seed: int, kept_in: str = ""
+) -> Iterator[tuple]:
+    """(case, trials) one after the other; a case that the map has no image of is left out, and the reason is said.
+
+    kept_in: folder of the work folder that keeps the trials, so that a later run goes on; nothing is kept without.
+    """
     for number, case in enumerate(cases):
         if not run.wants(case.name):
             continue
-        rng = np.random.default_rng([seed, number])
+        measured = partial(ground.attempts, case, (seed, number))
         try:
-            trials = [ground.attempt(case, rng) for _ in range(count)]
+            trials = kept.trials(run, kept_in, case.name, count, measured) if kept_in else measured(0, count)
         except ValueError as error:
             print(f"  {case.name}: not measured: {error}", file=sys.stderr, flush=True)
             continue
         print("  " + " | ".join(cells(trials, case.name, case.goal)), file=sys.stderr, flush=True)
         yield case, trials
-
-
-def table(run: inputs.Run, ground: Ground, cases: Sequence[Case], count: int, seed: int) -> str:
-    """All cases as a table."""
-    rows = [cells(trials, case.name, case.goal) for case, trials in tried(run, ground, cases, count, seed)]
-    return page.table(COLUMNS, rows)
 
 
 def cells(trials: Sequence[Trial], name: str, goal: str = "") -> list[str]:

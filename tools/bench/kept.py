@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import hashlib
 import json
+import pickle
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -18,6 +20,28 @@ SIMULATING = ("simulation", "labels", "landmarks", "geometry", "database")
 OF_CONSTELLATION = (*SIMULATING, "constellation")
 OF_ALL = (*OF_CONSTELLATION, "correlation", "segmentation", "sample", "windows", "localizer")
 
+BESIDE = (
+    "geometry/camera.py",
+    "geometry/lens_distortion.py",
+    "geometry/leveling.py",
+    "geometry/lon_lat.py",
+    "labels/color_labels.py",
+    "labels/comparison.py",
+    "labels/image_files.py",
+    "labels/photo_camera.py",
+    "labels/photo_tags.py",
+    "labels/training_tiles.py",
+    "localizer/leveled.py",
+    "localizer/record.py",
+    "localizer/track.py",
+)
+"""Of these packages, what no simulated label image goes through: cameras, files, flights."""
+
+OF_PHOTOS = ("labels/class_shares.py",)
+"""Also of these packages, but only of roads with segmentation among theirs."""
+
+TRIALS_A_PART = 10
+
 
 def parts(count: int, size: int) -> list[int]:
     """Images of each part of `count`."""
@@ -26,9 +50,25 @@ def parts(count: int, size: int) -> list[int]:
 
 @lru_cache
 def state(packages: Sequence[str], core: Path = CORE) -> str:
-    """Of the code that a figure comes from: other code starts anew, another page or another package does not."""
+    """Of the code that a figure comes from: other code starts anew; another page, comment or package does not."""
     files = sorted(path for name in packages for path in (core / name).rglob("*.py"))
-    return hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()[:12]
+    beside = BESIDE if "segmentation" in packages else (*BESIDE, *OF_PHOTOS)
+    used = [path for path in files if path.relative_to(core).as_posix() not in beside]
+    return hashlib.sha256("\n".join(map(instructions, used)).encode()).hexdigest()[:12]
+
+
+def instructions(path: Path) -> str:
+    """A module without what is for people alone: comments, docstrings, line breaks."""
+    tree = ast.parse(path.read_bytes())
+    for node in ast.walk(tree):
+        body = getattr(node, "body", None)
+        if isinstance(body, list):
+            node.body = [one for one in body if not _is_text(one)]
+    return ast.unparse(tree)
+
+
+def _is_text(node: ast.AST) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
 
 
 def part(
@@ -51,9 +91,7 @@ def part(
         measured: number and size of a part → what JSON can hold; called where nothing is kept
         packages: of core that the figures come from
     """
-    folder = run.work / table
-    folder.mkdir(exist_ok=True)
-    path = folder / f"{plain(name)}_{number}_{size}_{run.half}_{state(packages)}.json"
+    path = _path(run, table, name, number, size, packages, "json")
     if not path.exists():
         path.write_text(json.dumps(measured(number, size)), encoding="utf-8")
     return json.loads(path.read_text("utf-8"))
@@ -72,6 +110,33 @@ def row(
         yield from part(run, table, name, number, size, measured, packages)
 
 
+def trials(
+    run: inputs.Run,
+    table: str,
+    name: str,
+    count: int,
+    measured: Callable[[int, int], list],
+    packages: Sequence[str] = OF_ALL,
+) -> list:
+    """Whole trials, or whatever a list may hold, of all parts of a row; arguments as above.
+
+    Files of one's own work folder are read as pickles: nobody else's belong there.
+    """
+    found: list = []
+    for number, size in enumerate(parts(count, TRIALS_A_PART)):
+        path = _path(run, table, name, number, size, packages, "pickle")
+        if not path.exists():
+            path.write_bytes(pickle.dumps(measured(number, size)))
+        found += pickle.loads(path.read_bytes())
+    return found
+
+
 def plain(name: str) -> str:
     """A row's name as a file may have it."""
     return "".join(letter if letter.isalnum() else "_" for letter in name)
+
+
+def _path(run: inputs.Run, table: str, name: str, number: int, size: int, packages: Sequence[str], suffix: str) -> Path:
+    folder = run.work / table
+    folder.mkdir(exist_ok=True)
+    return folder / f"{plain(name)}_{number}_{size}_{run.half}_{state(packages)}.{suffix}"

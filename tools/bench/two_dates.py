@@ -6,11 +6,12 @@ import csv
 import math
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
-from bench import inputs, page, plugin
+from bench import inputs, kept, page, plugin
 from bench.ground import ANY, COLUMNS, GOAL, Ground, Wanted, cells
 from semref.core.evaluation.trial import RIGHT_SHARE, Trial
 from semref.core.localization import Method
@@ -69,8 +70,9 @@ def measure(run: inputs.Run) -> dict[str, str]:
             if not run.wants(name):
                 continue
             labels = before if kind == SAME_DATE else after
-            found = _tried(run, labels, footprint, math.ceil(part * count), kind, number)
-            for method, trials in found.items():
+            measured = partial(_tried, run, labels, footprint, kind, number)
+            found = kept.trials(run, "two_dates", name, math.ceil(part * count), measured)
+            for method, trials in zip(METHODS, zip(*found)):
                 rows.append([*cells(trials, f"{name}, {method}"), _near(trials)])
                 print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
                 if kind in by_landmarks:
@@ -82,20 +84,19 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 
 def _tried(
-    run: inputs.Run, labels: np.ndarray, footprint: float, count: int, kind: str, number: int
-) -> dict[Method, list[Trial]]:
-    """The same images, each given to every method."""
+    run: inputs.Run, labels: np.ndarray, footprint: float, kind: str, number: int, part: int, size: int
+) -> list[list[Trial]]:
+    """A part of the images, each given to every one of METHODS."""
     content = read_database(str(database(run, footprint)), with_overview=True)
     ground = Ground(labels, content, size_px=round(footprint / PIXEL_SIZE_M))
     wanted = Wanted(SCALES, landmarks=ANY, labeled=LEAST_LABELED, is_mirrored=kind == MIRRORED)
-    rng = np.random.default_rng([SEED, number, list(SHARES).index(kind)])
-    found: dict[Method, list[Trial]] = {method: [] for method in METHODS}
-    for _ in range(count):
+    rng = np.random.default_rng([SEED, number, list(SHARES).index(kind), part])
+    found = []
+    for _ in range(size):
         image = ground.draw(wanted, rng)
         if kind == NOISY:
             image = ground.spoiled(image, GOAL, rng)
-        for method in METHODS:
-            found[method].append(ground.try_image(image, method))
+        found.append([ground.try_image(image, method) for method in METHODS])
     return found
 
 

@@ -1,0 +1,224 @@
+"""What a lens that bends or a camera that is tilted does to a place that areas were compared at as if neither did.
+
+Told in docs/method.md#how-exactly. Both displace what an image shows by amounts that grow outwards, so that the level
+pose that fits best lies beside the true one. How much the image shows of either is measured by the same Gauss–Newton
+system as the pose, with five more unknowns; how much there may be is the mixture of cameras that landmarks are judged
+by, too (``ErrorSettings.views``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+
+from ..geometry.error_settings import SharedErrors
+from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
+from .class_pyramid import EvidenceLevel, MapPyramid
+from .refine import NOT_COMPARABLE, ScoredPose, axes, clustered, difference
+
+POSE, COUNT = 4, 9
+"""Numbers of a level pose (right, down, heading, ln pixel size; half a diagonal is the unit of the first two); and with
+the effects."""
+
+STEPS = 3
+"""Gauss–Newton steps; after two a tilt of 10° is known to a twentieth."""
+
+WORSE = 0.02
+"""A step that lowers the score by more leads away."""
+
+LEAST = 1e-6
+"""Deviation of anything that is measured: a map compared with itself is not known better."""
+
+SAMPLES = 7
+"""Places along an edge of an image, by which it is told what a displaced map looks like."""
+
+_UNITS = np.array([1.0, STRETCH_DEVIATION, STRETCH_DEVIATION, SLOPE_DEVIATION, SLOPE_DEVIATION])
+"""Of lens, stretch and slope of a tilt, two numbers each, in which views state their deviations."""
+
+
+@dataclass(frozen=True)
+class ViewEffect:
+    """How a level pose is off, for all that is known.
+
+    Attributes:
+        shift: (4,) mean, of image pixels right and down, heading in radians and ln pixel size.
+        covariance: (4, 4) that the cameras that may be add to that of the pose.
+    """
+
+    shift: np.ndarray
+    covariance: np.ndarray
+
+    def moved(self, pose: ScoredPose) -> ScoredPose:
+        """The pose without the mean effect."""
+        x, y = axes(pose) @ self.shift[:2]
+        heading = (pose.heading_deg + float(np.degrees(self.shift[2]))) % 360.0
+        size = pose.pixel_size_m * float(np.exp(self.shift[3]))
+        return replace(pose, x=pose.x + x, y=pose.y + y, heading_deg=heading, pixel_size_m=size)
+
+
+def view_effect(
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, factor: float, errors: SharedErrors
+) -> ViewEffect | None:
+    """How a level pose is off, for all that the image shows of lens and tilt.
+
+    Args:
+        image: Its evidence at the pixels that covariances are taken at.
+        pyramid: The map's.
+        pose: The best level one.
+        factor: What standard deviations of the fit are multiplied with (``exactness.noise_factor``).
+        errors: What is known of the map, and the cameras that may be (``ErrorSettings.views``), the one that does
+            nothing first.
+
+    Returns:
+        None where nothing tells all of the pose.
+    """
+    system, views = _System(image, pyramid, pose), errors.settings.views
+    of_map = system.of_map(errors)
+    known = np.zeros(COUNT)
+    deviations = np.array([_deviations(view) for view in views])
+    loosest = np.zeros((COUNT, COUNT))
+    loosest[range(POSE, COUNT), range(POSE, COUNT)] = deviations.max(axis=0) ** -2.0
+    best, measured = NOT_COMPARABLE, None
+    for _ in range(STEPS):
+        found = system.measured(known, factor, of_map)
+        if found is None or found.score < best - WORSE:
+            break
+        best = max(best, found.score)
+        measured = found
+        information = np.linalg.inv(found.covariance)
+        known = np.linalg.solve(information + loosest, information @ found.mean)
+    if measured is None:
+        return None
+    shift, spread = _mixed(measured, deviations, np.array([view[2] for view in views]))
+    units = np.array([system.half, system.half, 1.0, 1.0])
+    return ViewEffect(shift * units, spread * np.outer(units, units))
+
+
+def _deviations(view: tuple[float, float, float]) -> np.ndarray:
+    lens, tilt, _ = view
+    return np.array([lens, *[tilt] * 4]) * _UNITS
+
+
+def _mixed(measured: _Measured, deviations: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Shift (4,) of the pose and its added covariance (4, 4), against a camera that does nothing.
+
+    Args:
+        measured: Pose and effects.
+        deviations: (K, 5) of the effects, of each camera that may be; the first one does nothing.
+        shares: (K,) of the cameras.
+    """
+    own, seen, to_pose = measured.covariance[POSE:, POSE:], measured.mean[POSE:], measured.to_pose
+    shifts: list[np.ndarray] = []
+    spreads: list[np.ndarray] = []
+    likely: list[float] = []
+    for deviation, share in zip(deviations, shares):
+        both = np.linalg.inv(own + np.diag(deviation**2))
+        # What is left of the effects that were measured, and of their covariance; the pose goes with them.
+        left = deviation**2 * (both @ seen)
+        spread = np.diag(deviation**2) - np.diag(deviation**2) @ both @ np.diag(deviation**2)
+        moved = measured.mean[:POSE] + to_pose @ (left - seen)
+        shifts.append(moved if shifts else np.zeros(POSE))
+        spreads.append(to_pose @ spread @ to_pose.T)
+        likely.append(float(np.log(share) + 0.5 * (np.linalg.slogdet(both)[1] - seen @ both @ seen)))
+    weights: np.ndarray = np.exp(np.array(likely) - max(likely))
+    weights /= weights.sum()
+    shift = weights @ np.array(shifts)
+    apart = np.array(shifts) - shift
+    return shift, np.tensordot(weights, np.array(spreads), 1) + np.einsum("k,ki,kj->ij", weights, apart, apart)
+
+
+@dataclass(frozen=True)
+class _Measured:
+    """What a fit tells of pose and effects, in units of ``_System``.
+
+    Attributes:
+        score: Correlation where it was made.
+        mean: (9,).
+        covariance: (9, 9).
+        to_pose: (4, 5) how the pose moves with the effects.
+    """
+
+    score: float
+    mean: np.ndarray
+    covariance: np.ndarray
+    to_pose: np.ndarray
+
+
+class _System:
+    """The fit of an image to the map around a pose, lens and tilt among its unknowns."""
+
+    def __init__(self, image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> None:
+        self._image, self._pyramid, self._pose = image, pyramid, pose
+        height, width = image.known.shape
+        self.half = float(np.hypot(height * image.pixel[1], width * image.pixel[0])) / 2
+        x = (np.arange(width) - (width - 1) / 2) * image.pixel[0] / self.half
+        y = (np.arange(height) - (height - 1) / 2) * image.pixel[1] / self.half
+        # Complex numbers with the imaginary part down: as of image pixels.
+        self._points = u = x[None, :] + 1j * y[:, None]
+        ones = np.ones_like(u)
+        tilt = [u.conj(), 1j * u.conj(), -u * u.real, -u * u.imag]
+        self._moves = np.stack([ones, 1j * ones, 1j * u, u, u * np.abs(u) ** 2, *tilt])
+        self._seen = image.evidence - image.evidence.mean(axis=(0, 1))
+
+    def of_map(self, errors: SharedErrors) -> np.ndarray:
+        """(9, 9) covariance of what a map that is displaced, neighbors alike, is taken for."""
+        height, width = self._points.shape
+        rows, columns = (np.linspace(0, edge - 1, SAMPLES).round().astype(int) for edge in (height, width))
+        sampled = np.ix_(rows, columns)
+        points = self._points[sampled].ravel()
+        moves = self._moves[(slice(None), *sampled)].reshape(COUNT, -1)
+        half_m = self.half * self._pose.pixel_size_m
+        away = np.abs(points[:, None] - points) * half_m
+        shared = sum(share * np.exp(-away / length) for length, share in errors.settings.map_kernels)
+        fitted = np.linalg.pinv(np.vstack([moves.real.T, moves.imag.T]))
+        across, down = fitted[:, : len(points)], fitted[:, len(points) :]
+        return (errors.map_accuracy / half_m) ** 2 * (across @ shared @ across.T + down @ shared @ down.T)
+
+    def measured(self, assumed: np.ndarray, factor: float, of_map: np.ndarray) -> _Measured | None:
+        """What is measured where pose and effects are assumed (9,); None where nothing tells all of them."""
+        patch, share = self._patch(assumed)
+        there = patch - patch.mean(axis=(0, 1))
+        norm, energy = float((self._seen**2).sum()), float((there**2).sum())
+        if share.mean() < self._pyramid.settings.least_known or norm <= 0 or energy <= 0:
+            return None
+        product = float((self._seen * there).sum())
+        gain = product / norm
+        if gain <= 0:
+            return None
+        both = there + gain * self._seen
+        gradient_x, gradient_y = difference(both, 1) / 2, difference(both, 0) / 2
+        by_x = gradient_x * (self.half / self._image.pixel[0])
+        by_y = gradient_y * (self.half / self._image.pixel[1])
+        moves = self._moves[..., None]
+        slopes = (by_x * moves.real + by_y * moves.imag).reshape(COUNT, -1).astype(np.float32)
+        residual = (there - gain * self._seen).ravel()
+        units = 1 / np.sqrt(np.maximum((slopes.astype(np.float64) ** 2).sum(axis=1), 1e-30))
+        normal = cv2.mulTransposed(slopes, False, dtype=cv2.CV_64F) * np.outer(units, units)
+        if np.linalg.eigvalsh(normal)[0] <= self._pyramid.settings.damping:
+            return None
+        inverse = np.linalg.inv(normal) * np.outer(units, units)
+        descent = np.einsum("ik,k->i", slopes, residual).astype(np.float64)
+        pulls = clustered(slopes * residual, (share.shape[0], share.shape[1]), self._pyramid.settings.blocks)
+        covariance = factor**2 * inverse @ pulls @ inverse + of_map + LEAST**2 * np.eye(COUNT)
+        score = product / np.sqrt(norm * (energy + self._pyramid.quiet * share.size))
+        of_pose = np.linalg.inv(normal[:POSE, :POSE]) * units[:POSE, None]
+        to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
+        return _Measured(score, assumed - inverse @ descent, covariance, to_pose)
+
+    def _patch(self, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The map as the image would see it: evidence (h, w, C) and labeled share (h, w), float32."""
+        pose, image = self._pose, self._image
+        seen = (self._points + np.tensordot(known, self._moves, 1)) * self.half
+        to_map = axes(pose)
+        x = to_map[0, 0] * seen.real + to_map[0, 1] * seen.imag
+        y = to_map[1, 0] * seen.real + to_map[1, 1] * seen.imag
+        pixel = pose.pixel_size_m * float(np.sqrt(image.pixel[0] * image.pixel[1]))
+        spare = 2 * max(pixel, self._pyramid.frame.pixel_size)
+        low, high = (pose.x + x.min() - spare, pose.y + y.min() - spare), (pose.x + x.max(), pose.y + y.max())
+        level, left, top = self._pyramid.crop(pixel, (*low, high[0] + spare, high[1] + spare))
+        columns = ((pose.x + x - left) / level.pixel[0] - 0.5).astype(np.float32)
+        rows = ((pose.y + y - top) / level.pixel[0] - 0.5).astype(np.float32)
+        evidence = cv2.remap(level.evidence, columns, rows, cv2.INTER_LINEAR).reshape(*columns.shape, -1)
+        return evidence, cv2.remap(level.known, columns, rows, cv2.INTER_LINEAR)
