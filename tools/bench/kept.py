@@ -20,25 +20,17 @@ SIMULATING = ("simulation", "labels", "landmarks", "geometry", "database")
 OF_CONSTELLATION = (*SIMULATING, "constellation")
 OF_ALL = (*OF_CONSTELLATION, "correlation", "segmentation", "sample", "windows", "localizer")
 
+SERVING = ("labels", "geometry")
+"""Packages for everybody: of these, only what the others import counts."""
+
 BESIDE = (
-    "geometry/camera.py",
-    "geometry/lens_distortion.py",
-    "geometry/leveling.py",
-    "geometry/lon_lat.py",
-    "labels/color_labels.py",
-    "labels/comparison.py",
-    "labels/image_files.py",
-    "labels/photo_camera.py",
-    "labels/photo_tags.py",
-    "labels/training_tiles.py",
+    "database/changed_regions.py",
+    "database/update.py",
     "localizer/leveled.py",
     "localizer/record.py",
     "localizer/track.py",
 )
-"""Of these packages, what no simulated label image goes through: cameras, files, flights."""
-
-OF_PHOTOS = ("labels/class_shares.py",)
-"""Also of these packages, but only of roads with segmentation among theirs."""
+"""Of the other packages, what no simulated label image goes through: cameras, flights, updates."""
 
 TRIALS_A_PART = 10
 
@@ -50,11 +42,31 @@ def parts(count: int, size: int) -> list[int]:
 
 @lru_cache
 def state(packages: Sequence[str], core: Path = CORE) -> str:
-    """Of the code that a figure comes from: other code starts anew; another page, comment or package does not."""
-    files = sorted(path for name in packages for path in (core / name).rglob("*.py"))
-    beside = BESIDE if "segmentation" in packages else (*BESIDE, *OF_PHOTOS)
-    used = [path for path in files if path.relative_to(core).as_posix() not in beside]
+    """Of the code that a figure comes from: other code starts anew; another page, comment or module does not."""
+    used = sorted(modules(packages, core))
     return hashlib.sha256("\n".join(map(instructions, used)).encode()).hexdigest()[:12]
+
+
+def modules(packages: Sequence[str], core: Path) -> set[Path]:
+    """Those of packages of core, and of SERVING what they import."""
+    found = {path for name in packages if name not in SERVING for path in (core / name).rglob("*.py")}
+    found = {path for path in found if path.relative_to(core).as_posix() not in BESIDE}
+    serving, unread = tuple(core / name for name in SERVING if name in packages), list(found)
+    while unread:
+        others = {path for path in imported(unread.pop()) if path.parent in serving} - found
+        found |= others
+        unread += others
+    return found
+
+
+def imported(path: Path) -> set[Path]:
+    """Modules that a module imports by their place beside it."""
+    found: set[Path] = set()
+    for node in ast.walk(ast.parse(path.read_bytes())):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            target = path.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+            found |= {target.with_suffix(".py"), *(target / f"{alias.name}.py" for alias in node.names)}
+    return {one for one in found if one.is_file()}
 
 
 def instructions(path: Path) -> str:
