@@ -39,6 +39,7 @@ NAMES = (
     "coverage",
     "two_dates",
     "elsewhere",
+    "elsewhere_automatic",
     "reliability",
     "area_reliability",
     "catalogue_sizes",

@@ -149,7 +149,12 @@ def lattice(rng: np.random.Generator, kind: str) -> Landmarks:
 def sample_labels(seed: int) -> np.ndarray:
     """Labels of a made-up sample area, its classes renamed to those of the map."""
     names = {entry.value: CLASS_NAMES.get(entry.name, 0) for entry in SAMPLE_CLASSES}
-    return _renamed(rasterize(make_landscape(seed), 1.0), names)
+    return _renamed(sample_area(seed), names)
+
+
+def sample_area(seed: int) -> np.ndarray:
+    """Labels of a made-up sample area, with all its classes."""
+    return rasterize(make_landscape(seed), 1.0)
 
 
 def aerial_labels(path: Path) -> np.ndarray:
