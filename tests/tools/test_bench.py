@@ -182,6 +182,15 @@ def test_results_of_two_dates_are_grouped_by_the_landmarks_in_view(bench):
     assert "; 1 wrong" in rows[2]
 
 
+def test_cases_are_chosen_and_left_out_by_parts_of_their_names(bench):
+    def wants(*only):
+        run = bench("inputs").Run(None, BENCH, BENCH, 1, True, only=only)
+        return [case for case in ("Tilt 5°", "Tilt 5°, told", "lens") if run.wants(case)]
+
+    assert wants("tilt") == ["Tilt 5°", "Tilt 5°, told"] and wants("-told") == ["Tilt 5°", "lens"]
+    assert wants("tilt", "-Told") == ["Tilt 5°"] and len(wants()) == 3
+
+
 def test_images_of_a_row_come_in_parts(bench):
     parts = bench("kept").parts
     assert parts(0, 250) == [] and parts(250, 250) == [250] and parts(600, 250) == [250, 250, 100]
@@ -208,6 +217,52 @@ def test_a_row_goes_on_where_the_same_code_left_it_and_other_code_starts_anew(be
     assert row([2, 1]) == [0, 0, 1] and tried == [0, 1]
     (core / "one" / "code.py").write_text("2")
     assert row([2]) == [0, 0] and tried == [0, 1, 0]
+
+
+def test_the_state_is_that_of_what_runs_and_of_what_it_imports_from_packages_for_everybody(bench, tmp_path):
+    kept = bench("kept")
+    files = {
+        "one/code.py": "from ..labels.used import f\n",
+        "labels/used.py": "from .deeper import g\n",
+        "labels/deeper.py": "g = 1\n",
+        "labels/other.py": "1\n",
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    def state():
+        return kept.state.__wrapped__(("one", "labels"), tmp_path)
+
+    before = state()
+    (tmp_path / "labels" / "other.py").write_text("2\n")
+    (tmp_path / "labels" / "new.py").write_text("3\n")
+    (tmp_path / "one" / "code.py").write_text('"""Told."""\n# why\nfrom ..labels.used import f\n')
+    assert state() == before
+    (tmp_path / "labels" / "deeper.py").write_text("g = 2\n")
+    assert state() != before
+
+
+def test_trials_of_a_row_are_kept_in_parts(bench, tmp_path):
+    kept, tried = bench("kept"), []
+
+    def measured(number, size):
+        tried.append((number, size))
+        return [trial(error=float(number))] * size
+
+    run = SimpleNamespace(work=tmp_path, half="south")
+    assert len(kept.trials(run, "table", "row", 10, measured, ("windows",))) == 10
+    found = kept.trials(run, "table", "row", 12, measured, ("windows",))
+    assert tried == [(0, 10), (1, 2)] and [t.error for t in found] == [0.0] * 10 + [1.0] * 2
+
+
+def test_images_from_elsewhere_for_automatic_can_not_be_right(bench, strip):
+    elsewhere = bench("elsewhere_automatic")
+    source, rng = elsewhere.Source(strip, strip.known_elsewhere(), ()), np.random.default_rng(3)
+    makes = [make for make in elsewhere.KINDS.values() if make not in (elsewhere._landscape, elsewhere._aerial)]
+    for make in makes:
+        known, image = make(source, rng, 1)
+        assert known in (source.ground, source.known) and image.labels_hw.any() and not image.query.can_be_right
 
 
 def test_coverage_counts_right_fixes_alone_and_tells_wrong_ones(bench):

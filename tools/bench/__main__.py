@@ -113,7 +113,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--work", type=Path, help="folder that keeps label maps and databases between runs")
     parser.add_argument("--repetitions", type=int, default=MINIMUM_REPETITIONS, help="turns; default %(default)s")
     parser.add_argument("--count", type=int, help="images or trials a case, for benchmarks that localize")
-    parser.add_argument("--only", default="", help="cases whose names contain one of these, separated by commas")
+    parser.add_argument("--only", default="", help="cases whose names contain one of these, by commas; -PART: not")
     parser.add_argument("--half", default="south", choices=("north", "south"), help="of Liechtenstein, for images")
     parser.add_argument(
         "--model", type=Path, help="photos: a network that was not trained on --tile of dubai_aerial, or a folder"

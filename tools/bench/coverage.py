@@ -163,8 +163,8 @@ def _table(run: inputs.Run, ground: Ground, is_alone: bool) -> list[list[str]]:
     for name, sizes, measured in _rows(run, ground, run.how_many(COUNT, QUICK_COUNT)):
         if name.startswith(Method.CONSTELLATION.key) != is_alone:
             continue
-        # What finds no place alone has no part in a row of the constellation, but for rendered photos.
-        own = is_alone and coverage_sources.RENDERED not in name
+        # What finds no place alone has no part in a row of the constellation, but for photos.
+        own = is_alone and not any(kind in name for kind in (coverage_sources.RENDERED, coverage_sources.REAL))
         packages = (*kept.OF_CONSTELLATION, "localizer") if own else kept.OF_ALL
         told = kept.row(run, "coverage", name, sizes, measured, packages)
         rows.append(cells(name, [Told(**one) for one in told]))
@@ -202,7 +202,8 @@ the footprint), by the ellipse of the told covariance. Goal: 93–97 % in the 95
 own date and states the default accuracy, so images of its own date have errors smaller than told. “Not stated”: a
 network made the labels whose metadata state no bias, so that {spread:g} m along each axis is added. Christchurch: label
 images of another date of LCDB v5.0, 10 m pixels, 6.4 km of ground, any number of landmarks. Photos: as under “photos of
-the sample area” and “real photos”; Dubai's with `--model`, in pixels."""
+the sample area” and “real photos”; Dubai's with
+`--model FOLDER` of *without_tileN.onnx, in pixels."""
 
 _ABOUT_AREAS = """\
 Map correlation and automatic, told the position to {radius:g} m; otherwise as above. Map correlation: “modest” noise in

@@ -98,10 +98,15 @@ def _rendered_trials(method: Method, told: bool, part: int, size: int) -> list[T
 
 
 def _real(run: inputs.Run) -> Rows:
-    for method in PHOTO_METHODS:
-        name = f"{method.key}: {REAL}, tile {run.tile} of dubai_aerial, {REAL_PX} px"
-        if run.wants(name):
-            yield name, partial(_real_trials, run, method)
+    """Of one tile by the network of --model, or by each NETWORK_without_tileN.onnx of that folder."""
+    models = {run.tile: run.model}
+    if run.model.is_dir():
+        models = {int(path.stem[-1]): path for path in sorted(run.model.glob("*without_tile[0-9].onnx"))}
+    for tile, model in models.items():
+        for method in PHOTO_METHODS:
+            name = f"{method.key}: {REAL}, tile {tile} of dubai_aerial, {REAL_PX} px"
+            if run.wants(name):
+                yield name, partial(_real_trials, replace(run, tile=tile, model=model), method)
 
 
 @lru_cache(maxsize=1)

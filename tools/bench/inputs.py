@@ -73,8 +73,10 @@ class Run:
     pictures: Path | None = None
 
     def wants(self, case: str) -> bool:
-        """Whether a case is among those to be measured."""
-        return not self.only or any(part.casefold() in case.casefold() for part in self.only)
+        """Whether a case is among those to be measured; a part that begins with “-” names those that are not."""
+        name, left_out = case.casefold(), [part[1:].casefold() for part in self.only if part.startswith("-")]
+        wanted = [part.casefold() for part in self.only if not part.startswith("-")]
+        return not any(part in name for part in left_out) and (not wanted or any(part in name for part in wanted))
 
     def how_many(self, full: int, quick: int) -> int:
         """Trials a case: what --count says, else as many as the benchmark wants."""
