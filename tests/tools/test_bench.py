@@ -204,7 +204,7 @@ def test_a_row_goes_on_where_the_same_code_left_it_and_other_code_starts_anew(be
         return [number] * size
 
     def row(sizes):
-        run = SimpleNamespace(work=tmp_path / "work", half="south")
+        run = SimpleNamespace(work=tmp_path / "work", half="south", is_kept=False)
         return list(kept.row(run, "table", "tilt 5°", sizes, measured, ("one",)))
 
     state, core = kept.state, tmp_path / "core"
@@ -250,10 +250,13 @@ def test_trials_of_a_row_are_kept_in_parts(bench, tmp_path):
         tried.append((number, size))
         return [trial(error=float(number))] * size
 
-    run = SimpleNamespace(work=tmp_path, half="south")
+    run = SimpleNamespace(work=tmp_path, half="south", is_kept=False)
     assert len(kept.trials(run, "table", "row", 10, measured, ("windows",))) == 10
     found = kept.trials(run, "table", "row", 12, measured, ("windows",))
     assert tried == [(0, 10), (1, 2)] and [t.error for t in found] == [0.0] * 10 + [1.0] * 2
+    run.is_kept = True
+    assert len(kept.trials(run, "table", "row", 50, measured, ("windows",))) == 12 and len(tried) == 2
+    assert kept.trials(run, "table", "other", 50, measured, ("windows",)) == []
 
 
 def test_images_from_elsewhere_for_automatic_can_not_be_right(bench, strip):

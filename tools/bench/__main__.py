@@ -88,6 +88,7 @@ def main(arguments: list[str] | None = None) -> int:
             options.tile,
             options.python,
             options.pictures,
+            options.kept,
         )
         for name in options.names:
             benchmark = importlib.import_module(f"bench.{name}")
@@ -125,6 +126,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--pictures", type=Path, help="assessment: folder for the documentation's pictures")
     parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")
     parser.add_argument("--quick", action="store_true", help="smaller cases, to try the benchmark itself")
+    parser.add_argument("--kept", action="store_true", help="measure nothing, tell what --work keeps of each case")
     parser.add_argument("--write", action="store_true", help="write the results into docs/")
     options = parser.parse_args(arguments)
     if "all" in options.names:
@@ -136,7 +138,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
 
 def _shown(options: argparse.Namespace, parser: argparse.ArgumentParser) -> str:
     """The options that change what is measured, as the footer tells them."""
-    shown = "".join(f" --{flag}" for flag in ("sample", "quick") if getattr(options, flag))
+    shown = "".join(f" --{flag}" for flag in ("sample", "quick", "kept") if getattr(options, flag))
     for name in ("repetitions", "count", "half", "tile"):
         if getattr(options, name) != parser.get_default(name):
             shown += f" --{name} {getattr(options, name)}"

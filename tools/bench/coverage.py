@@ -166,8 +166,10 @@ def _table(run: inputs.Run, ground: Ground, is_alone: bool) -> list[list[str]]:
         # What finds no place alone has no part in a row of the constellation, but for photos.
         own = is_alone and not any(kind in name for kind in (coverage_sources.RENDERED, coverage_sources.REAL))
         packages = (*kept.OF_CONSTELLATION, "localizer") if own else kept.OF_ALL
-        told = kept.row(run, "coverage", name, sizes, measured, packages)
-        rows.append(cells(name, [Told(**one) for one in told]))
+        told = [Told(**one) for one in kept.row(run, "coverage", name, sizes, measured, packages)]
+        if not told:
+            continue
+        rows.append(cells(name, told))
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     return rows
 

@@ -66,6 +66,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
             continue
         measured = partial(_part, source, make, number)
         found = kept.trials(run, "elsewhere_automatic", kind, run.how_many(COUNT, QUICK_COUNT), measured)
+        if not found:
+            continue
         every += [] if make is _two_places else found
         rows.append(_row(kind, found))
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)

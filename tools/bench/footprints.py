@@ -85,7 +85,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
                     case = _name(name, ground, share, noise, told)
                     if run.wants(case):
                         measured = functools.partial(_part, ground, share, noise, told)
-                        rows += _rows(case, kept.trials(run, "footprints", case, count, measured))
+                        trials = kept.trials(run, "footprints", case, count, measured)
+                        rows += _rows(case, trials) if trials else []
     return {"footprints": f"{_ABOUT.format(half=run.half)}\n\n{page.table(COLUMNS, rows)}"}
 
 

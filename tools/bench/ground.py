@@ -355,8 +355,9 @@ def tried(
         except ValueError as error:
             print(f"  {case.name}: not measured: {error}", file=sys.stderr, flush=True)
             continue
-        print("  " + " | ".join(cells(trials, case.name, case.goal)), file=sys.stderr, flush=True)
-        yield case, trials
+        if trials:
+            print("  " + " | ".join(cells(trials, case.name, case.goal)), file=sys.stderr, flush=True)
+            yield case, trials
 
 
 def cells(trials: Sequence[Trial], name: str, goal: str = "") -> list[str]:

@@ -57,6 +57,7 @@ class Run:
         tile: of dubai_aerial that the model was not trained on
         python: runs ``python -m core``; one without QGIS makes the proof
         pictures: folder for pictures of the documentation; None for none
+        is_kept: nothing is measured, what is kept in the work folder is told
     """
 
     area: Area
@@ -71,6 +72,7 @@ class Run:
     tile: int = 6
     python: str = sys.executable
     pictures: Path | None = None
+    is_kept: bool = False
 
     def wants(self, case: str) -> bool:
         """Whether a case is among those to be measured; a part that begins with “-” names those that are not."""

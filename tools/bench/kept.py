@@ -117,7 +117,9 @@ def row(
     measured: Callable[[int, int], list],
     packages: Sequence[str] = OF_CONSTELLATION,
 ) -> Iterator[Any]:
-    """What all parts of a row hold, one after the other."""
+    """What all parts of a row hold, one after the other; with --kept those that are there."""
+    if run.is_kept:
+        sizes = _sizes(run, table, name, packages, "json")
     for number, size in enumerate(sizes):
         yield from part(run, table, name, number, size, measured, packages)
 
@@ -135,7 +137,8 @@ def trials(
     Files of one's own work folder are read as pickles: nobody else's belong there.
     """
     found: list = []
-    for number, size in enumerate(parts(count, TRIALS_A_PART)):
+    sizes = _sizes(run, table, name, packages, "pickle") if run.is_kept else parts(count, TRIALS_A_PART)
+    for number, size in enumerate(sizes):
         path = _path(run, table, name, number, size, packages, "pickle")
         if not path.exists():
             path.write_bytes(pickle.dumps(measured(number, size)))
@@ -146,6 +149,20 @@ def trials(
 def plain(name: str) -> str:
     """A row's name as a file may have it."""
     return "".join(letter if letter.isalnum() else "_" for letter in name)
+
+
+def _sizes(run: inputs.Run, table: str, name: str, packages: Sequence[str], suffix: str) -> list[int]:
+    """Images in the parts of a row that are there; of several runs of a part the largest."""
+    sizes: list[int] = []
+    while True:
+        start = f"{plain(name)}_{len(sizes)}_"
+        end = _path(run, table, name, 0, 0, packages, suffix).name[len(f"{plain(name)}_0_0") :]
+        names = [path.name for path in (run.work / table).glob(f"{start}*{end}")]
+        here = [name[len(start) : -len(end)] for name in names]
+        here = [int(size) for size in here if size.isdigit()]
+        if not here:
+            return sizes
+        sizes.append(max(here))
 
 
 def _path(run: inputs.Run, table: str, name: str, number: int, size: int, packages: Sequence[str], suffix: str) -> Path:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from bench import page
 
 NAME = "summary"
+AREAS = "coverage of map correlation"
 COLUMNS = ("figure", "goal", "measured", "command")
 
 
@@ -53,9 +54,25 @@ LINES = (
     Line("95 % ellipse holds, another date (simulated)", "93–97 %", "coverage", "constellation: other date", "95 %"),
     Line("the same, maps of 1996 and 2018", "93–97 %", "coverage", "constellation: C|1996, images of 2018", "95 %"),
     Line("the same, buildings 3 m off, not stated", "93–97 %", "coverage", "constellation: b|3 m, not", "95 %"),
+    Line(
+        "the same, automatic, another date", "93–97 %", AREAS, "automatic: other date", "95 %", "coverage"
+    ),
+    Line(
+        "the same, map correlation, tilt 5°", "93–97 %", AREAS, "map correlation: tilt", "95 %", "coverage"
+    ),
     Line("images that lie nowhere, RISK 1 in 10,000: fixes", "0", "reliability", "not of the map", "RISK 0.0001"),
     Line("a query, ms (median, p95)", "p95 ≤ 100", "localization", "20 % missed", "ms median"),
     Line("fixes of images from elsewhere", "0 of 30,000", "elsewhere", "all", "fixes"),
+    Line(
+        "the same, given to automatic",
+        "0 of 3,000",
+        "elsewhere by automatic",
+        "all but",
+        "fixes",
+        "elsewhere_automatic",
+    ),
+    Line("right anywhere on the ground, 1,280 m", "≥ 90 %", "footprints", "Liechtenstein, 1,280 m, 20|any", "right"),
+    Line("right anywhere on the ground, 640 m", "≥ 70 %", "footprints", "Liechtenstein, 640 m, 20|any", "right"),
     Line("wrong fixes among 10⁶ landmarks", "0", "catalogue sizes", "1,000,000|other", "wrong", "catalogue_sizes"),
     Line(
         "a map of another date, 6.4 km, automatic", "≥ 99.5 %", "two dates", "6.4 km, 2018|auto", "right", "two_dates"
