@@ -59,6 +59,18 @@ NAMES = (
     "update",
     "dock",
 )
+KEEPING = (
+    "coverage",
+    "two_dates",
+    "elsewhere",
+    "elsewhere_automatic",
+    "reliability",
+    "correlation",
+    "automatic",
+    "footprints",
+)
+"""Those that --kept is for."""
+
 MINIMUM_REPETITIONS = 5
 
 
@@ -131,6 +143,8 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     options = parser.parse_args(arguments)
     if "all" in options.names:
         options.names = list(NAMES)
+    if options.kept and set(options.names) - set(KEEPING):
+        parser.error(f"--kept is for {', '.join(KEEPING)}.")
     options.only = tuple(part for part in options.only.split(",") if part)
     options.shown = _shown(options, parser)
     return options

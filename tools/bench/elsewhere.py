@@ -68,7 +68,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
         known = ground.known_elsewhere() if kind == OTHER_HALF else ground
         statuses, odds, risk = Counter(), -np.inf, 1.0
         measured = partial(_tried, run, known, kind)
-        for part, size in enumerate(kept.parts(each, PART)):
+        for part, size in enumerate(kept.wanted(run, "elsewhere", kind, kept.parts(each, PART))):
             found = kept.part(run, "elsewhere", kind, part, size, measured)
             statuses.update(found["statuses"])
             odds, risk = max(odds, found["log_odds"]), min(risk, found["risk"])

@@ -40,6 +40,29 @@ def parts(count: int, size: int) -> list[int]:
     return [min(size, count - first) for first in range(0, count, size)]
 
 
+def wanted(
+    run: inputs.Run,
+    table: str,
+    name: str,
+    sizes: Sequence[int],
+    packages: Sequence[str] = OF_CONSTELLATION,
+    suffix: str = "json",
+) -> Sequence[int]:
+    """Images in the parts of a row: as they are given, or with --kept in those that are there."""
+    if not run.is_kept:
+        return sizes
+    there: list[int] = []
+    while True:
+        start = f"{plain(name)}_{len(there)}_"
+        end = _path(run, table, name, 0, 0, packages, suffix).name[len(f"{plain(name)}_0_0") :]
+        names = [path.name for path in (run.work / table).glob(f"{start}*{end}")]
+        here = [name[len(start) : -len(end)] for name in names]
+        here = [int(size) for size in here if size.isdigit()]
+        if not here:
+            return there
+        there.append(max(here))
+
+
 @lru_cache
 def state(packages: Sequence[str], core: Path = CORE) -> str:
     """Of the code that a figure comes from: other code starts anew; another page, comment or module does not."""
@@ -118,9 +141,7 @@ def row(
     packages: Sequence[str] = OF_CONSTELLATION,
 ) -> Iterator[Any]:
     """What all parts of a row hold, one after the other; with --kept those that are there."""
-    if run.is_kept:
-        sizes = _sizes(run, table, name, packages, "json")
-    for number, size in enumerate(sizes):
+    for number, size in enumerate(wanted(run, table, name, sizes, packages)):
         yield from part(run, table, name, number, size, measured, packages)
 
 
@@ -137,8 +158,8 @@ def trials(
     Files of one's own work folder are read as pickles: nobody else's belong there.
     """
     found: list = []
-    sizes = _sizes(run, table, name, packages, "pickle") if run.is_kept else parts(count, TRIALS_A_PART)
-    for number, size in enumerate(sizes):
+    sizes = parts(count, TRIALS_A_PART)
+    for number, size in enumerate(wanted(run, table, name, sizes, packages, "pickle")):
         path = _path(run, table, name, number, size, packages, "pickle")
         if not path.exists():
             path.write_bytes(pickle.dumps(measured(number, size)))
@@ -149,20 +170,6 @@ def trials(
 def plain(name: str) -> str:
     """A row's name as a file may have it."""
     return "".join(letter if letter.isalnum() else "_" for letter in name)
-
-
-def _sizes(run: inputs.Run, table: str, name: str, packages: Sequence[str], suffix: str) -> list[int]:
-    """Images in the parts of a row that are there; of several runs of a part the largest."""
-    sizes: list[int] = []
-    while True:
-        start = f"{plain(name)}_{len(sizes)}_"
-        end = _path(run, table, name, 0, 0, packages, suffix).name[len(f"{plain(name)}_0_0") :]
-        names = [path.name for path in (run.work / table).glob(f"{start}*{end}")]
-        here = [name[len(start) : -len(end)] for name in names]
-        here = [int(size) for size in here if size.isdigit()]
-        if not here:
-            return sizes
-        sizes.append(max(here))
 
 
 def _path(run: inputs.Run, table: str, name: str, number: int, size: int, packages: Sequence[str], suffix: str) -> Path:

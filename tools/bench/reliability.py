@@ -131,7 +131,7 @@ def _kept(run: inputs.Run, ground: Ground | None, name: str, count: int) -> Iter
             elsewhere.append(ground.known_elsewhere())
         return [asdict(country(ground, elsewhere[0], rng, part)) for _ in range(size)]
 
-    for number, size in enumerate(kept.parts(count, PART)):
+    for number, size in enumerate(kept.wanted(run, "reliability", name, kept.parts(count, PART))):
         told = [Told(**one) for one in kept.part(run, "reliability", name, number, size, measured)]
         fixes = sum(t.is_fix for t in told)
         print(f"  {name}: part {number}, {fixes} fixes of {len(told)}", file=sys.stderr, flush=True)

@@ -54,12 +54,8 @@ LINES = (
     Line("95 % ellipse holds, another date (simulated)", "93–97 %", "coverage", "constellation: other date", "95 %"),
     Line("the same, maps of 1996 and 2018", "93–97 %", "coverage", "constellation: C|1996, images of 2018", "95 %"),
     Line("the same, buildings 3 m off, not stated", "93–97 %", "coverage", "constellation: b|3 m, not", "95 %"),
-    Line(
-        "the same, automatic, another date", "93–97 %", AREAS, "automatic: other date", "95 %", "coverage"
-    ),
-    Line(
-        "the same, map correlation, tilt 5°", "93–97 %", AREAS, "map correlation: tilt", "95 %", "coverage"
-    ),
+    Line("the same, automatic, another date", "93–97 %", AREAS, "automatic: other date", "95 %", "coverage"),
+    Line("the same, map correlation, tilt 5°", "93–97 %", AREAS, "map correlation: tilt", "95 %", "coverage"),
     Line("images that lie nowhere, RISK 1 in 10,000: fixes", "0", "reliability", "not of the map", "RISK 0.0001"),
     Line("a query, ms (median, p95)", "p95 ≤ 100", "localization", "20 % missed", "ms median"),
     Line("fixes of images from elsewhere", "0 of 30,000", "elsewhere", "all", "fixes"),
