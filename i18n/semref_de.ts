@@ -1584,6 +1584,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Wie viel weiter außen oder innen als richtig der Boden in den Bildecken gezeigt wird.</translation>
   </message>
   <message>
+   <source>How sure the network is of its labels (%, mean)</source>
+   <translation>Wie sicher sich das Netz seiner Labels ist (%, Mittel)</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>Wie, und unter welchen Lizenzen</translation>
   </message>
@@ -3950,6 +3954,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>Das nächste Fenster hat den Abstand {distance:.3f}, mehr als {threshold:g}.</translation>
+  </message>
+  <message>
+   <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
+   <translation>Das Netz hält seine Labels im Mittel zu {percent:.0f} % für richtig. Wo das viel weniger ist als auf dem Gelände, auf dem es trainiert wurde, kennt es dieses Gelände nicht; eine hohe Zahl beweist nicht, dass es das tut.</translation>
   </message>
   <message>
    <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>

@@ -1584,6 +1584,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Cuánto más afuera o adentro de lo debido se muestra el terreno en las esquinas de la imagen.</translation>
   </message>
   <message>
+   <source>How sure the network is of its labels (%, mean)</source>
+   <translation>Cómo de segura está la red de sus etiquetas (%, media)</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>Cómo, y con qué licencias</translation>
   </message>
@@ -3950,6 +3954,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>La ventana más cercana está a la distancia {distance:.3f}, más de {threshold:g}.</translation>
+  </message>
+  <message>
+   <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
+   <translation>La red considera que sus etiquetas son correctas con un {percent:.0f} % de media. Donde eso es mucho menos que en el terreno con el que se entrenó, no conoce este terreno; un número alto no prueba que lo conozca.</translation>
   </message>
   <message>
    <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>

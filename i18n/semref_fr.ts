@@ -1584,6 +1584,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>De combien le sol dans les coins de l’image est montré trop loin ou trop près.</translation>
   </message>
   <message>
+   <source>How sure the network is of its labels (%, mean)</source>
+   <translation>Assurance du réseau quant à ses étiquettes (%, moyenne)</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>Comment, et sous quelles licences</translation>
   </message>
@@ -3950,6 +3954,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>La fenêtre la plus proche est à la distance {distance:.3f}, plus que {threshold:g}.</translation>
+  </message>
+  <message>
+   <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
+   <translation>Le réseau estime ses étiquettes justes à {percent:.0f} % en moyenne. Là où c’est bien moins que sur le terrain de son entraînement, il ne connaît pas ce terrain ; un nombre élevé ne prouve pas qu’il le connaît.</translation>
   </message>
   <message>
    <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>

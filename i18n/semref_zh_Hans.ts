@@ -1584,6 +1584,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>影像四角的地面被显示得比应有位置靠外或靠内多少。</translation>
   </message>
   <message>
+   <source>How sure the network is of its labels (%, mean)</source>
+   <translation>网络对其标签的把握程度（%，平均）</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>如何获取及其许可</translation>
   </message>
@@ -3950,6 +3954,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The nearest window has distance {distance:.3f}, more than {threshold:g}.</source>
    <translation>最近窗口的距离为 {distance:.3f}，大于 {threshold:g}。</translation>
+  </message>
+  <message>
+   <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
+   <translation>网络认为其标签正确的平均概率为 {percent:.0f} %。若明显低于训练所用地面上的值，说明网络不认识这片地面；数值高并不能证明它认识。</translation>
   </message>
   <message>
    <source>The network that made the predicted map, if the bias of its classes is to be written into a copy.</source>

@@ -37,6 +37,35 @@ class Certainty:
 
 LABELS_ALONE = Certainty()
 
+SAMPLED_PX = 16
+"""How sure a network is on the average is told by every so many pixels of every so many rows."""
+
+
+@dataclass
+class Sureness:
+    """How probable a network takes its labels to be, as a mean over pixels that were looked at.
+
+    Attributes:
+        total: Sum of the probabilities.
+        count: Of the pixels.
+    """
+
+    total: float = 0.0
+    count: int = 0
+
+    def add(self, probabilities: np.ndarray | Sureness) -> None:
+        """Adds pixels by the probability of their label, or what is known of others."""
+        if isinstance(probabilities, Sureness):
+            self.total, self.count = self.total + probabilities.total, self.count + probabilities.count
+        else:
+            self.total += float(probabilities.sum(dtype=np.float64))
+            self.count += probabilities.size
+
+    @property
+    def mean(self) -> float | None:
+        """0…1; None where nothing was looked at."""
+        return self.total / self.count if self.count else None
+
 
 def are_probabilities(scores: np.ndarray) -> bool:
     """Whether (N, C, H, W) scores are probabilities as they are, not yet through a softmax."""

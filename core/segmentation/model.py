@@ -68,6 +68,11 @@ class SegmentationModel:
         """What ``probabilities`` divides scores by, as the model states; None without such scores."""
         return None if self._gives_probabilities or self._gives_probability else self.settings.temperature
 
+    @property
+    def tells_how_sure(self) -> bool:
+        """Whether it gives scores or probabilities, not class numbers alone."""
+        return not self._gives_numbers
+
     def _start(self, threads: int, asked: str) -> tuple[Mapping[str, str], np.ndarray]:
         """Opens the network on the first device that runs it; its metadata, and what it gives for a black image."""
         devices, chosen = devices_to_try(asked, available_providers()), device_of(asked)

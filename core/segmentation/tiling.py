@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import cv2
 import numpy as np
@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ImageError
 from ..labels.class_table import UNLABELED
 from ..labels.image_source import ImageSource
-from .certainty import LABELS_ALONE, NO_DATA, Certainty, percents
+from .certainty import LABELS_ALONE, NO_DATA, SAMPLED_PX, Certainty, Sureness, percents
 from .model import SegmentationModel
 
 MINIMUM_EDGE_PX = 8
@@ -29,12 +29,14 @@ class SegmentedRows:
         percent_hw: (rows, W) uint8, how sure the network is of the label, 0…100, 255 without data; None where not
             wanted.
         percents_chw: (C, rows, W) uint8, the same of each of the model's channels.
+        sure: How sure the network is of the labels of these rows.
     """
 
     first: int
     labels_hw: np.ndarray
     percent_hw: np.ndarray | None = None
     percents_chw: np.ndarray | None = None
+    sure: Sureness = field(default_factory=Sureness)
 
 
 @dataclass(frozen=True)
@@ -152,9 +154,8 @@ class _Blending:
         ramps = [_ramp(size, overlap) for size in tile_hw]
         self._weights = ramps[0][:, None] * ramps[1]
         self._model, self._wanted = model, wanted
-        if wanted.is_wanted:
-            # Tiles lie in rows and columns: what a pixel's weights add up to is a product of two sums.
-            self._row_sums, self._column_sums = map(_weight_sums, (rows, columns), ramps, shape_hw)
+        # Tiles lie in rows and columns: what a pixel's weights add up to is a product of two sums.
+        self._row_sums, self._column_sums = map(_weight_sums, (rows, columns), ramps, shape_hw)
         # Weighted sums to which tiles of this row or the next one will add: beside, above and below.
         self._left = np.zeros((len(values), tile_hw[0], 0), np.float32)
         self._above = self._below = np.zeros((len(values), 0, width), np.float32)
@@ -182,11 +183,23 @@ class _Blending:
         labels[:] = self._values[best]
         if no_data is not None:
             labels[no_data] = UNLABELED
+        if self._model.tells_how_sure:
+            self._look_how_sure(tile, complete[:, :rows], best, no_data)
         if self._wanted.is_wanted:
             self._tell_certainty(tile, complete[:, :rows], best, no_data)
         self._below[:, :, tile.column : last] = complete[:, rows : rows + self._below.shape[1]]
         self._left = scores[:, :, columns:]
         return self._rows if last == self._width else None
+
+    def _look_how_sure(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
+        """Of finished (C, rows, columns) sums of scores: at a few pixels, which costs next to nothing."""
+        few = slice(None, None, SAMPLED_PX)
+        _, rows, columns = sums.shape
+        across = self._column_sums[tile.column : tile.column + columns][few]
+        weights = self._row_sums[tile.row : tile.row + rows][few, None] * across
+        probable = self._model.probabilities(sums[:, few, few] / weights)
+        of_label = np.take_along_axis(probable, best[None, few, few].astype(np.intp), axis=0)[0]
+        self._rows.sure.add(of_label if no_data is None else of_label[~no_data[few, few]])
 
     def _tell_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
         """Of finished (C, rows, columns) sums of scores, whose highest channel is ``best``."""

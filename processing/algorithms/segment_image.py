@@ -11,7 +11,7 @@ from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import Number, PolygonOutput, RasterLayer, RasterOutput
+from ..framework.declarations import Number, NumberResult, PolygonOutput, RasterLayer, RasterOutput
 from ..framework.label_polygons import write_polygons
 from ..framework.photo_labels import Pace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.image_source import ImageSource
+    from ...core.segmentation.certainty import Sureness
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
     from ..framework.outputs import Outputs
@@ -49,6 +50,7 @@ class SegmentImage(SemRefAlgorithm):
     MASK = offers.MASK
     CONFIDENCE = "CONFIDENCE"
     PROBABILITIES = "PROBABILITIES"
+    CERTAINTY = "CERTAINTY"
 
     def title(self) -> str:
         return tr("Segment image")
@@ -93,6 +95,7 @@ class SegmentImage(SemRefAlgorithm):
             offers.mask(),
             *self._certainty_parameters(),
             *pace_results(),
+            NumberResult(self.CERTAINTY, tr("How sure the network is of its labels (%, mean)")),
         )
 
     def _tile_parameters(self) -> tuple[Declared, ...]:
@@ -177,7 +180,7 @@ class SegmentImage(SemRefAlgorithm):
         self._source = PhotoSource(values, self.INPUT, self.EXTENT, area)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
-        from ...core.segmentation.certainty import Certainty
+        from ...core.segmentation.certainty import Certainty, Sureness
         from ...core.segmentation.tiling import segment
 
         table = values.class_table(self.CLASS_TABLE)
@@ -196,17 +199,28 @@ class SegmentImage(SemRefAlgorithm):
         classes = model.classes
         grid = SeenGrid(image.shape_hw, transform, wkt_for_gdal(photo.crs))
         feedback.setProgressText(tr("Segmenting"))
-        begun = time.perf_counter()
+        begun, sure = time.perf_counter(), Sureness()
         with (
             SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
             closing(segment(model, image, classes.values, overlap, wanted)) as steps,
         ):
             # The steps are closed first: threads they hold are let go before the files are cleared away.
-            files.write(_followed(steps, feedback))
+            files.write(_followed(steps, sure, feedback))
         pace = Pace(model, time.perf_counter() - begun)
         feedback.pushInfo(pace.told())
         write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
-        return pace.results
+        return {**pace.results, **self._told(sure, feedback)}
+
+    def _told(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+        """How sure the network is; nothing of one that gives class numbers alone, or of an image without data."""
+        if sure.mean is None:
+            return {}
+        text = tr(
+            "The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on "
+            "the ground it was trained on, it does not know this ground; a high number is no proof that it does."
+        )
+        feedback.pushInfo(text.format(percent=100 * sure.mean))
+        return {self.CERTAINTY: 100 * sure.mean}
 
     def _at_resolution(
         self, photo: Photo, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback
@@ -235,10 +249,11 @@ def _resized_transform(transform: tuple | None, old_hw: tuple[int, int], new_hw:
     return x, x_column * across, x_row * down, y, y_column * across, y_row * down
 
 
-def _followed(steps: Iterable[tuple], feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:
-    """The rows that are finished; shows progress and heeds a cancel at every tile."""
+def _followed(steps: Iterable[tuple], sure: Sureness, feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:
+    """The rows that are finished, adding up how sure they are; shows progress and heeds a cancel at every tile."""
     for share, rows in steps:
         check_canceled(feedback)
         feedback.setProgress(100 * share)
         if rows is not None:
+            sure.add(rows.sure)
             yield rows

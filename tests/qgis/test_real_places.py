@@ -65,3 +65,54 @@ def test_the_page_of_a_card_has_what_the_card_has():
     for line in ("| classes | other, building |", "| trained at | 0.25 m a pixel |", "| not good for | ships |"):
         assert line in page
     assert "| Kenya, left out of training | 0.612 |" in page and "license" not in page
+
+
+def test_networks_are_found_by_the_places_and_tiles_left_out(tmp_path):
+    from bench import real_places, real_tiles
+
+    names = ("buildings_without_kenya", "buildings_without_uganda_and_nepal_a", "without_tile4", "without_tiles25")
+    for name in names:
+        (tmp_path / f"{name}.onnx").touch()
+    assert [path.stem for path in real_places.without(tmp_path, "nepal_a")] == ["buildings_without_uganda_and_nepal_a"]
+    assert real_places.without(tmp_path, "nepal") == []
+    assert {n: path.stem for n, path in real_tiles.networks(tmp_path).items()} == {
+        4: "without_tile4",
+        2: "without_tiles25",
+        5: "without_tiles25",
+    }
+
+
+def test_ground_is_own_left_out_or_foreign_to_a_network():
+    from bench.foreign_ground import FOREIGN, LEFT_OUT, OWN, kind_of
+
+    assert kind_of("without_tile4", "dubai4") == LEFT_OUT and kind_of("without_tile4", "dubai3") == OWN
+    assert kind_of("without_tiles25", "dubai5") == LEFT_OUT and kind_of("without_tile4", "banepa_west") == FOREIGN
+    assert kind_of("buildings_without_kenya", "kenya") == LEFT_OUT and kind_of("buildings", "dubai1") == FOREIGN
+    assert kind_of("buildings_without_kenya", "uganda") == OWN == kind_of("sample_area", "sample")
+
+
+def test_indices_tell_water_wetland_vegetation_and_ripe_fields_apart():
+    from bench import infrared_map as tried
+
+    colors = {
+        tried.WATER: (60, 90, 60, 40),
+        tried.WETLAND: (90, 110, 80, 100),
+        tried.VEGETATION: (70, 110, 80, 200),
+        tried.GROUND: (190, 190, 140, 200),
+    }
+    bands = np.zeros((4, 40, 160), np.uint8)
+    for number, color in enumerate(colors.values()):
+        bands[:, :, 40 * number : 40 * number + 40] = np.array(color)[:, None, None]
+    found = tried.labels_of(bands)
+    assert [int(found[20, 40 * n + 20]) for n in range(4)] == list(colors)
+
+
+def test_parting_and_joining_change_buildings_alone():
+    from bench import groups
+
+    labels = np.full((80, 120), groups.OTHER, np.uint8)
+    labels[20:50, 20:50] = labels[20:50, 56:90] = groups.BUILDING
+    labels[:5] = 0
+    joined, parted = groups.closed(labels, 4), groups.opened(groups.closed(labels, 4), 4)
+    assert joined[35, 53] == groups.BUILDING and labels[35, 53] == groups.OTHER
+    assert (joined[:5] == 0).all() and (parted == joined).mean() > 0.95

@@ -2,8 +2,9 @@
 
     .venv/bin/python tools/bench evidence --model MODEL --tile N [--count 25] [--write]
 
-MODEL was not trained on tile N of dubai_aerial and states its `temperature`, as training writes it. Both kinds of
-evidence judge the same crops, and crops that are wrong by construction: mirrored, and looked for on another tile.
+MODEL was not trained on tile N of dubai_aerial and states its `temperature`, as training writes it. All kinds of
+evidence judge the same crops, and crops that are wrong by construction: mirrored, and looked for on another tile. “four
+turns”: scores are the means of four looks at the crop turned by right angles, each of them a run of the network.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from bench.correlation import ON_A_TILE, best_right, place_is_right
 from bench.ground import Ground, Image, accuracy, milliseconds, tile_ground, tile_paths
 from bench.photos import Network, as_seen, seen
 from semref.core.evaluation.trial import Trial
+from semref.core.labels.class_shares import SeenLabels
 from semref.core.localization import Method
 from semref.core.sentences import Sentence
 
@@ -45,6 +47,7 @@ KINDS: dict[str, Evidence] = {
     "labels alone": lambda image: replace(image, shares=None),
     "scores": lambda image: image,
 }
+TURNED = "scores of four turns"
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
@@ -58,11 +61,12 @@ def measure(run: inputs.Run) -> dict[str, str]:
     network = Network(run.model, ground)
     for one in (ground, other):
         one.localizer.heed_biases(*network.biases)
-    crops = drawn(run, ground, picture, network)
     rows = []
-    for name, kind in KINDS.items():
+    for name in (*KINDS, TURNED):
         if not run.wants(name):
             continue
+        kind = KINDS.get(name, KINDS["scores"])
+        crops = drawn(run, ground, picture, network.seen_in_turns if name == TURNED else network.seen)
         own = {edge: [ground.try_image(kind(image), Method.MAP_CORRELATION) for image in some] for edge, some in crops}
         rows += [line(f"{name}, {edge} px", trials) for edge, trials in own.items()]
         rows.append(line(f"{name}, all", [trial for trials in own.values() for trial in trials]))
@@ -81,14 +85,16 @@ Right: within 2 % of the edge. Wrong by construction: the same crops mirrored, a
 database; any fix of these is wrong."""
 
 
-def drawn(run: inputs.Run, ground: Ground, picture: np.ndarray, network: Network) -> list[tuple[int, list[Image]]]:
-    """Crops of each size, as the network sees them."""
+def drawn(
+    run: inputs.Run, ground: Ground, picture: np.ndarray, look: Callable[[np.ndarray], SeenLabels]
+) -> list[tuple[int, list[Image]]]:
+    """Crops of each size, as they are seen; always the same ones."""
     found = []
     for edge in SIZES_PX:
         rng = np.random.default_rng([SEED, run.tile, edge])
         wanted = replace(ON_A_TILE, sizes_px=(edge,), labeled=0.0)
         images = [ground.draw(wanted, rng) for _ in range(run.how_many(COUNT, QUICK_COUNT))]
-        found.append((edge, [as_seen(image, network.seen(seen(ground, picture, image.view))) for image in images]))
+        found.append((edge, [as_seen(image, look(seen(ground, picture, image.view))) for image in images]))
     return found
 
 
@@ -111,7 +117,7 @@ def line(name: str, trials: Sequence[Trial]) -> list[str]:
     """A row with COLUMNS."""
     right, total = [trial for trial in trials if trial.is_right], len(trials)
     can_be_right = any(trial.query.can_be_right for trial in trials)
-    reasons = Counter(_why(trial) for trial in trials if not trial.is_fix)
+    reasons = Counter(why(trial) for trial in trials if not trial.is_fix)
     return [
         name,
         page.rate(len(right), total) if can_be_right else "–",
@@ -131,9 +137,14 @@ def told(trials: Sequence[Trial]) -> str:
     return f"{min(risks):.2g}, {sum(risk < LIKELY for risk in risks)} of {len(risks)}" if risks else "–"
 
 
-def _why(trial: Trial) -> str:
+def why(trial: Trial) -> str:
     """Code of the reason that there is no fix, without what was searched."""
     reason = trial.result.reason
-    while reason is not None and isinstance(dict(reason.values).get("reason"), Sentence):
-        reason = dict(reason.values)["reason"]
+    while reason is not None:
+        # Of both roads of automatic that of map correlation: constellations find no photos of real places.
+        inner = [dict(reason.values).get(name) for name in ("correlation", "reason")]
+        inner = [one for one in inner if isinstance(one, Sentence)]
+        if not inner:
+            break
+        reason = inner[0]
     return str(trial.result.status) if reason is None else reason.code.split(".")[-1].replace("_", " ")

@@ -106,17 +106,20 @@ def trained(run: inputs.Run, tiles: Path, name: str, settings: dict) -> Path:
     """The model, trained unless an earlier run left it."""
     model = run.work / f"own_ground_{name}.onnx"
     if not model.exists():
-        folder = model.with_suffix(".training")
-        job = Job(
-            (str(tiles),), str(model), str(folder), epochs=MANY_EPOCHS, light=1.5, patience=0, threads=1, **settings
-        )
-        job = replace(job, processor_time=True, learn_unlabeled=False, resume=True)
-        asked = model.with_suffix(".json")
-        job.write(asked)
-        done = subprocess.run([run.python, str(inputs.TOOLS.parent / "training"), str(asked)], stdout=sys.stderr)
-        if done.returncode:
-            sys.exit(f"own_ground: {run.python} could not train {model.name}; it needs torch (--python)")
+        run_training(run, tiles, model, settings)
     return model
+
+
+def run_training(run: inputs.Run, tiles: Path, model: Path, settings: dict) -> None:
+    """Trains a model on tiles, or goes on where a run was cut off; ends this program where that fails."""
+    folder = model.with_suffix(".training")
+    job = Job((str(tiles),), str(model), str(folder), epochs=MANY_EPOCHS, light=1.5, patience=0, threads=1, **settings)
+    job = replace(job, processor_time=True, learn_unlabeled=False, resume=True)
+    asked = model.with_suffix(".json")
+    job.write(asked)
+    done = subprocess.run([run.python, str(inputs.TOOLS.parent / "training"), str(asked)], stdout=sys.stderr)
+    if done.returncode:
+        sys.exit(f"{run.python} could not train {model.name}; it needs torch (--python)")
 
 
 def flown(run: inputs.Run, ground: Ground, middle: int) -> list:

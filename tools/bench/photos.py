@@ -2,7 +2,7 @@
 
 Photos of the sample area (its seed is none of the training seeds of the model that ships), and with `--model` turned
 crops of a photo of dubai_aerial (`--tile`) that this model was not trained on; where `--model` is a folder, of the
-places that its networks were trained without (real_places.py).
+places or tiles that its networks were trained without (real_places.py, real_tiles.py).
 """
 
 from __future__ import annotations
@@ -49,8 +49,10 @@ def measure(run: inputs.Run) -> dict[str, str]:
         sections["photos of the sample area"] = _sample(run)
     if run.model and run.model.is_dir():
         # It needs what is here.
-        from bench import real_places
+        from bench import real_places, real_tiles
 
+        if real_tiles.networks(run.model):
+            return sections | {"real tiles": real_tiles.measured(run)}
         return sections | {"real places": real_places.measured(run)}
     path = run.data / "dubai_aerial" / f"tile{run.tile}_label.tif"
     if run.model and run.wants("real photos"):
@@ -77,6 +79,13 @@ class Network:
     def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
         """What semref:localizeimages sees in a photo."""
         return PhotoLabels(self._model, ArrayImage(photo_hw3), self._values).seen()
+
+    def seen_in_turns(self, photo_hw3: np.ndarray) -> SeenLabels:
+        """The same with the means of four looks' scores, the photo turned by right angles; labels are of the first."""
+        looks = [self.seen(np.ascontiguousarray(np.rot90(photo_hw3, turns))) for turns in range(4)]
+        shares = [np.rot90(one.shares.shares, -turns) for turns, one in enumerate(looks)]
+        mean = np.rint(np.mean(shares, axis=0)).astype(np.uint8)
+        return replace(looks[0], shares=replace(looks[0].shares, shares=mean))
 
 
 def _sample(run: inputs.Run) -> str:

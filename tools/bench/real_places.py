@@ -1,6 +1,6 @@
 """Photos of real places by networks that were not trained on them: the part of ``photos`` that is about such places.
 
-``--model FOLDER`` is that of tools/training/train_photos.py: NAME_without_PLACE.onnx, one for each place that was left
+``--model FOLDER`` is that of tools/training/train_photos.py: NAME_without_PLACE.onnx, of which that place was left
 out. Beside each stands what the true labels of the same crops give, which no network can better.
 """
 
@@ -17,8 +17,9 @@ from bench import inputs, page, photo_places
 from bench.correlation import ON_A_TILE
 from bench.ground import COLUMNS, Image, cells, memory_ground
 from bench.photo_places import Photo, Place
-from bench.photos import METHODS, SEED, TRUE_LABELS, Network, seen
+from bench.photos import METHODS, SEED, TRUE_LABELS, Network, as_seen, seen
 from semref.core.database.build import BuildSettings
+from semref.core.labels.class_shares import FULL, ClassShares, SeenLabels
 from semref.core.localization import Prior
 
 PIXEL_M = 0.25
@@ -37,14 +38,24 @@ class BuildingsNetwork(Network):
 
     def labels(self, photo_hw3: np.ndarray) -> np.ndarray:
         """(H, W) uint8."""
-        return np.where(super().labels(photo_hw3) == BUILDING, BUILDING, OTHER).astype(np.uint8)
+        return self.seen(photo_hw3).labels_hw
+
+    def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
+        """Labels, and shares of buildings and all else where the network tells how sure it is."""
+        found = super().seen(photo_hw3)
+        labels = np.where(found.labels_hw == BUILDING, BUILDING, OTHER).astype(np.uint8)
+        if found.shares is None:
+            return SeenLabels(labels)
+        buildings = found.shares.of(np.array([BUILDING]))
+        values = np.array([BUILDING, OTHER], np.uint8)
+        return SeenLabels(labels, ClassShares(values, np.concatenate([buildings, FULL - buildings], axis=2)))
 
 
 def measured(run: inputs.Run) -> str:
     """Tables of fixes and of agreement, a row for each place that a network of the folder was trained without."""
     rows, agreement = [], []
     for place in photo_places.PLACES:
-        for model in sorted(run.model.glob(f"*_without_{place.name}.onnx")):
+        for model in without(run.model, place.name):
             case = f"{place.name}, {model.stem.partition('_')[0]}"
             if place.drawn == photo_places.BUILDINGS and run.wants(case):
                 grounds = [ground_of(run, photo) for photo in place.photos]
@@ -58,13 +69,19 @@ def measured(run: inputs.Run) -> str:
     return f"{about}\n\n{page.table(COLUMNS, rows)}\n\n{page.table(header, agreement)}"
 
 
+def without(folder: Path, place: str) -> list[Path]:
+    """Networks that a place, or several of them, was left out of: NAME_without_PLACE_and_PLACE.onnx."""
+    found = sorted(folder.glob("*_without_*.onnx"))
+    return [path for path in found if place in path.stem.partition("_without_")[2].split("_and_")]
+
+
 _ABOUT = """\
 Photos of `banepa` and `oam_buildings` at {pixel:g} m by networks that were trained without the place
 (`tools/training/train_photos.py --leave-out`): off-grid, turned crops of {sizes} px where the ground has room for
 them, at 0.9–1.1 of its pixels, pixel size searched over 0.7–1.4; database of the annotation, buildings as landmarks
 and all else as one class; of Banepa the database knows both halves, and crops show the half left out. Errors in
-pixels. Right: within 2 % of the edge. “true labels”: what no network could improve; what is missing there the ground
-does not allow."""
+pixels. Right: within 2 % of the edge. “labels alone”: without the network's scores. “true labels”: what no network
+could improve; what is missing there the ground does not allow."""
 
 
 class PlaceGround:
@@ -118,8 +135,11 @@ def located(run: inputs.Run, place: Place, case: str, model: Path, grounds: Sequ
         for edge in SIZES_PX:
             rng = np.random.default_rng([SEED, photo_places.PLACES.index(place), number, edge])
             for image in one.images(edge, count, rng):
-                answer = replace(image, labels_hw=network.labels(seen(one.ground, one.picture, image.view)))
-                for source, given in (("network", answer), (TRUE_LABELS, image)):
+                answer = as_seen(image, network.seen(seen(one.ground, one.picture, image.view)))
+                sources = {"network": answer, TRUE_LABELS: image}
+                if answer.shares is not None:
+                    sources["network, labels alone"] = replace(answer, shares=None)
+                for source, given in sources.items():
                     for method in METHODS:
                         found = one.ground.try_image(given, method)
                         for size in ("all sizes", f"{edge} px"):

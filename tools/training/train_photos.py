@@ -1,7 +1,7 @@
 """Train a network for real photos: buildings, and with Dubai's mosaics roads, vegetation, water and land as well.
 
     .venv/bin/python tools/training/train_photos.py OUTPUT_FOLDER --python PYTHON_WITH_TORCH [--without-dubai]
-        [--leave-out PLACE] [--minutes 10] [--seed 1671]
+        [--leave-out PLACE …] [--minutes 10] [--seed 1671]
 
 Reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data) and writes OUTPUT_FOLDER/photos.onnx, or
 buildings.onnx --without-dubai, with its card inside, beside it as .json, and to read as .md. --leave-out trains
@@ -64,15 +64,14 @@ def main() -> None:
     name = BUILDINGS_ONLY if options.without_dubai else PHOTOS
     folder = options.output_folder.absolute()
     folder.mkdir(parents=True, exist_ok=True)
-    trained_on = [
-        one for one in PLACES if one.name != options.leave_out and not (options.without_dubai and one.name == "dubai")
-    ]
-    stem = f"{name}_without_{options.leave_out}" if options.leave_out else name
+    not_wanted = {*options.leave_out, *(["dubai"] if options.without_dubai else [])}
+    trained_on = [one for one in PLACES if one.name not in not_wanted]
+    stem = f"{name}_without_{'_and_'.join(options.leave_out)}" if options.leave_out else name
     tiles = {str(path): one for one in trained_on for path in tiles_of(one, name, folder)}
     train(options, name, folder / f"{stem}.onnx", tiles)
-    if options.leave_out:
-        tested = tested_on(photo_places.place(options.leave_out), name, folder / f"{stem}.onnx", folder)
-        (folder / f"{stem}.json").write_text(json.dumps(tested, indent=1) + "\n", encoding="utf-8")
+    for place in options.leave_out:
+        tested = tested_on(photo_places.place(place), name, folder / f"{stem}.onnx", folder)
+        (folder / f"{name}_without_{place}.json").write_text(json.dumps(tested, indent=1) + "\n", encoding="utf-8")
         print(json.dumps(tested), flush=True)
     if (folder / f"{name}.onnx").exists():
         write_card(folder, name)
@@ -83,7 +82,8 @@ def parse() -> argparse.Namespace:
     parser.add_argument("output_folder", type=Path)
     parser.add_argument("--python", type=Path, default=ROOT / ".venv-train" / "bin" / "python", help="one with torch")
     parser.add_argument("--without-dubai", action="store_true", help="buildings only, nothing of unconfirmed license")
-    parser.add_argument("--leave-out", choices=[one.name for one in PLACES], help="trained without it, tested on it")
+    names = [one.name for one in PLACES]
+    parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="trained without, tested on each")
     parser.add_argument("--minutes", type=float, default=10.0, help="of the processor; default %(default)s")
     parser.add_argument("--threads", type=int, default=0, help="of torch")
     parser.add_argument("--seed", type=int, default=1671)

@@ -5,7 +5,7 @@ import pytest
 from made_models import brightest_color, metadata, painted, write_model, writer
 
 from semref.core.labels.image_source import ArrayImage, MaskedImage
-from semref.core.segmentation.certainty import NO_DATA, Certainty, are_probabilities, percents, softmax
+from semref.core.segmentation.certainty import NO_DATA, Certainty, Sureness, are_probabilities, percents, softmax
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.tiling import segment
 
@@ -110,6 +110,28 @@ def test_what_is_not_wanted_is_not_made(made):
     assert all(r.percents_chw is None and r.percent_hw.shape == r.labels_hw.shape for r in rows)
     rows = [rows for _, rows in segment(model, image, VALUES, 0.25) if rows is not None]
     assert all(r.percents_chw is None and r.percent_hw is None for r in rows)
+
+
+@pytest.mark.parametrize("overlap", [0, 0.25])
+def test_how_sure_the_network_is_is_the_mean_percent_of_the_labels(made, overlap):
+    has_data = np.ones((150, 190), bool)
+    has_data[:70, :80] = False
+    image = ArrayImage(photo(), has_data)
+    rows = [rows for _, rows in segment(made(), image, VALUES, overlap) if rows is not None]
+    sure = Sureness()
+    for one in rows:
+        sure.add(one.sure)
+    percent = segmented(made(), image, overlap)[1]
+    assert 100 * sure.mean == pytest.approx(percent[has_data].mean(), abs=3)
+    assert 60 < sure.count < 130  # about 1 of 256 of the pixels that have data
+
+
+def test_a_network_that_names_classes_alone_does_not_tell_how_sure_it_is(tmp_path):
+    network = brightest_color().add("ArgMax", axis=1, keepdims=0).add("Cast", to=writer.FLOAT)
+    path = write_model(tmp_path / "m.onnx", network, metadata=metadata(), output_shape=(1, "height", "width"))
+    model = SegmentationModel(str(path), 1)
+    rows = [r for _, r in segment(model, ArrayImage(photo()), VALUES, 0.25) if r is not None]
+    assert all(one.sure.mean is None for one in rows)
 
 
 def test_probabilities_are_known_by_their_sums():
