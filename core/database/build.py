@@ -117,12 +117,7 @@ class DatabaseBuilder:
             yield "Finding landmarks", 0.3 * share
             if result is not None:
                 objects, hashes = result
-        if objects is None or not len(objects):
-            raise LabelMapError(
-                "database.no_landmark_on_map",
-                references=[c.name for c in self._table.references],
-                minimum_area=self._settings.minimum_area,
-            )
+        objects = require_landmarks(objects, self._table, self._settings)
         described: list[tuple[int, WindowGrid, DescribedWindows]] = []
         total = sum(len(grid) for grid in self.grids)
         done = 0
@@ -131,9 +126,10 @@ class DatabaseBuilder:
                 described.append((level, grid, some))
                 done += len(some.counts)
                 yield "Describing windows", 0.3 + 0.5 * done / total
-        windows = self._windows(described)
-        references = map_references(objects, self._frame)
-        self.database = ReferenceDatabase(windows, references, self._table, self._parameters(hashes), None)
+        frame = self._frame.of_shape(self._source.shape_hw)
+        windows, references = windows_of(described, frame), map_references(objects, frame)
+        parameters = parameters_of(frame, self._table, self._settings, self._plugin_version, hashes)
+        self.database = ReferenceDatabase(windows, references, self._table, parameters, None)
 
     def compare_windows(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share done); afterwards the windows have their distinctiveness.
@@ -198,42 +194,58 @@ class DatabaseBuilder:
             self._settings.threads,
         )
 
-    def _windows(self, described: Sequence[tuple[int, WindowGrid, DescribedWindows]]) -> Windows:
-        first_pixels = np.concatenate([np.column_stack([w.columns, w.rows]) for _, _, w in described])
-        counts = np.concatenate([w.counts for _, _, w in described])
-        repeats = [len(w.counts) for _, _, w in described]
-        sizes_px = np.repeat([grid.size for _, grid, _ in described], repeats)
-        return Windows(
-            first_pixels=first_pixels,
-            levels=np.repeat([level for level, _, _ in described], repeats),
-            sizes=sizes_px * self._frame.pixel_size,
-            centers=self._frame.to_map(first_pixels + sizes_px[:, None] / 2),
-            counts=counts,
-            vectors=np.concatenate([w.vectors for _, _, w in described]),
-            described=counts >= MINIMUM_REFERENCES,
-        )
 
-    def _parameters(self, block_hashes: tuple[str, ...]) -> BuildParameters:
-        height, width = self._source.shape_hw
-        settings, pixel = self._settings, self._frame.pixel_size
-        return BuildParameters(
-            crs=self._frame.crs,
-            geotransform=self._frame.geotransform,
-            map_width_px=width,
-            map_height_px=height,
-            pixel_size=pixel,
-            window_size=whole_pixels(settings.window_size, pixel) * pixel,
-            stride=whole_pixels(settings.stride, pixel) * pixel,
-            levels=settings.levels,
-            references_per_vector=settings.references_per_vector,
+def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: BuildSettings) -> Landmarks:
+    """The map's landmarks; raises LabelMapError where it has none."""
+    if objects is None or not len(objects):
+        raise LabelMapError(
+            "database.no_landmark_on_map",
+            references=[c.name for c in table.references],
             minimum_area=settings.minimum_area,
-            overview_factor=settings.overview_factor,
-            map_hash=map_hash((height, width), self._frame.geotransform, block_hashes),
-            class_table_hash=self._table.digest(),
-            plugin_version=self._plugin_version,
-            block_hashes=block_hashes,
-            map_accuracy=settings.map_accuracy,
         )
+    return objects
+
+
+def windows_of(described: Sequence[tuple[int, WindowGrid, DescribedWindows]], frame: MapFrame) -> Windows:
+    """Described windows, with their level and its grid, as those of a database in this order."""
+    first_pixels = np.concatenate([np.column_stack([w.columns, w.rows]) for _, _, w in described])
+    counts = np.concatenate([w.counts for _, _, w in described])
+    repeats = [len(w.counts) for _, _, w in described]
+    sizes_px = np.repeat([grid.size for _, grid, _ in described], repeats)
+    return Windows(
+        first_pixels=first_pixels,
+        levels=np.repeat([level for level, _, _ in described], repeats),
+        sizes=sizes_px * frame.pixel_size,
+        centers=frame.to_map(first_pixels + sizes_px[:, None] / 2),
+        counts=counts,
+        vectors=np.concatenate([w.vectors for _, _, w in described]),
+        described=counts >= MINIMUM_REFERENCES,
+    )
+
+
+def parameters_of(
+    frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str, block_hashes: tuple[str, ...]
+) -> BuildParameters:
+    """What a database says of how it was built; ``frame`` has the map's shape."""
+    (height, width), pixel = frame.shape_hw, frame.pixel_size
+    return BuildParameters(
+        crs=frame.crs,
+        geotransform=frame.geotransform,
+        map_width_px=width,
+        map_height_px=height,
+        pixel_size=pixel,
+        window_size=whole_pixels(settings.window_size, pixel) * pixel,
+        stride=whole_pixels(settings.stride, pixel) * pixel,
+        levels=settings.levels,
+        references_per_vector=settings.references_per_vector,
+        minimum_area=settings.minimum_area,
+        overview_factor=settings.overview_factor,
+        map_hash=map_hash((height, width), frame.geotransform, block_hashes),
+        class_table_hash=table.digest(),
+        plugin_version=plugin_version,
+        block_hashes=block_hashes,
+        map_accuracy=settings.map_accuracy,
+    )
 
 
 def map_references(objects: Landmarks, frame: MapFrame) -> MapLandmarks:

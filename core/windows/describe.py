@@ -109,7 +109,7 @@ def describe_windows(  # noqa: PLR0913 - a map, what is sought in it, and how to
 
 
 def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_pixels: int) -> Iterator[_Strip]:
-    for columns in _column_blocks(grid, strip_pixels):
+    for columns in column_blocks(grid, strip_pixels):
         cuts: dict[tuple, list] = {}
         first, width = int(columns[0]), int(columns[-1]) + grid.size - int(columns[0])
         rows_of = _row_reader(source, first, width, grid.size)
@@ -130,7 +130,8 @@ def _row_reader(source: LabelSource, column: int, width: int, height: int) -> Ca
     return lambda row: rolling.strip(row).copy()
 
 
-def _column_blocks(grid: WindowGrid, strip_pixels: int) -> list[np.ndarray]:
+def column_blocks(grid: WindowGrid, strip_pixels: int = STRIP_PIXELS) -> list[np.ndarray]:
+    """First columns of the windows of a row, in blocks whose strips are held at a time: the order of a database."""
     columns = grid.columns
     width = max(grid.size, strip_pixels // grid.size)
     per_block = max(1, (width - grid.size) // grid.stride + 1)
