@@ -1,29 +1,28 @@
 """What metadata.txt says and nothing else repeats – version, addresses on the web – and where the guide is."""
 
-import configparser
-from functools import lru_cache
 from pathlib import Path
 
+from ..storage.metadata import plugin_metadata
+
 _ROOT = Path(__file__).resolve().parent.parent
-_METADATA = _ROOT / "metadata.txt"
 PLACEHOLDER = "example.org"
 """In addresses that an owner has not filled in yet: nobody is led there."""
 
 
 def plugin_version() -> str:
-    return _general()["version"]
+    return plugin_metadata()["version"]
 
 
 def tracker_url() -> str:
     """Where issues are opened; empty while nobody has said where."""
-    address = _general()["tracker"]
+    address = plugin_metadata()["tracker"]
     return "" if PLACEHOLDER in address else address
 
 
 def guide_url(page: str = "user_guide.md", root: Path = _ROOT) -> str:
     """Address of a page of docs/: in the plugin's folder where the pages come with it, else on the web, or its text."""
     made = _made("index" if page == "README.md" else page[: -len(".md")], root)
-    homepage = _general()["homepage"]
+    homepage = plugin_metadata()["homepage"]
     if made or PLACEHOLDER in homepage:
         return made or (root / "docs" / page).as_uri()
     return f"{homepage}/blob/main/docs/{page}"
@@ -42,10 +41,3 @@ def _made(name: str, root: Path) -> str:
     """Address of a page that was made of docs/ (tools/docs/build_site.py); empty where it was not, as in a clone."""
     page = root / "help" / f"{name}.html"
     return page.as_uri() if page.is_file() else ""
-
-
-@lru_cache(maxsize=1)
-def _general() -> configparser.SectionProxy:
-    metadata = configparser.ConfigParser(interpolation=None)
-    metadata.read(_METADATA, encoding="utf-8")
-    return metadata["general"]

@@ -9,6 +9,13 @@ SENTENCES = {
         "both have a georeference; compare images of one size or two georeferenced maps."
     ),
     "storage.rotated_against": "One of the maps is rotated against the other; warp both to a north-up grid first.",
+    "storage.no_georeference": "{path} has no georeference, so its windows would have no place on the map.",
+    "storage.rotated": "{path} is rotated or mirrored; warp it to a north-up grid first.",
+    "storage.not_square": "{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.",
+    "storage.no_crs": "{path} has no coordinate reference system; give it a metric one.",
+    "storage.not_in_meters": (
+        "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters."
+    ),
     "storage.no_overlap": "The reference and the prediction don't overlap; choose maps of the same ground.",
     "storage.tilted_for_world_file": (
         "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead."

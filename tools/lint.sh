@@ -12,7 +12,7 @@ python=$repository/.venv/bin/python
     echo "Lint: \`ruff format .\` would write some files otherwise." >&2
     exit 1
 }
-for room in core processing; do
+for room in core processing cluster; do
     if [ -d "$room" ]; then
         "$python" -m ruff check --quiet --config "tools/rooms/$room.toml" "$room"
     fi

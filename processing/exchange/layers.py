@@ -9,6 +9,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPalettedRasterRenderer, Q
 from ...core.errors import ImageError, LabelMapError, SemRefError
 from ...core.geometry.frame import MapFrame
 from ...core.labels.class_table import LandCoverClass
+from ...storage.map_frames import require_map_grid
 from ...storage.rasters import GdalLabels, RasterFile
 from ..compat import is_metric, wkt_for_gdal
 from .reference_systems import describe_crs
@@ -73,13 +74,7 @@ def map_frame(labels: GdalLabels, layer: RasterLayer) -> MapFrame:
     if not layer.crs.isValid():
         raise LabelMapError("exchange.no_crs", path=layer.path)
     if not is_metric(layer.crs):
-        raise LabelMapError("exchange.not_in_meters", path=layer.path, crs=describe_crs(layer.crs))
+        raise LabelMapError("storage.not_in_meters", path=layer.path, crs=describe_crs(layer.crs))
     transform = labels.dataset.GetGeoTransform(can_return_null=True)
-    if transform is None:
-        raise LabelMapError("exchange.no_georeference", path=layer.path)
-    _, pixel_x, turn_x, _, turn_y, pixel_y = transform
-    if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
-        raise LabelMapError("exchange.rotated", path=layer.path)
-    if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
-        raise LabelMapError("exchange.not_square", path=layer.path, pixel_x=pixel_x, pixel_y=-pixel_y)
+    require_map_grid(transform, layer.path)
     return MapFrame(wkt_for_gdal(layer.crs), tuple(transform), labels.shape_hw)

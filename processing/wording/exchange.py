@@ -22,12 +22,6 @@ SENTENCES = {
         "REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS."
     ),
     "exchange.no_crs": "{path} has no coordinate reference system; assign a metric one to the layer.",
-    "exchange.not_in_meters": (
-        "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters."
-    ),
-    "exchange.no_georeference": "{path} has no georeference, so its windows would have no place on the map.",
-    "exchange.rotated": "{path} is rotated or mirrored; warp it to a north-up grid first.",
-    "exchange.not_square": "{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.",
     "exchange.no_readable_crs": "{path} has no readable parameter crs; build it again.",
     "exchange.annotation_without_crs": (
         "The annotation layer has no coordinate reference system; set one in the layer's properties."

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import sqlite3
 import struct
 from collections.abc import Iterator
 from dataclasses import fields
@@ -19,6 +21,9 @@ from .reader import store_checksums
 
 _FEATURES_A_STEP = 2000
 
+_OTHER_ROWS = 1000
+"""At most, of classes, parameters and styles."""
+
 
 class DatabaseWriter:
     """Writes a database to ``path`` (a temporary one); iterate ``steps()`` to the end."""
@@ -31,6 +36,7 @@ class DatabaseWriter:
         latitudes: np.ndarray,
         overview: np.ndarray,
         styles: dict[str, str],
+        moment: str = "",
     ) -> None:
         """Makes the writer.
 
@@ -41,8 +47,11 @@ class DatabaseWriter:
             latitudes: (N,) degrees, as well.
             overview: (h, w) uint8.
             styles: QML by table.
+            moment: What the file says of when it was written (ISO 8601, UTC), so that the same map gives the same
+                bytes; empty for now.
         """
         self._path = path
+        self._moment = moment
         self._database = database
         self._longitudes = longitudes
         self._latitudes = latitudes
@@ -67,7 +76,7 @@ class DatabaseWriter:
         dataset = ogr.GetDriverByName("GPKG").CreateDataSource(self._path)
         if dataset is None:
             raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
-        total = len(database.windows) + len(database.references)
+        total = len(database.windows) + 2 * len(database.references) + _OTHER_ROWS
         for n, done in enumerate(self._write_layers(dataset, srs)):
             if n % _FEATURES_A_STEP == 0:
                 yield 0.9 * done / total
@@ -75,6 +84,8 @@ class DatabaseWriter:
         yield 0.9
         self._write_overview(srs)
         leave_wal(self._path)
+        if self._moment:
+            self._tell_moment()
         store_checksums(self._path)
         yield 1.0
 
@@ -156,6 +167,12 @@ class DatabaseWriter:
             del made
         if failures or not is_made:
             raise DatabaseError("storage.overview_unwritable", reason=failures[0] if failures else gdal_failure())
+
+    def _tell_moment(self) -> None:
+        with contextlib.closing(sqlite3.connect(self._path)) as connection, connection:
+            connection.execute("UPDATE gpkg_contents SET last_change = ?", (self._moment,))
+            connection.execute("UPDATE layer_styles SET update_time = ?", (self._moment,))
+            connection.execute("UPDATE gpkg_metadata_reference SET timestamp = ?", (self._moment,))
 
 
 def _square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:

@@ -38,7 +38,7 @@ def anchors(page: Path) -> set[str]:
 
 def source_files() -> list[Path]:
     """All Python files of the repository."""
-    rooms = ("core", "storage", "processing", "ui", "tools", "tests")
+    rooms = ("core", "storage", "cluster", "processing", "ui", "tools", "tests")
     return sorted([*ROOT.glob("*.py"), *(path for room in rooms for path in (ROOT / room).rglob("*.py"))])
 
 

@@ -15,7 +15,7 @@ import pytest
 from source_trees import nodes_of
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("core", "storage", "training", "processing", "ui")
+ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 QT = {"PyQt5", "PyQt6", "PySide2", "PySide6"}
 NEVER_SHIPPED = {"pickle", "random", "subprocess", "marshal", "shelve"} | QT
 STANDARD = getattr(sys, "stdlib_module_names", None) or {
@@ -39,6 +39,9 @@ TRAINING_HAS = {
 }
 TRAINING_FOR_QGIS = ("training.job", "training.sentences")
 """What the algorithm and the training's process share; the rest of the room needs torch."""
+
+CLUSTER_HAS = {"dask", "distributed", "cloudpickle", "osgeo", "numpy", "core", "storage", "cluster"}
+"""Its processes and its workers' have no QGIS; nothing else needs Dask."""
 
 FOR_ALL = {"errors", "sentences", "values"}
 """Rooms of core that every other one may import."""
@@ -133,6 +136,7 @@ each_core_file = each(source_files("core"))
 each_storage_file = each(source_files("storage"))
 each_processing_file = each(source_files("processing"))
 each_ui_file = each(source_files("ui"))
+each_cluster_file = each(source_files("cluster"))
 each_training_file = each(source_files("training"))
 each_shipped_file = each(shipped_files())
 
@@ -168,6 +172,23 @@ def test_at_most_one_file_of_core_imports_onnxruntime():
 @each_storage_file
 def test_storage_imports_neither_qgis_nor_the_rooms_above(path):
     assert imports_of(path, "qgis", "processing", "ui", "plugin", *QT, *MATHEMATICS) == set()
+
+
+@each_cluster_file
+def test_cluster_imports_dask_and_the_rooms_below_it(path):
+    allowed = set(STANDARD) | CLUSTER_HAS
+    assert {name for name in imported_modules(path) if name.partition(".")[0] not in allowed} == set()
+
+
+@each([path for room in ROOMS if room != "cluster" for path in source_files(room)])
+def test_nothing_else_needs_dask_or_imports_the_cluster(path):
+    assert imports_of(path, "dask", "distributed", "cloudpickle", "cluster") == set()
+
+
+@each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "command_line", "options", "sentences")])
+def test_what_says_that_a_package_lacks_needs_none(path):
+    """Ruff's rules and the other tests see to what these import of core."""
+    assert imports_of(path, "dask", "distributed", "cloudpickle", "osgeo", "numpy", "storage") == set()
 
 
 @each_training_file

@@ -11,16 +11,17 @@ from pathlib import Path
 import pytest
 from source_trees import nodes_of
 
+import semref.cluster
 import semref.processing
 import semref.storage
-import semref.training  # noqa: F401  All three add their rooms' sentences.
+import semref.training  # noqa: F401  All four add their rooms' sentences.
 from semref.core import errors
 from semref.core.sentences import Plural
 from semref.core.sentences.sentence import _templates
 from semref.processing.wording.keys import SENTENCES_BY_KEY
 
 ROOT = Path(__file__).resolve().parents[2]
-ROOMS = ("core", "storage", "training", "processing", "ui")
+ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 FILES = [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py")) if "__pycache__" not in path.parts]
 CODE = re.compile(r"[a-z_]+\.[a-z0-9_]+")
 SAY = {"Sentence"} | {name for name, kind in vars(errors).items() if isinstance(kind, type)}

@@ -22,6 +22,7 @@ MENU: dict[str, tuple[tuple[str, str], ...]] = {
         ("Flights", "guide/flights.md"),
         ("A round trip", "guide/round_trip.md"),
         ("For toolbox users", "guide/toolbox.md"),
+        ("On a cluster", "guide/cluster.md"),
     ),
     "Look up": (
         ("Models", "models.md"),

@@ -16,7 +16,7 @@ from metadata import placeholders, plugin_version, shipped_metadata
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff", "__init__.py", "plugin.py")
 HELP = "help"
-SHIPPED_FOLDERS = ("core", "storage", "training", "processing", "ui", "resources", "models")
+SHIPPED_FOLDERS = ("core", "storage", "cluster", "training", "processing", "ui", "resources", "models")
 DATA_SUFFIXES = (".onnx", ".png", ".webp")  # the demonstration model, the guide's pictures; all else is text
 BINARY_SUFFIXES = (*DATA_SUFFIXES, ".qm")
 MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
 CONTEXT = "SemRef"
-ROOMS = ("core", "storage", "training", "processing", "ui")
+ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 
 
 def texts_of(source: str) -> list[str]:

@@ -1,0 +1,129 @@
+"""What ``python -m cluster`` does, and how it says what comes of it: in one sentence and an exit code."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import json
+import signal
+import sys
+from typing import Any
+
+from ..core.errors import ParameterError, SemRefError
+from ..core.sentences import Sentence, english
+from .options import DONE, INTERRUPTED, REFUSED, WRONG_USAGE, parser
+
+NEEDED = (
+    ("numpy", "numpy"),
+    ("cv2", "opencv-python-headless"),
+    ("osgeo", "GDAL"),
+    ("distributed", "Dask (distributed)"),
+)
+"""Modules beside Python's own, and what they are called where they are installed."""
+
+
+def main(arguments: list[str]) -> int:
+    """Runs one command; gives its exit code."""
+    options = parser().parse_args(arguments)
+    teller = JsonTeller() if options.json else TextTeller()
+    # QGIS ends it so; the terminal sends an interrupt.
+    signal.signal(signal.SIGTERM, _interrupted)
+    try:
+        require_packages()
+        from .build import build
+
+        result = build(options, teller)
+    except SemRefError as error:
+        teller.failed(error.sentence)
+        return WRONG_USAGE if isinstance(error, ParameterError) else REFUSED
+    except KeyboardInterrupt:
+        teller.failed(None)
+        return INTERRUPTED
+    except Exception as error:
+        teller.broke(error)
+        return REFUSED
+    teller.done(result)
+    return DONE
+
+
+def _interrupted(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
+def require_packages() -> None:
+    """Raises SemRefError for the first that this Python lacks."""
+    for module, title in NEEDED:
+        if importlib.util.find_spec(module) is None:
+            raise SemRefError("cluster.lacks_package", python=sys.executable, package=title)
+
+
+class TextTeller:
+    """Says on stderr what is being done."""
+
+    def __init__(self) -> None:
+        self._said = ("", -1)
+
+    def step(self, text: str, share: float) -> None:
+        """What is being done, and how much of all is (0…1); a line for each new text and every 5 %."""
+        percent = int(100 * share)
+        if text != self._said[0] or percent >= self._said[1] + 5:
+            self._said = text, percent
+            self._say(f"{percent:3d} %  {text}")
+
+    def info(self, text: str) -> None:
+        """Anything else worth a line."""
+        self._say(text)
+
+    def failed(self, sentence: Sentence | None) -> None:
+        """Why it ends; None when it was asked to."""
+        self._say("cluster: " + ("ended; nothing was written." if sentence is None else english(sentence)))
+
+    def broke(self, error: Exception) -> None:
+        """A fault of the program."""
+        self._say(f"cluster: {type(error).__name__}: {str(error).partition(chr(10))[0]}")
+
+    def done(self, result: dict[str, Any]) -> None:
+        """What came of it, on the output: a line each."""
+        for key, value in result.items():
+            print(f"{key}: {value}", flush=True)
+
+    @staticmethod
+    def _say(text: str) -> None:
+        # A closed stderr must not change what is done.
+        with contextlib.suppress(OSError):
+            print(text, file=sys.stderr, flush=True)
+
+
+class JsonTeller:
+    """Says the same as a line of JSON each, for the program that started this one."""
+
+    def step(self, text: str, share: float) -> None:
+        self._tell("step", text=text, share=share)
+
+    def info(self, text: str) -> None:
+        self._tell("info", text=text)
+
+    def failed(self, sentence: Sentence | None) -> None:
+        if sentence is None:
+            self._tell("canceled")
+        else:
+            values = {key: _plain(value) for key, value in sentence.values}
+            self._tell("failed", code=sentence.code, values=values, text=english(sentence))
+
+    def broke(self, error: Exception) -> None:
+        self._tell("broke", reason=f"{type(error).__name__}: {error}".partition("\n")[0])
+
+    def done(self, result: dict[str, Any]) -> None:
+        self._tell("done", **result)
+
+    @staticmethod
+    def _tell(event: str, **values: object) -> None:
+        with contextlib.suppress(OSError):
+            print(json.dumps({"event": event, **values}), flush=True)
+
+
+def _plain(value: object) -> object:
+    """A sentence's value as JSON has it."""
+    if isinstance(value, tuple):
+        return [_plain(part) for part in value]
+    return value if isinstance(value, (int, float)) else str(value)

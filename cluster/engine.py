@@ -1,0 +1,195 @@
+"""Dask: workers here or elsewhere, SemRef's code on them, and tasks in any order, those of dead workers once more."""
+
+from __future__ import annotations
+
+import asyncio
+import concurrent.futures
+import contextlib
+import hashlib
+import io
+import logging
+import sys
+import time
+import warnings
+import zipfile
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Callable
+
+import cloudpickle
+import dask
+from distributed import Client, LocalCluster, as_completed
+from distributed.scheduler import KilledWorker
+
+from ..core import errors
+from ..core.errors import SemRefError
+from ..core.sentences import Sentence
+from . import shipped, tasks
+
+ROOT = Path(__file__).resolve().parents[1]
+SENT_ROOMS = ("core", "storage", "cluster")
+
+_TASKS_A_THREAD = 3
+"""Given to the scheduler at a time: one that is done, one that waits, one whose result is fetched."""
+
+_CONNECTED_WITHIN_S = 15
+_LOOKED_EVERY_S = 1.0
+_DIED_AT_MOST = 3
+"""Workers that may die over one task before it is given up: Dask's own number."""
+
+_Tell = Callable[[str], None]
+
+
+@contextlib.contextmanager
+def connected(scheduler: str | None, local: int | None, worker_memory: str | None, tell: _Tell) -> Iterator[Client]:
+    """A client of workers that have SemRef's code.
+
+    Args:
+        scheduler: Its address; None to start workers here.
+        local: How many to start here.
+        worker_memory: Of one that is started here, such as “2GB”; None for its share of the machine's.
+        tell: Takes lines for the user.
+
+    Raises:
+        SemRefError: There is no scheduler, or workers can't be started.
+    """
+    warnings.filterwarnings("ignore", module="distributed")
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    settings = {"distributed.scheduler.allowed-failures": _DIED_AT_MOST, "distributed.worker.daemon": True}
+    with dask.config.set(settings), contextlib.ExitStack() as stack:
+        if scheduler is None:
+            cluster = stack.enter_context(_local(local or 1, worker_memory))
+            client = stack.enter_context(Client(cluster))
+        else:
+            client = stack.enter_context(_remote(scheduler))
+        if client.dashboard_link:
+            tell(f"Dashboard: {client.dashboard_link}")
+        _wait_for_workers(client, tell)
+        client.register_plugin(_code())
+        yield client
+
+
+def _local(count: int, worker_memory: str | None) -> LocalCluster:
+    try:
+        return LocalCluster(
+            n_workers=count,
+            threads_per_worker=1,
+            memory_limit=worker_memory or "auto",
+            dashboard_address=":0",
+            silence_logs=logging.CRITICAL,
+        )
+    except (OSError, ValueError, RuntimeError) as error:
+        raise SemRefError("cluster.not_started", reason=_reason(error)) from None
+
+
+def _remote(address: str) -> Client:
+    try:
+        return Client(address, timeout=_CONNECTED_WITHIN_S)
+    except (OSError, ValueError) as error:
+        raise SemRefError("cluster.no_scheduler", address=address, reason=_reason(error)) from None
+
+
+def _wait_for_workers(client: Client, tell: _Tell) -> None:
+    """Until there is one: queues of clusters may take hours."""
+    told = False
+    while not client.scheduler_info().get("workers"):
+        if not told:
+            tell("Waiting for workers")
+            told = True
+        time.sleep(_LOOKED_EVERY_S)
+
+
+@lru_cache(1)
+def _code() -> shipped.Code:
+    """SemRef's rooms that workers need, as a plugin of theirs."""
+    files = {"__init__.py": b""}
+    for room in SENT_ROOMS:
+        for path in sorted((ROOT / room).rglob("*.py")):
+            files[path.relative_to(ROOT).as_posix()] = path.read_bytes()
+    digest = hashlib.sha256(b"".join(name.encode() + content for name, content in files.items())).hexdigest()
+    package, archive = f"semref_{digest[:16]}", io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as written:
+        for name, content in files.items():
+            written.writestr(f"{package}/{name}", content)
+    # Functions are pickled by their names, so what workers do is known here by the names that it has there.
+    module = f"{package}.cluster.tasks"
+    sys.modules[package], sys.modules[module] = sys.modules[__name__.partition(".")[0]], tasks
+    for function in (tasks.do, tasks.held):
+        function.__module__ = module
+    cloudpickle.register_pickle_by_value(shipped)
+    return shipped.Code(package, archive.getvalue())
+
+
+class DaskRunner:
+    """Has the tasks of a build done by workers, see ``core.database.parts.Runner``."""
+
+    def __init__(self, client: Client, path: str) -> None:
+        """Keeps what all tasks need.
+
+        Args:
+            client: As ``connected`` gives it.
+            path: The label map, as workers see it.
+        """
+        self._client = client
+        self._path = path
+        self._threads, self._looked = 1, -_LOOKED_EVERY_S
+
+    def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
+        """Yields the number of a call and what it gave, as they are done.
+
+        Raises:
+            SemRefError: A task says so, or workers died over it.
+        """
+        numbers: dict[str, int] = {}
+        waiting, finished = enumerate(calls), as_completed()
+        try:
+            kept = self._client.submit(tasks.held, shared, pure=False)
+            self._submit(task, waiting, kept, numbers, finished)
+            for future in finished:
+                number = numbers.pop(future.key)
+                result = _taken(future)
+                future.release()
+                self._submit(task, waiting, kept, numbers, finished)
+                yield number, result
+        except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
+            raise SemRefError("cluster.connection_lost", reason=_reason(error)) from None
+
+    def _submit(self, task: str, waiting: Iterator, kept: Any, numbers: dict[str, int], finished: as_completed) -> None:
+        """Fills up what the scheduler has to give out."""
+        while len(numbers) < self._room():
+            found = next(waiting, None)
+            if found is None:
+                return
+            number, arguments = found
+            future = self._client.submit(tasks.do, task, self._path, kept, arguments, pure=False)
+            numbers[future.key] = number
+            finished.add(future)
+
+    def _room(self) -> int:
+        """How many tasks are given out at a time; workers come and go."""
+        if time.monotonic() > self._looked + _LOOKED_EVERY_S:
+            self._threads = max(sum(self._client.nthreads().values()), 1)
+            self._looked = time.monotonic()
+        return _TASKS_A_THREAD * self._threads
+
+
+def _taken(future: Any) -> Any:
+    """What a task gave; raises SemRefError."""
+    try:
+        state, result = future.result()
+    except KilledWorker:
+        raise SemRefError("cluster.workers_died", count=_DIED_AT_MOST + 1) from None
+    except (OSError, concurrent.futures.CancelledError):
+        raise
+    except Exception as error:
+        raise SemRefError("cluster.worker_failed", reason=_reason(error)) from None
+    if state == "failed":
+        kind, code, values = result
+        raise getattr(errors, kind)(Sentence(code, **dict(values)))
+    return result
+
+
+def _reason(error: BaseException) -> str:
+    """An error's first line as part of a sentence."""
+    return (str(error).strip().partition("\n")[0] or type(error).__name__).rstrip(".")

@@ -1,0 +1,91 @@
+"""The command line of ``python -m cluster``."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from ..core.geometry.error_settings import MAP_ACCURACY
+
+DONE, WRONG_USAGE, REFUSED, INTERRUPTED = 0, 2, 3, 130
+"""Exit codes; argparse ends with 2 by itself."""
+
+_MOST_WORKERS = 1024
+"""Of one machine."""
+
+_DESCRIPTION = """Does SemRef's long work on many processes or machines by Dask, without QGIS. The result is the same,
+byte by byte, however many there are."""
+
+_EPILOG = f"""exit codes:
+  {DONE}    done
+  {WRONG_USAGE}    the command line is wrong
+  {REFUSED}    a package is missing, a file could not be used, the workers failed, or the program has a fault
+  {INTERRUPTED}  ended by Ctrl+C; nothing lies under the final name
+
+examples, from the plugin's folder:
+  python -m cluster build labels.tif --database out.gpkg --reference-classes "building;water" --local 4
+  python -m cluster build /vsis3/maps/labels.tif --database out.gpkg --scheduler tcp://10.0.0.5:8786
+
+docs/guide/cluster.md tells how to start workers on a laptop, with SLURM and with Kubernetes."""
+
+_LABELS = (
+    "single-band raster of class values in a metric CRS: a path that all workers see, a VRT of many files, or a name "
+    "of GDAL's such as /vsis3/BUCKET/labels.tif"
+)
+_CLASSES = (
+    "names or values of the classes whose regions are landmarks, separated by “;”; by default those with this role in "
+    "the map's class table"
+)
+_BUILD: tuple[tuple[str, str, Any, Any, str], ...] = (
+    ("--database", "FILE", str, None, "the GeoPackage to write, on this machine"),
+    ("--reference-classes", "CLASSES", str, "", _CLASSES),
+    ("--window-size", "LENGTH", float, 1280.0, "map units (1280)"),
+    ("--stride", "LENGTH", float, 350.0, "map units (350)"),
+    ("--levels", "NUMBERS", str, "1", "multipliers of both, separated by “;” (1)"),
+    ("--references-per-vector", "COUNT", int, 10, "landmarks that a vector holds (10)"),
+    ("--minimum-area", "AREA", float, 100.0, "of a landmark, m² (100)"),
+    ("--map-accuracy", "LENGTH", float, MAP_ACCURACY, "standard deviation of where landmarks are, map units (1.1)"),
+)
+"""Option, what its value is called, its type, its default, what it says."""
+
+_SCHEDULER = "uses the workers of a scheduler, such as tcp://10.0.0.5:8786"
+_MEMORY = (
+    "with --local: of one worker, such as 2GB; by default the machine's, divided by N. A worker that takes more is "
+    "ended, and its piece of the work done again"
+)
+
+
+def parser() -> argparse.ArgumentParser:
+    """Reads the command line."""
+    made = argparse.ArgumentParser(
+        "python -m cluster",
+        description=_DESCRIPTION,
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    commands = made.add_subparsers(title="commands", metavar="COMMAND", dest="command", required=True)
+    build = commands.add_parser(
+        "build",
+        help="label map to reference database, as semref:builddatabase",
+        description="Builds the reference database of a label map, as semref:builddatabase does in QGIS.",
+    )
+    build.add_argument("labels", metavar="LABELS", help=_LABELS)
+    for name, value, kind, default, text in _BUILD:
+        build.add_argument(name, metavar=value, type=kind, default=default, required=default is None, help=text)
+    _add_workers(build)
+    return made
+
+
+def _add_workers(command: argparse.ArgumentParser) -> None:
+    where = command.add_mutually_exclusive_group(required=True)
+    where.add_argument("--local", type=_count, metavar="N", help="starts N worker processes on this machine")
+    where.add_argument("--scheduler", metavar="ADDRESS", help=_SCHEDULER)
+    command.add_argument("--worker-memory", metavar="SIZE", help=_MEMORY)
+    command.add_argument("--json", action="store_true", help="tells what happens as a line of JSON each, on the output")
+
+
+def _count(text: str) -> int:
+    found = int(text)
+    if not 1 <= found <= _MOST_WORKERS:
+        raise argparse.ArgumentTypeError(f"{found} is not 1 to {_MOST_WORKERS}")
+    return found

@@ -1,0 +1,18 @@
+"""What is wrong with work on a cluster."""
+
+SENTENCES = {
+    "cluster.lacks_package": (
+        "{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python."
+    ),
+    "cluster.no_scheduler": "There is no scheduler at {address} ({reason}); start one, or use --local.",
+    "cluster.not_started": "Workers can't be started here ({reason}).",
+    "cluster.connection_lost": "The scheduler can't be reached any more ({reason}); see its log and start again.",
+    "cluster.workers_died": (
+        "{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason."
+    ),
+    "cluster.worker_failed": "A worker could not do its part ({reason}).",
+    "cluster.map_changed": "{path} was changed while it was read; start again when it stays as it is.",
+    "cluster.not_a_number": "{option} is “{text}”; give numbers separated by “;”.",
+    "cluster.stride_above_size": "The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.",
+    "cluster.output_is_input": "The database would replace the label map {path}; choose another name.",
+}

@@ -1,0 +1,3 @@
+"""What the tests of cluster/ share."""
+
+SETTINGS = ["--window-size", "320", "--stride", "140", "--minimum-area", "40"]

@@ -1,0 +1,148 @@
+"""The database that workers build together is that of one process."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import signal
+import sqlite3
+
+import numpy as np
+import pytest
+from built_database import BUILD, content
+from clustered import SETTINGS
+from made_inputs import write_raster
+from osgeo import gdal, osr
+
+
+def build(cluster, label_map, target, workers=1, classes="building;water"):
+    return cluster(
+        "build", label_map, "--database", target, "--reference-classes", classes, *SETTINGS, "--local", workers
+    )
+
+
+@pytest.fixture(scope="module")
+def built(cluster, label_map, tmp_path_factory):
+    target = tmp_path_factory.mktemp("cluster") / "one.gpkg"
+    result = build(cluster, label_map, target)
+    assert result.returncode == 0, result.stderr
+    return target
+
+
+def test_it_holds_what_the_algorithm_builds(built, label_map, run_algorithm, tmp_path):
+    expected = run_algorithm(
+        BUILD,
+        {
+            "LABELS": str(label_map),
+            "REFERENCE_CLASSES": "building;water",
+            "WINDOW_SIZE": 320,
+            "STRIDE": 140,
+            "MINIMUM_AREA": 40,
+            "DATABASE": str(tmp_path / "expected.gpkg"),
+        },
+    )
+    assert expected["WINDOW_COUNT"] > 50 and expected["REFERENCE_COUNT"] > 500
+    found, wanted = content(built), content(expected["DATABASE"])
+    # The same CRS, which versions of QGIS and GDAL word differently.
+    systems = [osr.SpatialReference(json.loads(rows["parameters"].pop(0)[2])) for rows in (found, wanted)]
+    assert systems[0].IsSame(systems[1])
+    sums = [json.loads(rows["parameters"].pop()[2]) for rows in (found, wanted)]
+    assert {name for name in sums[0] if sums[0][name] != sums[1][name]} <= {"parameters"}
+    assert found == wanted and len(found["parameters"]) > 12
+    overviews = [gdal.Open(f"GPKG:{path}:overview").ReadAsArray() for path in (built, expected["DATABASE"])]
+    np.testing.assert_array_equal(*overviews)
+
+
+def test_two_workers_of_which_one_is_killed_give_the_same_bytes(cluster, built, label_map, tmp_path):
+    psutil = pytest.importorskip("psutil")
+    target = tmp_path / "two.gpkg"
+    running = cluster.start(
+        "build", label_map, "--database", target, "--reference-classes", "building;water", *SETTINGS, "--local", 2
+    )
+    for line in running.stderr:
+        if "Finding landmarks" in line:
+            break
+    workers = [
+        child
+        for child in psutil.Process(running.pid).children(recursive=True)
+        if "spawn_main" in " ".join(child.cmdline())
+    ]
+    assert len(workers) >= 2
+    workers[0].send_signal(signal.SIGKILL)
+    _, errors = running.communicate(timeout=120)
+    assert running.returncode == 0, errors
+    assert target.read_bytes() == built.read_bytes()
+
+
+def test_a_map_without_classes_inside_is_built_by_its_values(cluster, tmp_path):
+    labels = np.zeros((400, 500), np.uint8)
+    for n in range(20):
+        labels[10 + 18 * n : 22 + 18 * n, 20 + 20 * n : 40 + 20 * n] = 1 + n % 2
+    label_map = write_raster(tmp_path / "plain.tif", labels)
+    result = build(cluster, label_map, tmp_path / "plain.gpkg", classes="1;2")
+    assert result.returncode == 0, result.stderr
+    assert "named by their values" in result.stderr
+    with contextlib.closing(sqlite3.connect(tmp_path / "plain.gpkg")) as connection:
+        assert connection.execute('SELECT count(*) FROM "references"').fetchone() == (20,)
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_an_interrupt_leaves_nothing(cluster, label_map, tmp_path, name):
+    target = tmp_path / "never.gpkg"
+    running = cluster.start(
+        "build", label_map, "--database", target, "--reference-classes", "building", *SETTINGS, "--local", 1
+    )
+    for line in running.stderr:
+        if "Finding landmarks" in line:
+            break
+    running.send_signal(getattr(signal, name))
+    _, errors = running.communicate(timeout=60)
+    assert running.returncode == 130
+    assert errors.splitlines()[-1] == "cluster: ended; nothing was written."
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_style_is_what_the_algorithm_s_is(built):
+    """What QGIS reads of the plain style draws as what it wrote itself."""
+    from qgis.core import QgsRasterLayer, QgsVectorLayer
+
+    from semref.processing.exchange import styles
+    from semref.storage.database.reader import read_database
+
+    table = read_database(str(built)).class_table
+    windows = QgsVectorLayer(f"{built}|layername=windows", "windows", "ogr")
+    assert drawn(windows.renderer().symbol()) == drawn(styles.windows_renderer().symbol())
+    references = QgsVectorLayer(f"{built}|layername=references", "references", "ogr")
+    found, wanted = references.renderer().categories(), styles.references_renderer(table).categories()
+    assert [(str(c.value()), c.label(), drawn(c.symbol())) for c in found] == [
+        (str(c.value()), c.label(), drawn(c.symbol())) for c in wanted
+    ]
+    overview = QgsRasterLayer(f"GPKG:{built}:overview", "overview")
+    styles.apply_overview_style(overview, str(built))
+    classes = [(c.value, c.label, c.color.name()) for c in overview.renderer().classes()]
+    assert classes == [(c.value, c.name, c.color) for c in table if c.value]
+
+
+def drawn(symbol):
+    """What a symbol's only layer looks like."""
+    properties = symbol.symbolLayers()[0].properties()
+    return {key: properties.get(key) for key in ("style", "outline_color", "outline_width", "color", "size", "name")}
+
+
+def test_what_happens_is_told_as_json_to_who_asks(cluster, label_map, tmp_path):
+    result = cluster(
+        "build",
+        label_map,
+        "--database",
+        tmp_path / "a.gpkg",
+        "--reference-classes",
+        "1",
+        *SETTINGS,
+        "--local",
+        1,
+        "--json",
+    )
+    events = [json.loads(line) for line in result.stdout.splitlines()]
+    assert result.returncode == 0 and events[-1]["event"] == "done" and events[-1]["windows"] > 50
+    shares = [event["share"] for event in events if event["event"] == "step"]
+    assert shares == sorted(shares) and shares[0] >= 0 and shares[-1] == pytest.approx(1)
