@@ -78,14 +78,15 @@ def parser() -> argparse.ArgumentParser:
 
 def _add_workers(command: argparse.ArgumentParser) -> None:
     where = command.add_mutually_exclusive_group(required=True)
-    where.add_argument("--local", type=_count, metavar="N", help="starts N worker processes on this machine")
+    where.add_argument("--local", type=number_of_workers, metavar="N", help="starts N worker processes on this machine")
     where.add_argument("--scheduler", metavar="ADDRESS", help=_SCHEDULER)
     command.add_argument("--worker-memory", metavar="SIZE", help=_MEMORY)
     command.add_argument("--json", action="store_true", help="tells what happens as a line of JSON each, on the output")
 
 
-def _count(text: str) -> int:
+def number_of_workers(text: str) -> int:
+    """1 to so many; argparse says its name where the text is something else."""
     found = int(text)
     if not 1 <= found <= _MOST_WORKERS:
-        raise argparse.ArgumentTypeError(f"{found} is not 1 to {_MOST_WORKERS}")
+        raise ValueError
     return found
