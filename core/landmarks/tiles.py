@@ -139,7 +139,9 @@ def _pieces(contours: list, value: int, first: tuple[int, int]) -> np.ndarray:
     return np.array(found, np.int64).reshape(-1, 7) + np.array([0, *first * 3])
 
 
-def _runs(mask: np.ndarray, contours: list, side: int, value: int, first: tuple[int, int], base: int) -> np.ndarray:  # noqa: PLR0913 - what a run tells
+def _runs(  # noqa: PLR0913 - what a run tells
+    mask: np.ndarray, contours: list, side: int, value: int, first: tuple[int, int], base: int
+) -> np.ndarray:
     """(R, 6) runs of set pixels along one side, see ``TileLandmarks``.
 
     A contour turns at both ends of such a run, so ``CHAIN_APPROX_SIMPLE`` keeps them: they tell whose run it is.
