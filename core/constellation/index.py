@@ -36,6 +36,9 @@ AREA_BINS = np.arange(-5.0, 25.0, AREA_BIN)
 
 FINE_UNIT = CELL * CELLS / FINE_STEPS
 
+IndexParts = dict[str, np.ndarray]
+"""Arrays of an index by name."""
+
 
 @dataclass(frozen=True)
 class ConstellationIndex:
@@ -140,35 +143,82 @@ def build_index(
         pixel_size_m: Of the label map that they are of.
         settings: The index is built with, and every search in it uses.
     """
-    positions = np.asarray(references.positions, np.float64).reshape(-1, 2)
-    middle = positions.mean(axis=0) if len(positions) else np.zeros(2)
-    points = (positions[:, 0] - middle[0]) + 1j * (positions[:, 1] - middle[1])
-    class_values, ranks = np.unique(references.classes, return_inverse=True)
-    areas = full_area(np.asarray(references.areas_m2, np.float64), pixel_size_m)
-    log_areas = np.log(np.maximum(areas, 1e-12))
-    whole = ~np.asarray(references.touches_edge, bool)
-    neighbors, keys, triangles, fine = _all_triangles(points, ranks, log_areas, whole, settings)
+    return index_of_parts(references, pixel_size_m, settings, index_parts(references, pixel_size_m, settings))
+
+
+def index_parts(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> IndexParts:
+    """What of an index takes time to make, by name; ``part_shapes`` tells their kinds.
+
+    Args:
+        references: The landmarks.
+        pixel_size_m: Of the label map that they are of.
+        settings: The index is built with.
+    """
+    bare = _Bare(references, pixel_size_m)
+    neighbors, keys, triangles, fine = _all_triangles(bare.points, bare.ranks, bare.log_areas, bare.whole, settings)
     order = np.argsort(keys, kind="stable")
-    by_easting = np.argsort(points.real, kind="stable")
+    return {
+        "neighbors": neighbors,
+        "keys": keys[order],
+        "triangles": triangles[order],
+        "fine": fine[order],
+        "densities": local_density(bare.positions, bare.ranks, settings),
+        "by_easting": np.argsort(bare.points.real, kind="stable").astype(np.int64, copy=False),
+    }
+
+
+def part_shapes(count: int, settings: ConstellationSettings) -> dict[str, tuple[str, tuple[int | None, ...]]]:
+    """Kind and shape of each part of an index of ``count`` landmarks; None is the number of triangles."""
+    return {
+        "neighbors": ("<i4", (count, settings.neighbors)),
+        "keys": ("<u4", (None,)),
+        "triangles": ("<i4", (None,)),
+        "fine": ("|u1", (None, len(CELLS))),
+        "densities": ("<f8", (count,)),
+        "by_easting": ("<i8", (count,)),
+    }
+
+
+def index_of_parts(
+    references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings, parts: IndexParts
+) -> ConstellationIndex:
+    """The index of landmarks whose parts were made, or kept, before."""
+    bare = _Bare(references, pixel_size_m)
     return ConstellationIndex(
-        complex(*middle),
-        points,
-        class_values,
-        ranks.astype(np.int64),
-        log_areas,
-        local_density(positions, ranks, settings),
-        whole,
-        float(areas.min()) if len(areas) else 0.0,
-        neighbors,
-        keys[order],
-        triangles[order],
-        fine[order],
-        ClassMatcher(points, ranks),
-        area_densities(ranks, log_areas),
-        by_easting,
-        points.real[by_easting],
+        bare.origin,
+        bare.points,
+        bare.class_values,
+        bare.ranks,
+        bare.log_areas,
+        parts["densities"],
+        bare.whole,
+        bare.minimum_area_m2,
+        parts["neighbors"],
+        parts["keys"],
+        parts["triangles"],
+        parts["fine"],
+        ClassMatcher(bare.points, bare.ranks),
+        area_densities(bare.ranks, bare.log_areas),
+        parts["by_easting"],
+        bare.points.real[parts["by_easting"]],
         settings,
     )
+
+
+class _Bare:
+    """Landmarks as an index has them, which takes no time to make."""
+
+    def __init__(self, references: MapLandmarks, pixel_size_m: float) -> None:
+        self.positions = np.asarray(references.positions, np.float64).reshape(-1, 2)
+        middle = self.positions.mean(axis=0) if len(self.positions) else np.zeros(2)
+        self.origin = complex(*middle)
+        self.points = (self.positions[:, 0] - middle[0]) + 1j * (self.positions[:, 1] - middle[1])
+        self.class_values, ranks = np.unique(references.classes, return_inverse=True)
+        self.ranks = ranks.astype(np.int64)
+        areas = full_area(np.asarray(references.areas_m2, np.float64), pixel_size_m)
+        self.log_areas = np.log(np.maximum(areas, 1e-12))
+        self.minimum_area_m2 = float(areas.min()) if len(areas) else 0.0
+        self.whole = ~np.asarray(references.touches_edge, bool)
 
 
 def area_densities(ranks: np.ndarray, log_areas: np.ndarray) -> np.ndarray:

@@ -20,14 +20,14 @@ class ClassMatcher:
     """Finds the nearest object of the same class, quickly and many at a time."""
 
     def __init__(self, points: np.ndarray, ranks: np.ndarray) -> None:
-        """Makes a tree of each class.
+        """Keeps the objects; the tree of a class is made at its first use.
 
         Args:
             points: (N,) complex, near zero.
             ranks: (N,) int, place of each object's class, from 0.
         """
-        self._members = [np.flatnonzero(ranks == rank) for rank in range(int(ranks.max()) + 1 if len(ranks) else 0)]
-        self._trees = [make_tree(as_float32(points[members])) for members in self._members]
+        self._points, self._ranks = points, ranks
+        self._made: dict[int, tuple[np.ndarray, Any]] = {}
 
     def match(self, places: np.ndarray, ranks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The nearest object of the same class to each place.
@@ -41,13 +41,21 @@ class ClassMatcher:
         """
         distances = np.full(places.shape, np.inf, np.float32)
         objects = np.full(places.shape, -1, np.int64)
-        for rank, (members, tree) in enumerate(zip(self._members, self._trees)):
+        for rank in np.unique(ranks[ranks >= 0]).tolist():
             columns = np.flatnonzero(ranks == rank)
-            if len(columns) and len(members):
+            members, tree = self._tree(rank)
+            if len(members):
                 found, squared = tree.knnSearch(as_float32(places[:, columns].ravel()), 1, params={"checks": -1})
                 distances[:, columns] = np.sqrt(squared).reshape(len(places), -1)
                 objects[:, columns] = members[found].reshape(len(places), -1)
         return distances, objects
+
+    def _tree(self, rank: int) -> tuple[np.ndarray, Any]:
+        """The objects of a class and their tree."""
+        if rank not in self._made:
+            members = np.flatnonzero(self._ranks == rank)
+            self._made[rank] = members, make_tree(as_float32(self._points[members])) if len(members) else None
+        return self._made[rank]
 
 
 def as_float32(points: np.ndarray) -> np.ndarray:

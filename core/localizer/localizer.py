@@ -6,9 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..constellation.index import ConstellationIndex, build_index
+from ..constellation.index import ConstellationIndex
+from ..constellation.settings import CONSTELLATION
 from ..constellation.solver import localize as solve
 from ..constellation.solver import matches_at
+from ..constellation.stored import stored_index
 from ..correlation.class_pyramid import MapPyramid
 from ..correlation.solver import agreement_at
 from ..correlation.solver import localize as correlate
@@ -182,11 +184,12 @@ class Localizer:
 
     @property
     def index(self) -> ConstellationIndex:
-        """The catalogue's triangles; built at the first use, seconds at 10⁵ objects."""
+        """The catalogue's triangles: opened where they are kept, else built, which takes seconds at 10⁵ objects."""
         if self._index is None:
-            self._index = build_index(
-                self._database.references, self._database.parameters.pixel_size, self.settings.constellation
-            )
+            settings, database = self.settings.constellation, self._database
+            # Those of a calibration are of no use later.
+            kept_by = database.source if settings == CONSTELLATION else None
+            self._index = stored_index(database.references, database.parameters.pixel_size, settings, kept_by)
         return self._index
 
     def localize_by_constellation(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
