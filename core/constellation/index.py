@@ -213,8 +213,8 @@ class _Bare:
         middle = self.positions.mean(axis=0) if len(self.positions) else np.zeros(2)
         self.origin = complex(*middle)
         self.points = (self.positions[:, 0] - middle[0]) + 1j * (self.positions[:, 1] - middle[1])
-        self.class_values, ranks = np.unique(references.classes, return_inverse=True)
-        self.ranks = ranks.astype(np.int64)
+        self.class_values = np.unique(references.classes)
+        self.ranks = np.searchsorted(self.class_values, references.classes).astype(np.int64, copy=False)
         areas = full_area(np.asarray(references.areas_m2, np.float64), pixel_size_m)
         self.log_areas = np.log(np.maximum(areas, 1e-12))
         self.minimum_area_m2 = float(areas.min()) if len(areas) else 0.0

@@ -31,7 +31,7 @@ from .index import ConstellationIndex, IndexParts, build_index, index_of_parts, 
 from .settings import ConstellationSettings
 
 SUFFIX = ".semref-index"
-"""Instead of the database's own."""
+"""Behind the database's name, with its own suffix."""
 
 VERSION = 1
 """Raised whenever the same landmarks give another index, and so another answer."""
@@ -50,7 +50,7 @@ _SECRET_BYTES = 32
 
 def index_path(database: str) -> Path:
     """Where the index of a database lies: beside it."""
-    return Path(database).with_suffix(SUFFIX)
+    return Path(f"{database}{SUFFIX}")
 
 
 def key_of(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> str:

@@ -30,6 +30,7 @@ sys.path[0] = str(TOOLS)
 NAMES = (
     "rasterize",
     "build",
+    "cluster",
     "memory",
     "matching",
     "motion",

@@ -119,7 +119,7 @@ class Comparison:
 @contextlib.contextmanager
 def _timed_overview() -> Iterator[list[float]]:
     """A list that fills with the seconds core spends on reducing the map for the overview."""
-    from semref.core.database.model import build as core_build
+    from semref.core.database import build as core_build
 
     reduce, seconds = core_build.most_frequent_labels, []
 

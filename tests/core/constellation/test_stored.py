@@ -65,7 +65,7 @@ def never_built(monkeypatch):
 def test_it_is_built_once_and_then_opened_to_the_last_bit(database, monkeypatch):
     references = landmarks()
     assert_same(opened(database, references), references)
-    assert [path.name for path in index_path(database).parent.iterdir()] == ["area.semref-index"]
+    assert [path.name for path in index_path(database).parent.iterdir()] == ["area.gpkg.semref-index"]
     never_built(monkeypatch)
     index = opened(database, references)
     assert_same(index, references)
