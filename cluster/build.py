@@ -39,7 +39,7 @@ class Teller(Protocol):
     def step(self, text: str, share: float) -> None:
         """What is being done, and how much of all is (0…1)."""
 
-    def info(self, text: str) -> None:
+    def say(self, text: str) -> None:
         """Anything else worth a line."""
 
 
@@ -65,7 +65,7 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
     table = _table(labels, path, options.reference_classes, teller)
     with written_beside(str(Path(options.database).absolute())) as temporary:
         overview = _Overview(frame.reduced(settings.overview_factor).shape_hw, Path(temporary).parent)
-        with connected(options.scheduler, options.local, options.worker_memory, teller.info) as client:
+        with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
             version = plugin_metadata()["version"]
             builder = PartsBuilder(frame, table, settings, version, DaskRunner(client, path), overview.put)
             _tell_rounding(builder, frame, settings, teller)
@@ -107,7 +107,7 @@ def _table(labels: GdalLabels, path: str, chosen: str, teller: Teller) -> ClassT
     """The map's class table with the asked reference classes."""
     table = class_table_of_map(labels, RasterFile(path))
     if table is None:
-        teller.info("The label map brings no class names; its classes are named by their values.")
+        teller.say("The label map brings no class names; its classes are named by their values.")
         table = class_table_of_values(count_values(labels, lambda: False))
     names = [part.strip() for part in chosen.split(";") if part.strip()]
     return (table.with_references(names) if names else table).require_references()
@@ -124,7 +124,7 @@ def _tell_rounding(builder: PartsBuilder, frame: MapFrame, settings: BuildSettin
         size, stride = grid.size * frame.pixel_size, grid.stride * frame.pixel_size
         asked = settings.window_size * level, settings.stride * level
         if abs(size - asked[0]) > 1e-9 * size or abs(stride - asked[1]) > 1e-9 * stride:
-            teller.info(f"Windows are whole pixels: window size {size:g}, stride {stride:g}.")
+            teller.say(f"Windows are whole pixels: window size {size:g}, stride {stride:g}.")
 
 
 def _complete(builder: PartsBuilder) -> ReferenceDatabase:

@@ -24,12 +24,20 @@ NEEDED = (
 
 def main(arguments: list[str]) -> int:
     """Runs one command; gives its exit code."""
-    options = parser().parse_args(arguments)
-    teller = JsonTeller() if options.json else TextTeller()
+    reader = parser()
+    options, others = reader.parse_known_args(arguments)
+    if others and options.command != "localize":
+        # It says what it does not know, and ends.
+        reader.parse_args(arguments)
+    teller = JsonTeller() if getattr(options, "json", False) else TextTeller()
     # QGIS ends it so; the terminal sends an interrupt.
     signal.signal(signal.SIGTERM, _interrupted)
     try:
         require_packages()
+        if options.command == "localize":
+            from .localize import localize
+
+            return localize(options, others, teller)
         from .build import build
 
         result = build(options, teller)
@@ -68,19 +76,19 @@ class TextTeller:
         percent = int(100 * share)
         if text != self._said[0] or percent >= self._said[1] + 5:
             self._said = text, percent
-            self._say(f"{percent:3d} %  {text}")
+            self._print(f"{percent:3d} %  {text}")
 
-    def info(self, text: str) -> None:
+    def say(self, text: str) -> None:
         """Anything else worth a line."""
-        self._say(text)
+        self._print(text)
 
     def failed(self, sentence: Sentence | None) -> None:
         """Why it ends; None when it was asked to."""
-        self._say("cluster: " + ("ended; nothing was written." if sentence is None else english(sentence)))
+        self._print("cluster: " + ("ended; nothing was written." if sentence is None else english(sentence)))
 
     def broke(self, error: Exception) -> None:
         """A fault of the program."""
-        self._say(f"cluster: {type(error).__name__}: {str(error).partition(chr(10))[0]}")
+        self._print(f"cluster: {type(error).__name__}: {str(error).partition(chr(10))[0]}")
 
     def done(self, result: dict[str, Any]) -> None:
         """What came of it, on the output: a line each."""
@@ -88,7 +96,7 @@ class TextTeller:
             print(f"{key}: {value}", flush=True)
 
     @staticmethod
-    def _say(text: str) -> None:
+    def _print(text: str) -> None:
         # A closed stderr must not change what is done.
         with contextlib.suppress(OSError):
             print(text, file=sys.stderr, flush=True)
@@ -100,7 +108,7 @@ class JsonTeller:
     def step(self, text: str, share: float) -> None:
         self._tell("step", text=text, share=share)
 
-    def info(self, text: str) -> None:
+    def say(self, text: str) -> None:
         self._tell("info", text=text)
 
     def failed(self, sentence: Sentence | None) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..core.geometry.error_settings import MAP_ACCURACY
 
-DONE, WRONG_USAGE, REFUSED, INTERRUPTED = 0, 2, 3, 130
+DONE, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED, INTERRUPTED = 0, 1, 2, 3, 130
 """Exit codes; argparse ends with 2 by itself."""
 
 _MOST_WORKERS = 1024
@@ -18,6 +18,7 @@ byte by byte, however many there are."""
 
 _EPILOG = f"""exit codes:
   {DONE}    done
+  {SOME_WITHOUT_FIX}    localize: an image has no fix, its reason is told
   {WRONG_USAGE}    the command line is wrong
   {REFUSED}    a package is missing, a file could not be used, the workers failed, or the program has a fault
   {INTERRUPTED}  ended by Ctrl+C; nothing lies under the final name
@@ -25,6 +26,7 @@ _EPILOG = f"""exit codes:
 examples, from the plugin's folder:
   python -m cluster build labels.tif --database out.gpkg --reference-classes "building;water" --local 4
   python -m cluster build /vsis3/maps/labels.tif --database out.gpkg --scheduler tcp://10.0.0.5:8786
+  python -m cluster localize photos/ --database area.npz --model landcover.onnx --json --local 4
 
 docs/guide/cluster.md tells how to start workers on a laptop, with SLURM and with Kubernetes."""
 
@@ -73,6 +75,16 @@ def parser() -> argparse.ArgumentParser:
     for name, value, kind, default, text in _BUILD:
         build.add_argument(name, metavar=value, type=kind, default=default, required=default is None, help=text)
     _add_workers(build)
+    build.add_argument("--json", action="store_true", help="tells what happens as a line of JSON each, on the output")
+    localize = commands.add_parser(
+        "localize",
+        help="localize images, as python -m core localize",
+        description="Localizes images in an onboard file. IMAGE, --database and all other options are those of "
+        "python -m core localize, whose --help tells them; so are records, their order and the exit code.",
+        usage="python -m cluster localize [options of python -m core localize] (--local N | --scheduler ADDRESS)",
+        allow_abbrev=False,
+    )
+    _add_workers(localize)
     return made
 
 
@@ -81,7 +93,6 @@ def _add_workers(command: argparse.ArgumentParser) -> None:
     where.add_argument("--local", type=number_of_workers, metavar="N", help="starts N worker processes on this machine")
     where.add_argument("--scheduler", metavar="ADDRESS", help=_SCHEDULER)
     command.add_argument("--worker-memory", metavar="SIZE", help=_MEMORY)
-    command.add_argument("--json", action="store_true", help="tells what happens as a line of JSON each, on the output")
 
 
 def number_of_workers(text: str) -> int:

@@ -39,7 +39,7 @@ VERSION = 1
 FEWEST = 20_000
 """Landmarks below which an index is built in a fraction of a second and not kept."""
 
-_LOG = logging.getLogger(__name__)
+_LOG = logging.getLogger("semref")
 
 _MAGIC = b"SemRef index\n\x00\x01\x00"
 _ALIGNED = 64
@@ -79,7 +79,7 @@ def stored_index(
     if parts is None or not _fit(parts, references, settings):
         parts = index_parts(references, pixel_size_m, settings)
         if secret is None or not write_parts(path, key, secret, parts):
-            _LOG.info("The index of %s can't be kept beside it; it is built at every start.", database)
+            _LOG.warning("index_not_kept", extra={"details": {"database": database}})
     return index_of_parts(references, pixel_size_m, settings, parts)
 
 

@@ -262,16 +262,34 @@ def description(onboard: OnboardDatabase) -> dict[str, Any]:
 
 
 def _localize(options: argparse.Namespace) -> int:
-    find = _finding(options, read_onboard(options.database, key_file=options.require_signature))
+    find = finding(options)
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
-        _write(json_line(found) if options.json else _line(found))
+        _write(told(found, options))
         statuses.add(found["status"])
-    return _exit_code(statuses)
+    return exit_code(statuses)
 
 
-def _exit_code(statuses: set[str]) -> int:
+def localize_options(arguments: list[str]) -> argparse.Namespace:
+    """What ``localize`` is asked for, for others who do it; raises ParameterError for values out of range."""
+    options = _parser().parse_args(["localize", *arguments])
+    _check_values(options)
+    return options
+
+
+def finding(options: argparse.Namespace) -> Finding:
+    """How ``localize`` finds an image; raises SemRefError."""
+    return _finding(options, read_onboard(options.database, key_file=options.require_signature))
+
+
+def told(found: dict[str, Any], options: argparse.Namespace) -> str:
+    """A record as ``localize`` writes it."""
+    return json_line(found) if options.json else _line(found)
+
+
+def exit_code(statuses: set[str]) -> int:
+    """Of records with these statuses."""
     if ERROR in statuses:
         return REFUSED
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
@@ -335,7 +353,7 @@ def _watch(options: argparse.Namespace) -> int:
     statuses, lost = watch(
         options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard), after
     )
-    return REFUSED if lost else _exit_code(statuses)
+    return REFUSED if lost else exit_code(statuses)
 
 
 def _mavlink_sink(options: argparse.Namespace, onboard: OnboardDatabase) -> MavlinkSink | None:
