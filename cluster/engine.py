@@ -8,7 +8,6 @@ import contextlib
 import hashlib
 import io
 import logging
-import sys
 import time
 import warnings
 import zipfile
@@ -25,7 +24,7 @@ from distributed.scheduler import KilledWorker
 from ..core import errors
 from ..core.errors import SemRefError
 from ..core.sentences import Sentence
-from . import shipped, tasks
+from . import shipped
 
 ROOT = Path(__file__).resolve().parents[1]
 SENT_ROOMS = ("core", "storage", "cluster")
@@ -112,11 +111,6 @@ def _code() -> shipped.Code:
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as written:
         for name, content in files.items():
             written.writestr(f"{package}/{name}", content)
-    # Functions are pickled by their names, so what workers do is known here by the names that it has there.
-    module = f"{package}.cluster.tasks"
-    sys.modules[package], sys.modules[module] = sys.modules[__name__.partition(".")[0]], tasks
-    for function in (tasks.do, tasks.held):
-        function.__module__ = module
     cloudpickle.register_pickle_by_value(shipped)
     return shipped.Code(package, archive.getvalue())
 
@@ -133,6 +127,7 @@ class DaskRunner:
         """
         self._client = client
         self._path = path
+        self._package = _code().name
         self._threads, self._looked = 1, -_LOOKED_EVERY_S
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
@@ -144,7 +139,7 @@ class DaskRunner:
         numbers: dict[str, int] = {}
         waiting, finished = enumerate(calls), as_completed()
         try:
-            kept = self._client.submit(tasks.held, shared, pure=False)
+            kept = self._client.submit(shipped.held, shared, pure=False)
             self._submit(task, waiting, kept, numbers, finished)
             for future in finished:
                 number = numbers.pop(future.key)
@@ -162,7 +157,7 @@ class DaskRunner:
             if found is None:
                 return
             number, arguments = found
-            future = self._client.submit(tasks.do, task, self._path, kept, arguments, pure=False)
+            future = self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
             numbers[future.key] = number
             finished.add(future)
 

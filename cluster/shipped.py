@@ -1,7 +1,8 @@
 """What is sent to the workers as it stands: SemRef's own code, so that they need a Python with the packages and nothing
 of SemRef, and always run what the one who asks runs.
 
-The class is pickled whole, so it imports what it needs itself and names nothing else of this package.
+All here is pickled whole – the scheduler, too, takes it apart and has nothing of SemRef – so it imports what it needs
+itself and names nothing else of this package.
 """
 
 from __future__ import annotations
@@ -31,3 +32,20 @@ class Code(WorkerPlugin):
         with open(path, "wb") as file:
             file.write(self.archive)
         sys.path.insert(0, path)
+
+
+def call(package: str, task: str, path: str, shared: tuple, arguments: tuple) -> tuple:
+    """``tasks.do`` of the code that was sent."""
+    import importlib
+
+    return importlib.import_module(f"{package}.cluster.tasks").do(task, path, shared, arguments)
+
+
+def held(values: tuple) -> tuple:
+    """Arguments that many tasks share: sent to a worker once, and made again where a worker died with them."""
+    return values
+
+
+for _function in (call, held):
+    # Functions are pickled by their names but for those of the main program.
+    _function.__module__ = "__main__"

@@ -41,11 +41,6 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
         return "failed", (type(error).__name__, error.sentence.code, error.sentence.values)
 
 
-def held(values: tuple) -> tuple:
-    """Arguments that many tasks share: sent to a worker once, and made again where a worker died with them."""
-    return values
-
-
 @lru_cache(1)
 def _labels(path: str) -> GdalLabels:
     gdal.SetCacheMax(_CACHE_BYTES)

@@ -6,6 +6,9 @@ import contextlib
 import json
 import signal
 import sqlite3
+import subprocess
+import sys
+import time
 
 import numpy as np
 import pytest
@@ -71,6 +74,30 @@ def test_two_workers_of_which_one_is_killed_give_the_same_bytes(cluster, built, 
     workers[0].send_signal(signal.SIGKILL)
     _, errors = running.communicate(timeout=120)
     assert running.returncode == 0, errors
+    assert target.read_bytes() == built.read_bytes()
+
+
+def test_a_scheduler_and_workers_that_have_nothing_of_semref_give_the_same_bytes(cluster, built, label_map, tmp_path):
+    """Both run elsewhere, in a folder that has no code of ours."""
+    note = tmp_path / "scheduler.json"
+    programs = {"scheduler": ["--port", "0", "--no-dashboard"], "worker": ["--nthreads", "1"]}
+    running = []
+    try:
+        for name, options in programs.items():
+            order = [sys.executable, "-m", f"distributed.cli.dask_{name}", "--scheduler-file", str(note), *options]
+            running.append(subprocess.Popen(order, cwd=tmp_path, stderr=subprocess.DEVNULL))
+            for _ in range(600):
+                if note.exists() and note.read_text().strip().endswith("}"):
+                    break
+                time.sleep(0.1)
+        address, target = json.loads(note.read_text())["address"], tmp_path / "elsewhere.gpkg"
+        classes = ["--reference-classes", "building;water"]
+        result = cluster("build", label_map, "--database", target, *classes, *SETTINGS, "--scheduler", address)
+    finally:
+        for process in running[::-1]:
+            process.terminate()
+            process.wait(timeout=60)
+    assert result.returncode == 0, result.stderr
     assert target.read_bytes() == built.read_bytes()
 
 
