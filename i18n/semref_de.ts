@@ -184,6 +184,10 @@
    <translation>Ein Vektor aus {count} Landmarken ist zu kurz; mindestens {least} verwenden.</translation>
   </message>
   <message>
+   <source>A worker could not do its part ({reason}).</source>
+   <translation>Ein Worker konnte seinen Teil nicht tun ({reason}).</translation>
+  </message>
+  <message>
    <source>Accuracy of the map (map units)</source>
    <translation>Genauigkeit der Karte (Karteneinheiten)</translation>
   </message>
@@ -1750,6 +1754,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>JSON files (*.json)</source>
    <translation>JSON-Dateien (*.json)</translation>
+  </message>
+  <message>
+   <source>Joining landmarks</source>
+   <translation>Referenzobjekte werden verbunden</translation>
   </message>
   <message>
    <source>Keep results as layer</source>
@@ -3636,6 +3644,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
   <message>
+   <source>The database would replace the label map {path}; choose another name.</source>
+   <translation>Die Datenbank würde die Klassenkarte {path} ersetzen; wählen Sie einen anderen Namen.</translation>
+  </message>
+  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Die Abweichungen der Bewegung von Bild {first} zu Bild {second} widersprechen einander.</translation>
   </message>
@@ -4088,6 +4100,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der gespeicherte Zustand des Flugs hat Version {version}; diese Version liest {known}.</translation>
   </message>
   <message>
+   <source>The scheduler can't be reached any more ({reason}); see its log and start again.</source>
+   <translation>Der Scheduler ist nicht mehr erreichbar ({reason}); sehen Sie in sein Protokoll und beginnen Sie von vorn.</translation>
+  </message>
+  <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
    <translation>Die Suche wurde begrenzt: Häufige Muster wurden ausgelassen, sodass ein besserer Ort vielleicht nicht versucht wurde.</translation>
   </message>
@@ -4110,6 +4126,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Die Schrittweite ({stride} px) ist größer als das Fenster ({size} px), sodass Gelände zwischen den Fenstern fehlen würde; die Schrittweite höchstens so groß wie das Fenster wählen.</translation>
+  </message>
+  <message>
+   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
+   <translation>Die Schrittweite {stride:g} ist größer als die Fenstergröße {size:g}; wählen Sie eine kleinere.</translation>
   </message>
   <message>
    <source>The table of rules {path} can't be read: {reason}.</source>
@@ -4194,6 +4214,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
+  </message>
+  <message>
+   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
+   <translation>Unter {address} ist kein Scheduler ({reason}); starten Sie einen, oder nehmen Sie --local.</translation>
   </message>
   <message>
    <source>These images are one flight</source>
@@ -4666,6 +4690,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Without information</source>
    <translation>Ohne Hinweise</translation>
+  </message>
+  <message>
+   <source>Workers can't be started here ({reason}).</source>
+   <translation>Hier lassen sich keine Worker starten ({reason}).</translation>
   </message>
   <message>
    <source>World file</source>
@@ -5552,6 +5580,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{count} Punkte; {share:.0%} davon mit einem erwarteten Erfolg von {threshold:.0%} oder mehr.</translation>
   </message>
   <message>
+   <source>{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason.</source>
+   <translation>{count} Worker sind an einem Stück der Arbeit gestorben; geben Sie ihnen mehr Speicher, oder sehen Sie in ihren Protokollen nach dem Grund.</translation>
+  </message>
+  <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} misst nicht in Metern; ein projiziertes KBS in Metern als TARGET_CRS wählen.</translation>
   </message>
@@ -5808,6 +5840,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give numbers separated by “;”.</source>
+   <translation>{option} ist „{text}“; geben Sie Zahlen an, getrennt durch „;“.</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} braucht das Python-Paket {package}; installieren Sie es: pip install {package}.</translation>
   </message>
@@ -5946,6 +5982,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
    <translation>{path} hat kein Koordinatenbezugssystem; dem Layer ein metrisches zuweisen.</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; give it a metric one.</source>
+   <translation>{path} hat kein Koordinatenreferenzsystem; geben Sie ihm ein metrisches.</translation>
   </message>
   <message>
    <source>{path} has no frames that can be read.</source>
@@ -6284,6 +6324,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{path} wurde inzwischen von einem anderen Programm geändert; versuchen Sie es noch einmal.</translation>
   </message>
   <message>
+   <source>{path} was changed while it was read; start again when it stays as it is.</source>
+   <translation>{path} wurde geändert, während es gelesen wurde; beginnen Sie von vorn, wenn es bleibt, wie es ist.</translation>
+  </message>
+  <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>{path} wurde von einem anderen Programm halb geschrieben zurückgelassen und lässt sich an diesem Ort nicht reparieren; kopieren Sie die Datei zusammen mit {path}-journal oder {path}-wal an einen Ort, an dem Sie schreiben dürfen.</translation>
   </message>
@@ -6342,6 +6386,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} kann keine Umgebung anlegen ({reason}); unter Debian und Ubuntu python3-venv installieren, sonst ein anderes Python mit torch nennen.</translation>
+  </message>
+  <message>
+   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
+   <translation>{python} fehlt {package}; installieren Sie dort, was cluster/requirements.txt nennt, und GDAL, oder nehmen Sie ein anderes Python.</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>

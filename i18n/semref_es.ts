@@ -184,6 +184,10 @@
    <translation>Un vector de {count} hitos es demasiado corto; use al menos {least}.</translation>
   </message>
   <message>
+   <source>A worker could not do its part ({reason}).</source>
+   <translation>Un proceso de trabajo no pudo hacer su parte ({reason}).</translation>
+  </message>
+  <message>
    <source>Accuracy of the map (map units)</source>
    <translation>Exactitud del mapa (unidades del mapa)</translation>
   </message>
@@ -1750,6 +1754,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>JSON files (*.json)</source>
    <translation>Archivos JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Joining landmarks</source>
+   <translation>Uniendo objetos de referencia</translation>
   </message>
   <message>
    <source>Keep results as layer</source>
@@ -3636,6 +3644,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
+   <source>The database would replace the label map {path}; choose another name.</source>
+   <translation>La base de datos reemplazaría el mapa de etiquetas {path}; elija otro nombre.</translation>
+  </message>
+  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Las desviaciones del movimiento de la imagen {first} a la imagen {second} se contradicen.</translation>
   </message>
@@ -4088,6 +4100,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El estado guardado del vuelo es de la versión {version}; esta versión lee la {known}.</translation>
   </message>
   <message>
+   <source>The scheduler can't be reached any more ({reason}); see its log and start again.</source>
+   <translation>Ya no se puede acceder al planificador ({reason}); consulte su registro y empiece de nuevo.</translation>
+  </message>
+  <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
    <translation>La búsqueda se limitó: se omitieron patrones comunes, así que quizá no se probó un lugar mejor.</translation>
   </message>
@@ -4110,6 +4126,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>El paso ({stride} px) es mayor que la ventana ({size} px), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
+  </message>
+  <message>
+   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
+   <translation>El paso {stride:g} es mayor que el tamaño de ventana {size:g}; elija uno menor.</translation>
   </message>
   <message>
    <source>The table of rules {path} can't be read: {reason}.</source>
@@ -4194,6 +4214,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
+  </message>
+  <message>
+   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
+   <translation>No hay ningún planificador en {address} ({reason}); inicie uno o use --local.</translation>
   </message>
   <message>
    <source>These images are one flight</source>
@@ -4666,6 +4690,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Without information</source>
    <translation>Sin información</translation>
+  </message>
+  <message>
+   <source>Workers can't be started here ({reason}).</source>
+   <translation>No se pueden iniciar procesos de trabajo aquí ({reason}).</translation>
   </message>
   <message>
    <source>World file</source>
@@ -5552,6 +5580,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{count} puntos; {share:.0%} de ellos con un acierto esperado del {threshold:.0%} o más.</translation>
   </message>
   <message>
+   <source>{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason.</source>
+   <translation>{count} procesos de trabajo murieron con una misma parte del trabajo; deles más memoria o busque el motivo en sus registros.</translation>
+  </message>
+  <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} no mide en metros; elija un SRC proyectado en metros como TARGET_CRS.</translation>
   </message>
@@ -5808,6 +5840,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give numbers separated by “;”.</source>
+   <translation>{option} es «{text}»; indique números separados por «;».</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
   </message>
@@ -5946,6 +5982,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
    <translation>{path} no tiene sistema de referencia de coordenadas; asigne uno métrico a la capa.</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; give it a metric one.</source>
+   <translation>{path} no tiene sistema de referencia de coordenadas; asígnele uno métrico.</translation>
   </message>
   <message>
    <source>{path} has no frames that can be read.</source>
@@ -6284,6 +6324,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>Otro programa cambió {path} entretanto; inténtelo de nuevo.</translation>
   </message>
   <message>
+   <source>{path} was changed while it was read; start again when it stays as it is.</source>
+   <translation>{path} se modificó mientras se leía; empiece de nuevo cuando ya no cambie.</translation>
+  </message>
+  <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>Otro programa dejó {path} a medio escribir y no se puede reparar donde está; cópielo junto con el archivo {path}-journal o {path}-wal a un lugar donde pueda escribir.</translation>
   </message>
@@ -6342,6 +6386,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} no puede crear un entorno ({reason}); en Debian y Ubuntu instale python3-venv, en otros sistemas indique otro Python con torch.</translation>
+  </message>
+  <message>
+   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
+   <translation>A {python} le falta {package}; instale allí lo que nombra cluster/requirements.txt y GDAL, o use otro Python.</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>

@@ -184,6 +184,10 @@
    <translation>Un vecteur de {count} repères visuels est trop court ; utilisez-en au moins {least}.</translation>
   </message>
   <message>
+   <source>A worker could not do its part ({reason}).</source>
+   <translation>Un processus de travail n’a pas pu faire sa part ({reason}).</translation>
+  </message>
+  <message>
    <source>Accuracy of the map (map units)</source>
    <translation>Exactitude de la carte (unités de carte)</translation>
   </message>
@@ -1750,6 +1754,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>JSON files (*.json)</source>
    <translation>Fichiers JSON (*.json)</translation>
+  </message>
+  <message>
+   <source>Joining landmarks</source>
+   <translation>Réunion des objets de référence</translation>
   </message>
   <message>
    <source>Keep results as layer</source>
@@ -3636,6 +3644,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
+   <source>The database would replace the label map {path}; choose another name.</source>
+   <translation>La base de données remplacerait la carte d’étiquettes {path} ; choisissez un autre nom.</translation>
+  </message>
+  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Les écarts du mouvement de l’image {first} à l’image {second} se contredisent.</translation>
   </message>
@@ -4088,6 +4100,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’état enregistré du vol est de version {version} ; cette version lit la {known}.</translation>
   </message>
   <message>
+   <source>The scheduler can't be reached any more ({reason}); see its log and start again.</source>
+   <translation>L’ordonnanceur n’est plus joignable ({reason}) ; consultez son journal et recommencez.</translation>
+  </message>
+  <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
    <translation>La recherche a été limitée : des motifs courants ont été laissés de côté, un meilleur lieu n’a donc peut-être pas été essayé.</translation>
   </message>
@@ -4110,6 +4126,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Le pas ({stride} px) est plus grand que la fenêtre ({size} px), si bien que du terrain manquerait entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
+  </message>
+  <message>
+   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
+   <translation>Le pas {stride:g} est plus grand que la taille de fenêtre {size:g} ; choisissez-en un plus petit.</translation>
   </message>
   <message>
    <source>The table of rules {path} can't be read: {reason}.</source>
@@ -4194,6 +4214,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
+  </message>
+  <message>
+   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
+   <translation>Aucun ordonnanceur à {address} ({reason}) ; démarrez-en un, ou utilisez --local.</translation>
   </message>
   <message>
    <source>These images are one flight</source>
@@ -4666,6 +4690,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Without information</source>
    <translation>Sans les informations</translation>
+  </message>
+  <message>
+   <source>Workers can't be started here ({reason}).</source>
+   <translation>Impossible de démarrer des processus de travail ici ({reason}).</translation>
   </message>
   <message>
    <source>World file</source>
@@ -5552,6 +5580,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{count} points ; {share:.0%} d’entre eux avec une réussite attendue de {threshold:.0%} ou plus.</translation>
   </message>
   <message>
+   <source>{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason.</source>
+   <translation>{count} processus de travail sont morts sur une même partie du travail ; donnez-leur plus de mémoire, ou cherchez la raison dans leurs journaux.</translation>
+  </message>
+  <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} ne mesure pas en mètres ; choisissez un SCR projeté en mètres comme TARGET_CRS.</translation>
   </message>
@@ -5808,6 +5840,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give numbers separated by “;”.</source>
+   <translation>{option} est « {text} » ; indiquez des nombres séparés par « ; ».</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
   </message>
@@ -5946,6 +5982,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
    <translation>{path} n’a pas de système de coordonnées de référence ; attribuez-en un métrique à la couche.</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; give it a metric one.</source>
+   <translation>{path} n’a pas de système de coordonnées de référence ; donnez-lui-en un métrique.</translation>
   </message>
   <message>
    <source>{path} has no frames that can be read.</source>
@@ -6284,6 +6324,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{path} a été modifié entre-temps par un autre programme ; réessayez.</translation>
   </message>
   <message>
+   <source>{path} was changed while it was read; start again when it stays as it is.</source>
+   <translation>{path} a été modifié pendant sa lecture ; recommencez quand il ne changera plus.</translation>
+  </message>
+  <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>{path} a été laissé à moitié écrit par un autre programme et ne peut être réparé à cet endroit ; copiez-le avec le fichier {path}-journal ou {path}-wal à un endroit où vous pouvez écrire.</translation>
   </message>
@@ -6342,6 +6386,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} ne peut pas créer d’environnement ({reason}) ; sous Debian et Ubuntu, installez python3-venv, ailleurs indiquez un autre Python avec torch.</translation>
+  </message>
+  <message>
+   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
+   <translation>{package} manque à {python} ; installez-y ce que nomme cluster/requirements.txt et GDAL, ou utilisez un autre Python.</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>

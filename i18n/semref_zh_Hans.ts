@@ -184,6 +184,10 @@
    <translation>由 {count} 个地标组成的向量太短；请至少使用 {least} 个。</translation>
   </message>
   <message>
+   <source>A worker could not do its part ({reason}).</source>
+   <translation>一个工作进程无法完成其部分（{reason}）。</translation>
+  </message>
+  <message>
    <source>Accuracy of the map (map units)</source>
    <translation>地图精度（地图单位）</translation>
   </message>
@@ -1750,6 +1754,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>JSON files (*.json)</source>
    <translation>JSON 文件 (*.json)</translation>
+  </message>
+  <message>
+   <source>Joining landmarks</source>
+   <translation>正在合并参考对象</translation>
   </message>
   <message>
    <source>Keep results as layer</source>
@@ -3636,6 +3644,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
   <message>
+   <source>The database would replace the label map {path}; choose another name.</source>
+   <translation>数据库会替换标签图 {path}；请选择其他名称。</translation>
+  </message>
+  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>从图像 {first} 到图像 {second} 的运动偏差相互矛盾。</translation>
   </message>
@@ -4088,6 +4100,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>已保存的航飞状态为版本 {version}；本版本可读取 {known}。</translation>
   </message>
   <message>
+   <source>The scheduler can't be reached any more ({reason}); see its log and start again.</source>
+   <translation>无法再连接到调度器（{reason}）；请查看其日志并重新开始。</translation>
+  </message>
+  <message>
    <source>The search was capped: common patterns were left out, so a better place may not have been tried.</source>
    <translation>搜索受到限制：常见的模式被略去，因此可能有更好的位置未被尝试。</translation>
   </message>
@@ -4110,6 +4126,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>步长（{stride} px）大于窗口（{size} px），窗口之间的地面会被遗漏；步长请不要超过窗口大小。</translation>
+  </message>
+  <message>
+   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
+   <translation>步长 {stride:g} 大于窗口大小 {size:g}；请选择较小的步长。</translation>
   </message>
   <message>
    <source>The table of rules {path} can't be read: {reason}.</source>
@@ -4194,6 +4214,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>{folder} 中没有可继续的运行。</translation>
+  </message>
+  <message>
+   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
+   <translation>{address} 处没有调度器（{reason}）；请启动一个，或使用 --local。</translation>
   </message>
   <message>
    <source>These images are one flight</source>
@@ -4666,6 +4690,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Without information</source>
    <translation>不含信息级</translation>
+  </message>
+  <message>
+   <source>Workers can't be started here ({reason}).</source>
+   <translation>无法在此启动工作进程（{reason}）。</translation>
   </message>
   <message>
    <source>World file</source>
@@ -5552,6 +5580,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{count} 个点；其中 {share:.0%} 的预期成功率达 {threshold:.0%} 以上。</translation>
   </message>
   <message>
+   <source>{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason.</source>
+   <translation>有 {count} 个工作进程因同一块工作而终止；请为其提供更多内存，或在其日志中查找原因。</translation>
+  </message>
+  <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} 不以米为单位；请选择以米为单位的投影坐标参照系作为 TARGET_CRS。</translation>
   </message>
@@ -5808,6 +5840,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give numbers separated by “;”.</source>
+   <translation>{option} 为“{text}”；请给出以“;”分隔的数字。</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} 需要 Python 包 {package}；请安装：pip install {package}。</translation>
   </message>
@@ -5946,6 +5982,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{path} has no coordinate reference system; assign a metric one to the layer.</source>
    <translation>{path} 没有坐标参照系；请为该图层指定以米为单位的坐标参照系。</translation>
+  </message>
+  <message>
+   <source>{path} has no coordinate reference system; give it a metric one.</source>
+   <translation>{path} 没有坐标参考系；请为其指定一个以米为单位的坐标参考系。</translation>
   </message>
   <message>
    <source>{path} has no frames that can be read.</source>
@@ -6284,6 +6324,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{path} 在此期间被另一个程序更改；请重试。</translation>
   </message>
   <message>
+   <source>{path} was changed while it was read; start again when it stays as it is.</source>
+   <translation>{path} 在读取期间被更改；请在其不再变化时重新开始。</translation>
+  </message>
+  <message>
    <source>{path} was left half written by another program and can't be mended where it lies; copy it with the file {path}-journal or {path}-wal to a place where you may write.</source>
    <translation>{path} 被另一个程序写了一半，且无法在原处修复；请将它连同 {path}-journal 或 {path}-wal 文件复制到可写的位置。</translation>
   </message>
@@ -6342,6 +6386,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} 无法创建环境（{reason}）；在 Debian 和 Ubuntu 上请安装 python3-venv，其他系统请指定另一个带 torch 的 Python。</translation>
+  </message>
+  <message>
+   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
+   <translation>{python} 缺少 {package}；请在其中安装 cluster/requirements.txt 所列的包和 GDAL，或使用另一个 Python。</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>

@@ -79,7 +79,7 @@ def stored_index(
     if parts is None or not _fit(parts, references, settings):
         parts = index_parts(references, pixel_size_m, settings)
         if secret is None or not write_parts(path, key, secret, parts):
-            _LOG.warning("index_not_kept", extra={"details": {"database": database}})
+            _LOG.log(logging.WARNING, "index_not_kept", extra={"details": {"database": database}})
     return index_of_parts(references, pixel_size_m, settings, parts)
 
 
