@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any, Optional
 
 import numpy as np
 
-from bench import inputs, page, particles, two_dates
+from bench import inputs, kept, page, particles, two_dates
 from bench.correlation import BUILDINGS
 from bench.flown import Flown, Kind, draw
 from bench.ground import Ground
@@ -31,6 +32,9 @@ NOTHING_COUNT = 10
 
 WRONG_SHARE = 0.1
 """A pose farther off than this share of an image's edge is wrong."""
+
+PACKAGES = (*kept.OF_ALL, "flight")
+"""Of core that the figures come from."""
 
 AT = (1, 2, 3, 5, 10, 20, 30)
 EVERY = 10
@@ -77,13 +81,16 @@ TWO_DATES = Case(
 )
 
 
+Seen = Optional[list[float]]
+"""Of an image that is placed: error in meters, edge of its ground, whether the ellipse holds it (1 or 0), its risk."""
+
+
 @dataclass(frozen=True)
 class Tried:
-    """One flight and what came of it: the whole flight's poses, and those known image by image."""
+    """One flight and what came of it: the whole flight's poses, those known image by image, seconds an image."""
 
-    flown: Flown
-    whole: Sequence[FlightPose]
-    causal: Sequence[FlightPose]
+    whole: Sequence[Seen]
+    causal: Sequence[Seen]
     seconds: Sequence[float]
 
 
@@ -101,13 +108,15 @@ def measure(run: inputs.Run) -> dict[str, str]:
         if here is None:
             continue
         here = here.known_elsewhere() if case.is_elsewhere else here
-        tried = _tried(here, case, max(1, round(case.share * count)), number)
+        total = max(1, round(case.share * count))
+        tried = [Tried(**_kept(run, here, case, number, n, "flown", _fly)) for n in range(total)]
         rows.append(_cells(case, tried))
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
         if case.is_somewhere:
             steps.append([case.name, *_by_number(tried)])
         if case.is_alone:
-            beside += _beside(here, case, tried, number)
+            ways = [_kept(run, here, case, number, n, "beside", _ways) for n in range(total)]
+            beside += [_way(f"{case.name}: {name}", [way[name] for way in ways]) for name in ways[0]]
             print("  " + " | ".join(beside[-1]), file=sys.stderr, flush=True)
         counts.append(len(tried))
     text = [_ABOUT.format(half=run.half, displaced=DISPLACED_M, wrong=100 * WRONG_SHARE, every=EVERY)]
@@ -125,37 +134,48 @@ def _two_dates(run: inputs.Run) -> Ground | None:
     return Ground(labels, content, size_px=round(CHRISTCHURCH_M / two_dates.PIXEL_SIZE_M))
 
 
-def _tried(ground: Ground, case: Case, count: int, seed: int) -> list[Tried]:
-    found = []
-    for number in range(count):
-        flown = draw(ground, case.kind, np.random.default_rng([SEED, seed, number]))
-        flown = flown.mirrored() if case.is_mirrored else flown
-        solver, seconds = FlightSolver(ground.localizer), []
-        started = time.process_time()
-        for _ in solver.steps(flown.images, flown.links):
-            seconds.append(time.process_time() - started)
-            started = time.process_time()
-        found.append(Tried(flown, solver.result.poses, solver.causal, seconds))
-        print(f"    {case.name} {number}: {_short(found[-1])}", file=sys.stderr, flush=True)
+def _kept(
+    run: inputs.Run, ground: Ground, case: Case, seed: int, number: int, what: str, measured: Callable
+) -> dict[str, Any]:
+    """What a flight came to, measured unless this state of the code has done so."""
+
+    def now(part: int, _: int) -> dict[str, Any]:
+        flown = draw(ground, case.kind, np.random.default_rng([SEED, seed, part]))
+        return measured(ground, flown.mirrored() if case.is_mirrored else flown, [SEED, seed, part])
+
+    found = kept.part(run, "flights", f"{case.name} {what}", number, 1, now, PACKAGES)
+    if what == "flown":
+        print(f"    {case.name} {number}: {_short(Tried(**found))}", file=sys.stderr, flush=True)
     return found
 
 
+def _fly(ground: Ground, flown: Flown, _: Sequence[int]) -> dict[str, Any]:
+    solver, seconds = FlightSolver(ground.localizer), []
+    started = time.process_time()
+    for done, _count in solver.steps(flown.images, flown.links):
+        # Looks back at images count with the last one.
+        seconds += [0.0] * (done - len(seconds))
+        seconds[-1] += time.process_time() - started
+        started = time.process_time()
+    seconds[-1] += time.process_time() - started
+    ways = {"whole": solver.result.poses, "causal": solver.causal}
+    seen = {name: [_seen(pose, view) for pose, view in zip(poses, flown.views)] for name, poses in ways.items()}
+    return {**seen, "seconds": seconds}
+
+
+def _seen(pose: FlightPose, view: View) -> Seen:
+    if not pose.is_fix:
+        return None
+    off = np.subtract(pose.place.position, view.position)
+    square = float(off @ np.linalg.solve(np.array(pose.covariance.position), off))
+    return [float(np.hypot(*off)), view.footprint, float(square <= -2 * np.log(0.05)), float(pose.risk)]
+
+
 def _short(tried: Tried) -> str:
-    errors = [error(p, v) for p, v in zip(tried.whole, tried.flown.views) if p.is_fix]
-    first = next((p.number + 1 for p in tried.causal if p.is_fix), None)
+    errors = [seen[0] for seen in tried.whole if seen]
+    first = next((n for n, seen in enumerate(tried.causal, 1) if seen), None)
     middle = f"{np.median(errors):.1f} m, at most {max(errors):.1f} m" if errors else "–"
     return f"{len(errors)}/{len(tried.whole)} placed, known from image {first}, {middle}, {sum(tried.seconds):.0f} s"
-
-
-def error(pose: FlightPose, view: View) -> float:
-    """Meters of a placed image."""
-    return float(np.hypot(*np.subtract(pose.place.position, view.position)))
-
-
-def is_held(pose: FlightPose, view: View) -> bool:
-    """Whether the 95 % ellipse holds the true position."""
-    off = np.subtract(pose.place.position, view.position)
-    return bool(off @ np.linalg.solve(np.array(pose.covariance.position), off) <= -2 * np.log(0.05))
 
 
 COLUMNS = (
@@ -172,85 +192,83 @@ COLUMNS = (
 
 
 def _cells(case: Case, tried: Sequence[Tried]) -> list[str]:
-    pairs = [(pose, view) for one in tried for pose, view in zip(one.whole, one.flown.views)]
-    placed = [(pose, view) for pose, view in pairs if pose.is_fix]
-    wrong = [pair for pair in placed if not case.is_somewhere or is_wrong(*pair)]
-    lost = sum(any(p.is_fix and (not case.is_somewhere or is_wrong(p, v)) for p, v in _both(one)) for one in tried)
+    images = [seen for one in tried for seen in one.whole]
+    placed = [seen for seen in images if seen]
+    wrong = [seen for seen in placed if not case.is_somewhere or is_wrong(seen)]
+    lost = sum(
+        any(seen and (not case.is_somewhere or is_wrong(seen)) for seen in (*one.whole, *one.causal)) for one in tried
+    )
     told = placed if case.is_somewhere else []
-    errors = [error(*pair) for pair in told]
     seconds = np.concatenate([one.seconds for one in tried])
-    held = np.concatenate([[pose.is_fix for pose in one.causal] for one in tried])
+    held = np.concatenate([[seen is not None for seen in one.causal] for one in tried])
     parts = [f"{np.median(seconds[part]):.1f}" if part.any() else "–" for part in (~held, held)]
+    errors = [seen[0] for seen in told]
     return [
         case.name,
-        f"{len(tried)}, {len(pairs)}",
-        page.rate(len(placed), len(pairs)),
-        page.rate(len(wrong), len(pairs)),
+        f"{len(tried)}, {len(images)}",
+        page.rate(len(placed), len(images)),
+        page.rate(len(wrong), len(images)),
         page.rate(lost, len(tried)),
         f"{np.median(errors):.1f} m, {np.percentile(errors, 95):.1f} m" if errors else "–",
-        page.rate(sum(is_held(*pair) for pair in told), len(told)),
-        f"{sum(pose.risk for pose, _ in told):.1f}" if told else "–",
+        page.rate(round(sum(seen[2] for seen in told)), len(told)),
+        f"{sum(seen[3] for seen in told):.1f}" if told else "–",
         f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}; {parts[0]}, {parts[1]}",
     ]
 
 
-def _both(one: Tried) -> list[tuple[FlightPose, View]]:
-    return list(zip((*one.whole, *one.causal), (*one.flown.views, *one.flown.views)))
-
-
-def is_wrong(pose: FlightPose, view: View) -> bool:
+def is_wrong(seen: list[float]) -> bool:
     """Whether a placed image is somewhere else."""
-    return error(pose, view) > WRONG_SHARE * view.footprint
+    return seen[0] > WRONG_SHARE * seen[1]
 
 
 def _by_number(tried: Sequence[Tried]) -> list[str]:
     """Known after so many images, from these alone: share of flights, median error, share in the ellipse."""
     cells = []
     for number in AT:
-        known = [(one.causal[number - 1], one.flown.views[number - 1]) for one in tried if number <= len(one.causal)]
-        placed = [pair for pair in known if pair[0].is_fix]
+        known = [one.causal[number - 1] for one in tried if number <= len(one.causal)]
+        placed = [seen for seen in known if seen]
         if not placed:
             cells.append(f"0/{len(known)}" if known else "–")
             continue
-        held = sum(is_held(*pair) for pair in placed)
-        middle = np.median([error(*pair) for pair in placed])
-        cells.append(f"{len(placed)}/{len(known)}, {middle:.1f} m, {held}/{len(placed)}")
+        middle = np.median([seen[0] for seen in placed])
+        cells.append(
+            f"{len(placed)}/{len(known)}, {middle:.1f} m, {round(sum(seen[2] for seen in placed))}/{len(placed)}"
+        )
     return cells
 
 
 BESIDE_COLUMNS = ("way", "placed", "wrong", "median error", "s an image, median")
 
 
-def _beside(ground: Ground, case: Case, tried: Sequence[Tried], seed: int) -> list[list[str]]:
-    """Single images by Automatic, and particle filters over the same flights."""
-    alone, seconds = [], []
-    for one in tried:
-        for image, view in list(zip(one.flown.images, one.flown.views))[::EVERY]:
-            started = time.process_time()
-            found = ground.localizer.localize(image.labels_hw, Method.AUTOMATIC, image.prior)
-            seconds.append(time.process_time() - started)
-            off = None if found.position is None else float(np.hypot(*np.subtract(found.position, view.position)))
-            alone.append((off, view))
-    rows = [_way(f"{case.name}: each image alone, automatic", alone, seconds)]
+def _ways(ground: Ground, flown: Flown, seed: Sequence[int]) -> dict[str, Any]:
+    """Single images by Automatic, and particle filters over the same flight: (error or None, edge, seconds)."""
+    alone = []
+    for image, view in list(zip(flown.images, flown.views))[::EVERY]:
+        started = time.process_time()
+        found = ground.localizer.localize(image.labels_hw, Method.AUTOMATIC, image.prior)
+        seconds = time.process_time() - started
+        off = None if found.position is None else float(np.hypot(*np.subtract(found.position, view.position)))
+        alone.append([off, view.footprint, seconds])
+    ways = {"each image alone, automatic": alone}
     for count in PARTICLES:
-        poses, seconds = [], []
-        for number, one in enumerate(tried):
-            started = time.process_time()
-            rng = np.random.default_rng([SEED, seed, number, count])
-            for pose, view in zip(particles.follow(ground.database, one.flown, count, rng), one.flown.views):
-                off = float(np.hypot(*np.subtract(pose.position, view.position)))
-                poses.append((off if pose.is_converged else None, view))
-            seconds.append((time.process_time() - started) / len(one.flown.views))
-        rows.append(_way(f"{case.name}: {count:,} particles, pixel size told exactly", poses, seconds))
-    return rows
+        poses, started = [], time.process_time()
+        rng = np.random.default_rng([*seed, count])
+        for pose, view in zip(particles.follow(ground.database, flown, count, rng), flown.views):
+            off = float(np.hypot(*np.subtract(pose.position, view.position)))
+            poses.append([off if pose.is_converged else None, view.footprint])
+        seconds = (time.process_time() - started) / len(flown.views)
+        ways[f"{count:,} particles, pixel size told exactly"] = [[*pose, seconds] for pose in poses]
+    return ways
 
 
-def _way(name: str, found: Sequence[tuple[float | None, View]], seconds: Sequence[float]) -> list[str]:
-    wrong = sum(off is not None and off > WRONG_SHARE * view.footprint for off, view in found)
-    right = [off for off, view in found if off is not None and off <= WRONG_SHARE * view.footprint]
-    placed = len(right) + wrong
+def _way(name: str, flights: Sequence[Sequence[Sequence]]) -> list[str]:
+    found = [image for images in flights for image in images]
+    placed = [(off, edge) for off, edge, _ in found if off is not None]
+    right = [off for off, edge in placed if off <= WRONG_SHARE * edge]
     middle = f"{np.median(right):.1f} m" if right else "–"
-    return [name, page.rate(placed, len(found)), page.rate(wrong, len(found)), middle, f"{np.median(seconds):.2f}"]
+    seconds = float(np.median([seconds for _, _, seconds in found]))
+    wrong = len(placed) - len(right)
+    return [name, page.rate(len(placed), len(found)), page.rate(wrong, len(found)), middle, f"{seconds:.2f}"]
 
 
 _ABOUT = """\
