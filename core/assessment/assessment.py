@@ -120,7 +120,7 @@ class Assessment:
         self.footprint = footprint
         self.correlation = correlation
         self._database = database
-        self._localizer = localizer
+        self.localizer = localizer
         self._seed = seed
         self._texture = _texture(database, footprint)
         self.model: SuccessModel | None = None
@@ -212,7 +212,7 @@ class Assessment:
             numbers: ln(1 + landmarks), ln(1 + evidence they would be if all were found), spread of ln area, share of
             the commonest class, share of the ground with labels, texture of class areas.
         """
-        index = self._localizer.index
+        index = self.localizer.index
         pixel, references = self.simulator.pixel, self._database.references
         log_areas_px = index.log_areas - 2 * math.log(pixel)
         chance = 2 * math.pi * center_noise(log_areas_px, pixel, index.settings) ** 2 * index.densities

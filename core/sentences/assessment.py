@@ -19,5 +19,10 @@ SENTENCES = {
     ),
     "assessment.footprint": "The footprint is {footprint:g}; give the edge of the ground that an image shows.",
     "assessment.no_landmark": "{source} has no landmark; build it with other classes or a smaller area.",
+    "assessment.no_overview": "{source} has no overview, by which flights are simulated; build it with one.",
+    "assessment.too_many_flights": (
+        "The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger "
+        "distance between images."
+    ),
     "simulation.noise": "Noise: {name} is {value:g}; give a number from 0 to {most:g}.",
 }

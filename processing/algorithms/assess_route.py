@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -18,7 +19,7 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...storage.route_files import is_waypoint_file
 from ..compat import POINT, SOURCE_LINE
-from ..framework import offers
+from ..framework import offers, route_flights
 from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.declarations import Number, NumberResult, PointOutput, VectorSource
@@ -53,6 +54,7 @@ FIELDS = (
     ("shift_success", "real"),
     ("reason", "text"),
     ("stretch", "text"),
+    *route_flights.FIELDS,
 )
 
 
@@ -132,8 +134,10 @@ class AssessRoute(AssessAlgorithm):
             offers.report(
                 tr("Profile of expected success along the route, and its gaps, in one file to read and print.")
             ),
+            *route_flights.parameters(),
             NumberResult(self.LONGEST_GAP, tr("Longest gap")),
             NumberResult(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
+            *route_flights.results(),
         )
 
     def _lengths(self) -> tuple[Declared, ...]:
@@ -188,23 +192,32 @@ class AssessRoute(AssessAlgorithm):
             raise ParameterError("algorithms.route_outside_map")
         assessment = self.assessment(values, database, self.indexed(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)
-        estimates = self._estimated(assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65))
+        part = route_flights.share_before(values)
+        estimates = self._estimated(
+            assessment, points.places, min(spacing, footprint / 10), count, feedback, (5, 65 * part)
+        )
         # Off the map there is nothing to agree with.
         for name in ("success", "low", "high"):
             getattr(estimates, name)[~inside] = 0.0
         threshold = self.threshold(values)
         stretches = gaps(points, estimates.success, threshold)
         largest = values.optional_number(self.SHIFT, footprint)
-        hints = self._hints(assessment, points, estimates, stretches, largest, count, feedback)
+        hints = self._hints(assessment, points, estimates, stretches, largest, count, feedback, part)
         speed = values.optional_number(self.SPEED) or None
         route = AssessedRoute(points, estimates, inside, stretches, hints, footprint, spacing, threshold, speed)
+        lines = lines_in(self._route, crs, values.transform_context)
+        flown = route_flights.flown(
+            values, database, assessment.localizer, lines, self.conditions(values), footprint, feedback
+        )
+        route = replace(route, flown=flown)
         check_canceled(feedback)
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, self._report(values, database, route, assessment))
         self._write_points(outputs, route, crs)
         longest = max((gap.length for gap in stretches), default=0.0)
         self._say(route, longest, feedback)
-        return {self.LONGEST_GAP: longest, **({self.LONGEST_GAP_SECONDS: longest / speed} if speed else {})}
+        seconds = {self.LONGEST_GAP_SECONDS: longest / speed} if speed else {}
+        return {self.LONGEST_GAP: longest, **seconds, **route_flights.told(route)}
 
     def _estimated(
         self,
@@ -229,6 +242,7 @@ class AssessRoute(AssessAlgorithm):
         largest: float,
         count: int,
         feedback: QgsProcessingFeedback,
+        part: float,
     ) -> list[ShiftHint | None]:
         """A hint, or None, for each stretch: all shifts of all stretches are simulated together."""
         from ...core.assessment.route import SHIFTS, best_shift
@@ -239,9 +253,9 @@ class AssessRoute(AssessAlgorithm):
         chosen = np.concatenate([gap.points for gap in stretches])
         places = np.concatenate([points.shifted(chosen, offset) for offset in offsets])
         feedback.pushInfo(tr("Looking for better lines beside {count} gaps.").format(count=len(stretches)))
-        found = self._estimated(assessment, places, 0.0, max(count // 2, 1), feedback, (65, 95)).success.reshape(
-            len(offsets), -1
-        )
+        found = self._estimated(
+            assessment, places, 0.0, max(count // 2, 1), feedback, (65 * part, 95 * part)
+        ).success.reshape(len(offsets), -1)
         ends = np.cumsum([len(gap.points) for gap in stretches])
         return [
             best_shift(estimates.success[gap.points], offsets, list(found[:, end - len(gap.points) : end]))
@@ -264,11 +278,13 @@ class AssessRoute(AssessAlgorithm):
         from ...core.assessment.route import stretch
         from ..exchange.assessment_styles import route_look
 
+        nearest = np.zeros(0) if route.flown is None else route.flown.at(route.points)
         gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}
         with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, route_look(route.threshold)) as sink:
             for n, (x, y) in enumerate(route.points.places.tolist()):
                 attributes = _values(route, n, *gap_of.get(n, (None, None)))
                 attributes["stretch"] = _wkt(stretch(route.points, n))
+                attributes.update({} if route.flown is None else route_flights.columns(route.flown, int(nearest[n])))
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(x, y)), attributes)
 
     def _say(self, route: AssessedRoute, longest: float, feedback: QgsProcessingFeedback) -> None:

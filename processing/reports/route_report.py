@@ -10,11 +10,13 @@ from html import escape
 import numpy as np
 
 from ...core.assessment.assessment import Estimates
+from ...core.assessment.flights import FlownRoute
 from ...core.assessment.route import Gap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
 from ..translation import tr
 from . import page
 from .assessment_report import assumed, reason_titles
+from .route_flights import flown_parts
 
 WIDTH, HEIGHT = 960, 300
 LEFT, RIGHT, TOP, BOTTOM = 56, 56, 16, 46
@@ -23,7 +25,7 @@ LEFT, RIGHT, TOP, BOTTOM = 56, 56, 16, 46
 @dataclass(frozen=True)
 class AssessedRoute:
     """Points of a route with what to expect there. inside: (N,) on the map; stretches: without an expected fix, with a
-    hint or None each; footprint, spacing: map units; speed: m/s or None."""
+    hint or None each; footprint, spacing: map units; speed: m/s or None; flown: flights along it, None for none."""
 
     points: RoutePoints
     estimates: Estimates
@@ -34,6 +36,7 @@ class AssessedRoute:
     spacing: float
     threshold: float
     speed: float | None
+    flown: FlownRoute | None = None
 
 
 def route_html(
@@ -60,8 +63,19 @@ def route_html(
         page.paragraph(assumed(conditions, correlation)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
+        *(
+            []
+            if route.flown is None
+            else [page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint))]
+        ),
         page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings)),
     )
+
+
+def _in_flight(route: AssessedRoute) -> list[str]:
+    if route.flown is None:
+        return []
+    return [page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint))]
 
 
 def profile(route: AssessedRoute, line: int) -> str:

@@ -118,6 +118,9 @@ def _assessment() -> dict[str, str]:
         "shift": tr("Shift to the right that helps (m)"),
         "shift_success": tr("Expected success when shifted"),
         "stretch": tr("Stretch of the route (WKT)"),
+        "flight_placed": tr("Share of the flights with a position"),
+        "flight_radius": tr("95 % radius in flight (m)"),
+        "flight_lost": tr("Share of the flights that lose their track"),
     }
 
 

@@ -71,7 +71,7 @@ MAY_IMPORT = {
         "annotation": {"geometry", "landmarks"},
         "simulation": {"geometry", "labels", "landmarks"},
         "evaluation": ABOVE_THE_IMAGE,
-        "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation"},
+        "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation", "flight"},
         "sample": {"geometry", "simulation"},
         "__main__": {"onboard"},
     },

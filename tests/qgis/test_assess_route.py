@@ -263,3 +263,35 @@ def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(
     wrapped = QgsProcessingFeatureSourceDefinition(str(path), False)
     assert algorithm.checkParameterValues({**given, "ROUTE": wrapped}, context)[0]
     assert not algorithm.checkParameterValues({**given, "ROUTE": "no layer"}, context)[0]
+
+
+@pytest.mark.slow
+def test_flights_tell_where_they_have_a_position_and_how_exactly(run_algorithm, database, tmp_path):
+    layer = write_layer(tmp_path / "route.gpkg", [(line([(110, 300), (480, 300)]), "a")])
+    parameters = {
+        "DATABASE": database,
+        "ROUTE": str(layer),
+        "FOOTPRINT": 220,
+        "SPACING": 90,
+        "TRIALS": 2,
+        "MAP_CORRELATION": False,
+        "SHIFT": 0,
+        "FLIGHTS": 2,
+        "OUTPUT": str(tmp_path / "points.gpkg"),
+        "REPORT": str(tmp_path / "report.html"),
+    }
+    results = run_algorithm(ASSESS, parameters)
+    dataset = gdal.OpenEx(results["OUTPUT"])
+    rows = [feature.items() for feature in dataset.GetLayer(0)]
+    assert list(rows[0])[-3:] == ["flight_placed", "flight_radius", "flight_lost"]
+    assert 0 <= results["FIRST_POSITION"] <= 300 and rows[-1]["flight_placed"] == 1
+    assert 0 < rows[-1]["flight_radius"] <= results["LARGEST_RADIUS"]
+    assert all(row["flight_lost"] == 0 for row in rows)
+    text = Path(results["REPORT"]).read_text(encoding="utf-8")
+    assert "In flight" in text and "first position after" in text
+
+
+@pytest.mark.slow
+def test_without_flights_their_columns_are_empty(assessed):
+    assert {row["flight_placed"] for row in assessed[1]} == {None}
+    assert "FIRST_POSITION" not in assessed[0]

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from bench.ground import Ground
+from semref.core.assessment.flights import SIZE_KNOWN, link_between
 from semref.core.flight.model import FlightImage
-from semref.core.flight.motion import Link, as_rows
-from semref.core.geometry.pose import turn_of
+from semref.core.flight.motion import Link
 from semref.core.localization import Prior
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import LabelNoise
@@ -21,12 +21,6 @@ BEND_DEG = 6.0
 
 CRAB_DEG = 10.0
 """Headings differ from courses by so much at most, the same all along a flight."""
-
-TURN_DEG, SCALE = 0.3, 0.003
-"""Deviations of what a link tells of turn and ln pixel size."""
-
-SIZE_KNOWN = 1.1
-"""Ratio to either side that the pixel size is told with: a height over ground known to 10 %."""
 
 LEAST_LABELED, LEAST_PIXEL = 0.7, 0.5
 
@@ -102,7 +96,7 @@ def _told(
 ) -> tuple[list[FlightImage], list[Link]]:
     """Images and links as a flight has them."""
     bias = complex(*rng.normal(0, kind.drift, 2))
-    links = [_link(number, pair, kind, bias, rng) for number, pair in enumerate(zip(views, views[1:]))]
+    links = [link_between(number, pair, kind.drift, bias, rng) for number, pair in enumerate(zip(views, views[1:]))]
     if kind.missing:
         links = [link for link in links if link.second % kind.missing]
     images = []
@@ -114,15 +108,3 @@ def _told(
         sizes = view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN
         images.append(FlightImage(f"{number:03d}", labels, time_s=float(number), prior=Prior(pixel_size_range=sizes)))
     return images, links
-
-
-def _link(number: int, pair: tuple[View, View], kind: Kind, bias: complex, rng: np.random.Generator) -> Link:
-    """The motion between two views as it is measured, with what its deviations are."""
-    turns = [turn_of(view.heading_deg, view.pixel_size) for view in pair]
-    step = (complex(*pair[1].position) - complex(*pair[0].position)) / turns[0]
-    ratio, off = turns[1] / turns[0], kind.drift * abs(step)
-    step += step * bias + complex(*rng.normal(0, off, 2))
-    turn = float(-np.angle(ratio) + rng.normal(0, np.radians(TURN_DEG)))
-    size = float(np.log(abs(ratio)) + rng.normal(0, SCALE))
-    known = np.diag([2 * off**2 + 0.25, 2 * off**2 + 0.25, np.radians(TURN_DEG) ** 2, SCALE**2])
-    return Link(number, number + 1, (step.real, -step.imag), turn, size, as_rows(known))

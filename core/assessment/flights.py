@@ -1,0 +1,221 @@
+"""Flights along a planned route, simulated: where the first position comes, how errors grow, where the track is lost.
+
+What a single image gives says little of a flight, whose images stand in for each other. So flights are flown: images
+cut from the database's overview all along a line and spoiled as an assessment's are, motion that is off as stated, and
+the tracker that looks at real ones, image by image as on board.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import cast
+
+import numpy as np
+
+from ..database.model import ReferenceDatabase
+from ..errors import DatabaseError, ParameterError
+from ..flight.model import FlightImage, FlightPose
+from ..flight.motion import Link, as_rows
+from ..flight.tracker import FlightTracker
+from ..geometry.pose import turn_of
+from ..labels.sources import ArrayLabels
+from ..localization import Prior
+from ..localizer.localizer import Localizer
+from ..simulation.conditions import Conditions
+from ..simulation.label_errors import spoil_labels
+from ..simulation.noise import JITTER_LENGTH_PX
+from ..simulation.views import View, cut
+from .route import RoutePoints
+
+TURN_DEG, SCALE = 0.3, 0.003
+"""Deviations of what a link tells of turn and ln pixel size."""
+
+SIZE_KNOWN = 1.1
+"""Ratio to either side that the pixel size is told with: a height over ground known to 10 %."""
+
+MOST_IMAGES = 20_000
+"""Of all flights together; more take days."""
+
+
+@dataclass(frozen=True)
+class FlightPlan:
+    """How a route is flown.
+
+    Attributes:
+        flights: Simulated along each line.
+        footprint: Edge of the ground that an image shows, map units.
+        drift: What motion between images is off by: of each link and of all of them together, shares of the distance.
+        seed: The same one repeats the result.
+    """
+
+    flights: int
+    footprint: float
+    drift: float
+    seed: int
+
+
+@dataclass(frozen=True)
+class FlownRoute:
+    """What F flights over N points of a route came to, each (F, N), as known in flight.
+
+    Attributes:
+        points: Where images were taken.
+        is_placed: Whether the image had a position.
+        radii: 95 % radius that was told, map units; NaN without a position.
+        errors: True error, map units; NaN without a position.
+        is_lost: Whether a track was lost there.
+    """
+
+    points: RoutePoints
+    is_placed: np.ndarray
+    radii: np.ndarray
+    errors: np.ndarray
+    is_lost: np.ndarray
+
+    @property
+    def placed(self) -> np.ndarray:
+        """(N,) share of the flights with a position."""
+        return self.is_placed.mean(axis=0)
+
+    @property
+    def lost(self) -> np.ndarray:
+        """(N,) share of the flights that lose their track at a point."""
+        return self.is_lost.mean(axis=0)
+
+    @property
+    def radius(self) -> np.ndarray:
+        """(N,) 95 % radius in map units, median of the flights with a position; NaN where less than half have one."""
+        found = np.full(len(self.points), np.nan)
+        usual = self.placed >= 0.5
+        if usual.any():
+            found[usual] = np.nanmedian(self.radii[:, usual], axis=0)
+        return found
+
+    def first(self, line: int, threshold: float) -> float | None:
+        """Map units along a line to where ``threshold`` of the flights had their first position; None for nowhere."""
+        members = np.flatnonzero(self.points.lines == line)
+        known = np.logical_or.accumulate(self.is_placed[:, members], axis=1).mean(axis=0) >= threshold
+        return float(self.points.along[members][known.argmax()]) if known.any() else None
+
+    def at(self, points: RoutePoints) -> np.ndarray:
+        """(M,) number of the nearest image on the same line for other points of the same route."""
+        found = np.zeros(len(points), int)
+        for line in range(len(points.lengths)):
+            here, there = np.flatnonzero(self.points.lines == line), np.flatnonzero(points.lines == line)
+            away = np.abs(points.along[there][:, None] - self.points.along[here])
+            found[there] = here[away.argmin(axis=1)]
+        return found
+
+
+class FlownRoutes:
+    """Flies a route.
+
+    Attributes:
+        result: What came of it, once the steps are done.
+    """
+
+    def __init__(
+        self, database: ReferenceDatabase, localizer: Localizer, conditions: Conditions, plan: FlightPlan
+    ) -> None:
+        """Takes what all flights share.
+
+        Args:
+            database: With its overview.
+            localizer: Of the database.
+            conditions: How poor labels and cameras are taken to be.
+            plan: How the route is flown.
+
+        Raises:
+            DatabaseError: The database has no overview, or no landmark.
+        """
+        if database.overview is None or not len(database.references):
+            raise DatabaseError("assessment.no_overview", source=database.source)
+        self._database, self._localizer, self._conditions, self._plan = database, localizer, conditions, plan
+        self._frame = database.parameters.overview_frame
+        self._source = ArrayLabels(cast(np.ndarray, database.overview))
+        self.result: FlownRoute | None = None
+
+    def steps(self, points: RoutePoints) -> Iterator[tuple[int, int]]:
+        """(images done, images) after each image.
+
+        Args:
+            points: Where images are taken.
+
+        Raises:
+            ParameterError: There are too many images.
+        """
+        flights, count = self._plan.flights, len(points)
+        if flights * count > MOST_IMAGES:
+            raise ParameterError("assessment.too_many_flights", count=flights * count, most=MOST_IMAGES)
+        placed, lost = np.zeros((2, flights, count), bool)
+        radii, errors = np.full((2, flights, count), np.nan)
+        done = 0
+        for line in range(len(points.lengths)):
+            members = np.flatnonzero(points.lines == line)
+            for flight in range(flights):
+                had_track = False
+                for n, pose in zip(members.tolist(), self._flown(points, members, [line, flight])):
+                    if pose.is_fix:
+                        placed[flight, n] = True
+                        radii[flight, n] = cast(float, pose.error_95_m)
+                        errors[flight, n] = _error(pose, points.places[n])
+                    lost[flight, n] = had_track and not pose.is_fix
+                    had_track = pose.is_fix
+                    done += 1
+                    yield done, flights * count
+        self.result = FlownRoute(points, placed, radii, errors, lost)
+
+    def _flown(self, points: RoutePoints, members: np.ndarray, number: list[int]) -> Iterator[FlightPose]:
+        """What each image of one flight along a line is told when it comes."""
+        plan = self._plan
+        rng = np.random.default_rng([plan.seed, 4, *number])
+        bias = complex(*rng.normal(0, plan.drift, 2))
+        tracker, before = FlightTracker(self._localizer), None
+        for n in members.tolist():
+            x, y = points.places[n].tolist()
+            size = max(round(plan.footprint / self._frame.pixel_size), 1)
+            view = View(x, y, float(points.headings_deg[n]), plan.footprint / size, size, size)
+            link = None if before is None else link_between(0, (before, view), plan.drift, bias, rng)
+            yield tracker.add(self._image(view, rng), link)
+            before = view
+
+    def _image(self, view: View, rng: np.random.Generator) -> FlightImage:
+        database, pixel = self._database, self._frame.pixel_size
+        values = database.class_table.reference_values
+        seen, noise = self._conditions.drawn(view, rng, values)
+        noise = replace(noise.in_pixels(view.pixel_size), jitter_length=max(JITTER_LENGTH_PX / pixel, 2.0))
+        labels = cut(self._source, self._frame, seen)
+        x, y = database.references.positions[rng.integers(0, len(database.references))]
+        donor = cut(self._source, self._frame, replace(view, x=float(x), y=float(y)))
+        if labels.any():
+            labels = spoil_labels(labels, noise, rng, values, donor)
+        sizes = view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN
+        return FlightImage("simulated", labels, prior=Prior(pixel_size_range=sizes))
+
+
+def link_between(number: int, pair: tuple[View, View], drift: float, bias: complex, rng: np.random.Generator) -> Link:
+    """The motion between two views as it is measured, with what its deviations are.
+
+    Args:
+        number: Of the first one.
+        pair: Both.
+        drift: Deviation, share of the distance.
+        bias: What all links of the flight are off by, share of the distance along and across.
+        rng: A seeded one repeats the result.
+    """
+    turns = [turn_of(view.heading_deg, view.pixel_size) for view in pair]
+    step = (complex(*pair[1].position) - complex(*pair[0].position)) / turns[0]
+    ratio, off = turns[1] / turns[0], drift * abs(step)
+    step += step * bias + complex(*rng.normal(0, off, 2))
+    turn = float(-np.angle(ratio) + rng.normal(0, math.radians(TURN_DEG)))
+    size = float(np.log(abs(ratio)) + rng.normal(0, SCALE))
+    known = np.diag([2 * off**2 + 0.25, 2 * off**2 + 0.25, math.radians(TURN_DEG) ** 2, SCALE**2])
+    return Link(number, number + 1, (step.real, -step.imag), turn, size, as_rows(known))
+
+
+def _error(pose: FlightPose, place: np.ndarray) -> float:
+    if pose.place is None:
+        return math.nan
+    return float(np.hypot(*np.subtract(pose.place.position, place)))

@@ -1,0 +1,133 @@
+"""Flights along a planned route: the parameters of simulating them, and what is told of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..translation import tr
+from . import offers
+from .base import check_canceled, interruptible
+from .declarations import Number, NumberResult, Parameter
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.assessment.flights import FlownRoute
+    from ...core.database.model import ReferenceDatabase
+    from ...core.localizer.localizer import Localizer
+    from ...core.simulation.conditions import Conditions
+    from ..reports.route_report import AssessedRoute
+    from .values import Values
+
+FLIGHTS, IMAGE_DISTANCE, DRIFT = "FLIGHTS", "IMAGE_DISTANCE", "DRIFT"
+FIRST_POSITION, LARGEST_RADIUS = "FIRST_POSITION", "LARGEST_RADIUS"
+FIELDS = (("flight_placed", "real"), ("flight_radius", "real"), ("flight_lost", "real"))
+
+FLOWN_PERCENT, DONE_PERCENT = 70, 97
+"""Progress when single images are assessed, where flights are flown, too, and when those are done."""
+
+
+def parameters() -> tuple[Parameter, ...]:
+    """How flights are simulated, if any are."""
+    return (
+        Number(
+            FLIGHTS,
+            tr("Simulated flights"),
+            tr(
+                "So many flights along every line, as “Localize flight” and watch --flight follow them: where the "
+                "first position comes, how large the error gets, where the track is lost. Each image takes about a "
+                "second until the first position. 0 for none."
+            ),
+            default=0,
+            minimum=0,
+            maximum=100,
+            is_integer=True,
+            advanced=True,
+        ),
+        Number(
+            IMAGE_DISTANCE,
+            tr("Distance between images (map units)"),
+            tr("Of a simulated flight; a third of the footprint if left out."),
+            optional=True,
+            minimum=0.0,
+            advanced=True,
+        ),
+        Number(
+            DRIFT,
+            tr("Drift of motion (%)"),
+            tr(
+                "What motion from image to image is off by, a share of the distance: of each step by itself, and of "
+                "all of them by as much again."
+            ),
+            default=1.0,
+            minimum=0.0,
+            maximum=20.0,
+            advanced=True,
+        ),
+    )
+
+
+def results() -> tuple[NumberResult, ...]:
+    """Numbers that are told."""
+    return (
+        NumberResult(FIRST_POSITION, tr("Distance to the first position of a flight")),
+        NumberResult(LARGEST_RADIUS, tr("Largest 95 % radius of a flight’s positions")),
+    )
+
+
+def share_before(values: Values) -> float:
+    """Share of the progress that is made before flights are flown."""
+    return FLOWN_PERCENT / 100 if values.integer(FLIGHTS) else 1.0
+
+
+def flown(
+    values: Values,
+    database: ReferenceDatabase,
+    localizer: Localizer,
+    lines: Sequence[np.ndarray],
+    conditions: Conditions,
+    footprint: float,
+    feedback: QgsProcessingFeedback,
+) -> FlownRoute | None:
+    """What flights along lines came to; None where none are wanted."""
+    from ...core.assessment.flights import FlightPlan, FlownRoutes
+    from ...core.assessment.route import route_points
+
+    count = values.integer(FLIGHTS)
+    if not count:
+        return None
+    plan = FlightPlan(count, footprint, values.number(DRIFT) / 100, values.integer(offers.SEED))
+    points = route_points(lines, values.optional_number(IMAGE_DISTANCE) or footprint / 3)
+    routes = FlownRoutes(database, localizer, conditions, plan)
+    feedback.setProgressText(tr("Flying along the route"))
+    for done, images in interruptible(routes.steps(points), feedback):
+        check_canceled(feedback)
+        feedback.setProgress(FLOWN_PERCENT + (DONE_PERCENT - FLOWN_PERCENT) * done / images)
+    return routes.result
+
+
+def told(route: AssessedRoute) -> dict[str, float]:
+    """Numbers of the flights; none where they tell none."""
+    if route.flown is None:
+        return {}
+    found = {}
+    first = [route.flown.first(line, route.threshold) for line in range(len(route.points.lengths))]
+    known = [along for along in first if along is not None]
+    if len(known) == len(first):
+        found[FIRST_POSITION] = max(known)
+    if np.isfinite(route.flown.radius).any():
+        found[LARGEST_RADIUS] = float(np.nanmax(route.flown.radius))
+    return found
+
+
+def columns(flown: FlownRoute, n: int) -> dict[str, Any]:
+    """Columns of what flights came to at the image of that number."""
+    radius = float(flown.radius[n])
+    return {
+        "flight_placed": float(flown.placed[n]),
+        "flight_radius": radius if np.isfinite(radius) else None,
+        "flight_lost": float(flown.lost[n]),
+    }
