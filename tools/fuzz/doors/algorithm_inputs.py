@@ -48,6 +48,7 @@ def inputs(folder: Path) -> dict[str, str]:
         "key": folder / "fleet.key",
         "model": write_model(folder / "model.onnx", metadata=metadata(tile_size=32)),
         "table": folder / "broken.csv",
+        "odometry": folder / "odometry.csv",
         "positions": write_layer(
             folder / "positions.gpkg",
             [(f"POINT ({WEST + 60} {NORTH - 60})", "image.png", "fix", 30.0, 1.0)],
@@ -57,6 +58,7 @@ def inputs(folder: Path) -> dict[str, str]:
     (folder / "layer.geojson").write_text(json.dumps(LAYER), encoding="ascii")
     (folder / "classes.csv").write_text(f"{_classes(onboard_area)}", encoding="ascii")
     (folder / "cameras.csv").write_text("image,roll,pitch,field_of_view\nimage.png,1,2,60\n", encoding="ascii")
+    (folder / "odometry.csv").write_text("image,dx_m,dy_m,dheading_deg\nimage.png,0,0,0\n", encoding="ascii")
     (folder / "broken.csv").write_text("a;b\n1\n", encoding="ascii")
     (folder / "fleet.key").write_bytes(bytes(range(32)))
     memory = gdal.GetDriverByName("MEM").Create("", 1, 1)
@@ -104,6 +106,14 @@ def base_parameters(files: dict[str, str], out: Path) -> dict[str, dict[str, Any
             "IMAGES": files["image"],
             "OUTPUT": layer,
             "ATTITUDE": files["cameras"],
+        },
+        "localizeflight": {
+            "DATABASE": database,
+            "IMAGES": files["image"],
+            "ODOMETRY": files["odometry"],
+            "OUTPUT": layer,
+            "TRACK": str(out / "y.gpkg"),
+            "REPORT": report,
         },
         "georeferenceimages": {
             "POSITIONS": files["positions"],

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from . import databases, images, in_qgis, models, on_board, tables
+from . import databases, flights, images, in_qgis, models, on_board, tables
 
-DOORS = (*databases.DOORS, *on_board.DOORS, *tables.DOORS, *images.DOORS, *models.DOORS, *in_qgis.DOORS)
+DOORS = (*databases.DOORS, *on_board.DOORS, *tables.DOORS, *flights.DOORS, *images.DOORS, *models.DOORS, *in_qgis.DOORS)
