@@ -114,6 +114,12 @@ def jobs(run_algorithm, tmp_path_factory):
             "OUTPUT",
             "out.gpkg",
         ),
+        "flight": (
+            "semref:localizeflight",
+            {"DATABASE": build["DATABASE"], "IMAGES": [str(flight / f"{n}.png") for n in range(6)], "METHOD": 2},
+            "OUTPUT",
+            "out.gpkg",
+        ),
     }
 
 
@@ -134,7 +140,7 @@ def run(job, folder: Path, feedback):
     return instance.run({**parameters, key: str(folder / name)}, QgsProcessingContext(), feedback, {}, False)
 
 
-JOBS = ("rasterize", "check", "repair", "decode", "build", "localize", "segment", "compare")
+JOBS = ("rasterize", "check", "repair", "decode", "build", "localize", "flight", "segment", "compare")
 
 
 @pytest.mark.parametrize(
