@@ -52,6 +52,14 @@
    <translation>95-%-Radius (m)</translation>
   </message>
   <message>
+   <source>95 % radius in flight (m)</source>
+   <translation>95-%-Radius im Flug (m)</translation>
+  </message>
+  <message>
+   <source>95 % radius, median (m)</source>
+   <translation>95-%-Radius, Median (m)</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>Eine CSV mit den Spalten image (Dateiname), roll, pitch (Grad; 0 und 0 blickt senkrecht nach unten, pitch über 0 zur Bildoberkante hin, roll über 0 nach rechts), einer von focal_length_px, focal_length_35mm oder field_of_view (Grad über die Bildbreite) time (Sekunden oder Datum und Uhrzeit), height (m über Grund) und heading (Grad im Uhrzeigersinn von Nord). Bilder werden vor der Lokalisierung entzerrt, als blickte die Kamera senkrecht; Höhe und Objektiv zusammen sagen, wie groß ihre Pixel sind. Was die Tabelle nicht sagt, kommt aus EXIF und XMP des Bilds oder des gleichnamigen Fotos daneben. Der Topologievektor nimmt Bilder, wie sie sind.</translation>
   </message>
@@ -242,6 +250,10 @@
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>Luftbild mit 8 oder 16 Bit. Die Netze von SemRef nehmen drei Kanäle; weitere Kanäle werden mit ausgegeben.</translation>
+  </message>
+  <message>
+   <source>After that a position is expected everywhere, with a small radius.</source>
+   <translation>Danach ist überall eine Position zu erwarten, mit kleinem Radius.</translation>
   </message>
   <message>
    <source>All files (*)</source>
@@ -916,6 +928,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand darum (Karteneinheiten)</translation>
   </message>
   <message>
+   <source>Distance between images (map units)</source>
+   <translation>Abstand der Bilder (Karteneinheiten)</translation>
+  </message>
+  <message>
    <source>Distance between the points; a quarter of the footprint if left out.</source>
    <translation>Abstand der Punkte; ohne Angabe ein Viertel der Bodenabdeckung.</translation>
   </message>
@@ -948,6 +964,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstandsverhältnisse, Winkeldifferenzen und Klassenränge sowie die verwendeten Klassen.</translation>
   </message>
   <message>
+   <source>Distance to the first position of a flight</source>
+   <translation>Strecke bis zur ersten Position eines Flugs</translation>
+  </message>
+  <message>
    <source>Distinctiveness</source>
    <translation>Unverwechselbarkeit</translation>
   </message>
@@ -978,6 +998,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>Zeichnet den Vektor des in den Ergebnissen ausgewählten Bildes über den des Fensters</translation>
+  </message>
+  <message>
+   <source>Drift of motion (%)</source>
+   <translation>Drift der Bewegung (%)</translation>
   </message>
   <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
@@ -1320,6 +1344,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Fluglogs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
   </message>
   <message>
+   <source>Flying along the route</source>
+   <translation>Flüge entlang der Route</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>Ordner</translation>
   </message>
@@ -1648,6 +1676,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Bilder mit eigenem Fix</translation>
   </message>
   <message>
+   <source>In flight</source>
+   <translation>Im Flug</translation>
+  </message>
+  <message>
    <source>In the project</source>
    <translation>Im Projekt</translation>
   </message>
@@ -1858,6 +1890,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Largest 95 % radius (m)</source>
    <translation>Größter 95-%-Radius (m)</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius of a flight’s positions</source>
+   <translation>Größter 95-%-Radius der Positionen eines Flugs</translation>
   </message>
   <message>
    <source>Largest gap (m²)</source>
@@ -2526,6 +2562,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Odometry table</source>
    <translation>Odometrietabelle</translation>
+  </message>
+  <message>
+   <source>Of a simulated flight; a third of the footprint if left out.</source>
+   <translation>Eines simulierten Flugs; ohne Angabe ein Drittel der Bildfläche.</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -3280,6 +3320,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Anteil der Flächen anderer Klassen als der von Landmarken, die eine andere von diesen bekommen.</translation>
   </message>
   <message>
+   <source>Share of the flights that lose their track</source>
+   <translation>Anteil der Flüge, die ihre Spur verlieren</translation>
+  </message>
+  <message>
+   <source>Share of the flights with a position</source>
+   <translation>Anteil der Flüge mit Position</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>Anteil der bezeichneten Fläche, der für die Validierung zurückgelegt wird; 0 für keine.</translation>
   </message>
@@ -3342,6 +3390,10 @@ Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisi
   <message>
    <source>Simplifying borders</source>
    <translation>Grenzen werden vereinfacht</translation>
+  </message>
+  <message>
+   <source>Simulated flights</source>
+   <translation>Simulierte Flüge</translation>
   </message>
   <message>
    <source>Simulated images</source>
@@ -3414,6 +3466,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Smallest scale</source>
    <translation>Kleinster Maßstab</translation>
+  </message>
+  <message>
+   <source>So many flights along every line, as “Localize flight” and watch --flight follow them: where the first position comes, how large the error gets, where the track is lost. Each image takes about a second until the first position. 0 for none.</source>
+   <translation>So viele Flüge entlang jeder Linie, wie „Flug lokalisieren“ und watch --flight sie verfolgen: wo die erste Position kommt, wie groß der Fehler wird, wo die Spur verloren geht. Bis zur ersten Position braucht jedes Bild etwa eine Sekunde. 0 für keine.</translation>
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
@@ -3702,6 +3758,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>Der Flug verrät bisher nicht, wo er ist: die beste Spur ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; höchstens {allowed:.2g} ist erlaubt.</translation>
+  </message>
+  <message>
+   <source>The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger distance between images.</source>
+   <translation>Die Flüge haben zusammen {count} Bilder, höchstens {most} können simuliert werden; wählen Sie weniger Flüge oder einen größeren Abstand der Bilder.</translation>
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
@@ -4544,6 +4604,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Woraus der 95-%-Radius besteht: {parts}.</translation>
   </message>
   <message>
+   <source>What motion from image to image is off by, a share of the distance: of each step by itself, and of all of them by as much again.</source>
+   <translation>Um wie viel die Bewegung von Bild zu Bild falsch ist, als Anteil der Strecke: jeder Schritt für sich, und alle zusammen noch einmal um ebenso viel.</translation>
+  </message>
+  <message>
    <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
    <translation>Worauf Netze rechnen. Für ein Gerät, das nicht startet, springt der Prozessor ein; Protokoll und Ergebnis sagen das, und wie viele Kacheln je Sekunde es waren.</translation>
   </message>
@@ -4900,6 +4964,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Befunde</translation>
   </message>
   <message>
+   <source>first position after (m)</source>
+   <translation>erste Position nach (m)</translation>
+  </message>
+  <message>
    <source>fix of its own</source>
    <translation>eigener Fix</translation>
   </message>
@@ -4988,6 +5056,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Bilder mit einem Fix</translation>
   </message>
   <message>
+   <source>images with a position after it</source>
+   <translation>Bilder mit Position danach</translation>
+  </message>
+  <message>
    <source>in the 50 % ellipse</source>
    <translation>in der 50-%-Ellipse</translation>
   </message>
@@ -5066,6 +5138,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>landmarks missed</source>
    <translation>übersehene Landmarken</translation>
+  </message>
+  <message>
+   <source>largest (m)</source>
+   <translation>größter (m)</translation>
   </message>
   <message>
    <source>length</source>
@@ -5228,6 +5304,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>auf zurückgehaltenem Gelände</translation>
   </message>
   <message>
+   <source>only {share} of the flights keep a position</source>
+   <translation>nur {share} der Flüge behalten eine Position</translation>
+  </message>
+  <message>
    <source>outside the CRS’s area</source>
    <translation>außerhalb des Bereichs des KBS</translation>
   </message>
@@ -5372,6 +5452,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>beendet: die Zeit war um</translation>
   </message>
   <message>
+   <source>the 95 % radius grows to {radius:.0f} m</source>
+   <translation>der 95-%-Radius wächst auf {radius:.0f} m</translation>
+  </message>
+  <message>
    <source>the database</source>
    <translation>die Datenbank</translation>
   </message>
@@ -5436,6 +5520,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Spuren</translation>
   </message>
   <message>
+   <source>tracks lost a flight</source>
+   <translation>verlorene Spuren je Flug</translation>
+  </message>
+  <message>
    <source>training time</source>
    <translation>Trainingsdauer</translation>
   </message>
@@ -5462,6 +5550,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>warnings</source>
    <translation>Warnungen</translation>
+  </message>
+  <message>
+   <source>what is expected</source>
+   <translation>was zu erwarten ist</translation>
   </message>
   <message>
    <source>window {value}</source>
@@ -5630,6 +5722,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Standort gefunden für {fixes} von {images} Bildern.</translation>
+  </message>
+  <message>
+   <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
+   <translation>{flights} simulierte Flüge entlang jeder Route, mit einem Bild alle {distance:.0f} m, so wie es im Flug bekannt ist. Die erste Position zählt dort, wo {threshold} der Flüge ihre hatten; Radien sind Mediane der Flüge, die eine Position haben.</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6482,6 +6578,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} hat keine Landmarke; mit anderen Klassen oder kleinerer Fläche erstellen.</translation>
+  </message>
+  <message>
+   <source>{source} has no overview, by which flights are simulated; build it with one.</source>
+   <translation>{source} hat keine Übersicht, mit der Flüge simuliert werden; legen Sie sie mit einer an.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>

@@ -52,6 +52,14 @@
    <translation>Radio del 95 % (m)</translation>
   </message>
   <message>
+   <source>95 % radius in flight (m)</source>
+   <translation>Radio del 95 % en vuelo (m)</translation>
+  </message>
+  <message>
+   <source>95 % radius, median (m)</source>
+   <translation>radio del 95 %, mediana (m)</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>Un CSV con las columnas image (nombre del archivo), roll, pitch (grados; 0 y 0 mira recto hacia abajo, un pitch mayor que 0 mira hacia la parte superior de la imagen, un roll mayor que 0 hacia su derecha), una de focal_length_px, focal_length_35mm o field_of_view (grados a lo ancho), time (segundos, o fecha y hora), height (m sobre el terreno) y heading (grados en sentido horario desde el norte). Las imágenes se rectifican antes de localizarlas; la altura y el objetivo juntos dicen el tamaño de sus píxeles. Lo que la tabla no dice se toma de los EXIF y XMP de la imagen, o de la foto del mismo nombre que está al lado. El vector topológico toma las imágenes tal cual.</translation>
   </message>
@@ -242,6 +250,10 @@
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>Imagen aérea de 8 o 16 bits. Las redes de SemRef toman tres bandas; las demás bandas también se exportan.</translation>
+  </message>
+  <message>
+   <source>After that a position is expected everywhere, with a small radius.</source>
+   <translation>Después se espera una posición en todas partes, con un radio pequeño.</translation>
   </message>
   <message>
    <source>All files (*)</source>
@@ -916,6 +928,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia alrededor (unidades del mapa)</translation>
   </message>
   <message>
+   <source>Distance between images (map units)</source>
+   <translation>Distancia entre imágenes (unidades del mapa)</translation>
+  </message>
+  <message>
    <source>Distance between the points; a quarter of the footprint if left out.</source>
    <translation>Distancia entre los puntos; un cuarto de la huella si se omite.</translation>
   </message>
@@ -948,6 +964,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Razones de distancias, diferencias de ángulos y rangos de clases, con las clases usadas.</translation>
   </message>
   <message>
+   <source>Distance to the first position of a flight</source>
+   <translation>Distancia hasta la primera posición de un vuelo</translation>
+  </message>
+  <message>
    <source>Distinctiveness</source>
    <translation>Singularidad</translation>
   </message>
@@ -978,6 +998,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>Dibuja el vector de la imagen seleccionada en los resultados sobre el de la ventana</translation>
+  </message>
+  <message>
+   <source>Drift of motion (%)</source>
+   <translation>Deriva del movimiento (%)</translation>
   </message>
   <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
@@ -1320,6 +1344,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Registros de vuelo (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
   </message>
   <message>
+   <source>Flying along the route</source>
+   <translation>Volando a lo largo de la ruta</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>Carpeta</translation>
   </message>
@@ -1648,6 +1676,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Imágenes con posición propia</translation>
   </message>
   <message>
+   <source>In flight</source>
+   <translation>En vuelo</translation>
+  </message>
+  <message>
    <source>In the project</source>
    <translation>En el proyecto</translation>
   </message>
@@ -1858,6 +1890,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Largest 95 % radius (m)</source>
    <translation>Mayor radio del 95 % (m)</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius of a flight’s positions</source>
+   <translation>Mayor radio del 95 % de las posiciones de un vuelo</translation>
   </message>
   <message>
    <source>Largest gap (m²)</source>
@@ -2526,6 +2562,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Odometry table</source>
    <translation>Tabla de odometría</translation>
+  </message>
+  <message>
+   <source>Of a simulated flight; a third of the footprint if left out.</source>
+   <translation>De un vuelo simulado; si se omite, un tercio de la huella.</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -3280,6 +3320,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Proporción de las áreas de clases que no son de hitos que reciben otra de ellas.</translation>
   </message>
   <message>
+   <source>Share of the flights that lose their track</source>
+   <translation>Parte de los vuelos que pierden su trayectoria</translation>
+  </message>
+  <message>
+   <source>Share of the flights with a position</source>
+   <translation>Parte de los vuelos con posición</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>Parte del terreno etiquetado que se reserva para la validación; 0 para ninguna.</translation>
   </message>
@@ -3342,6 +3390,10 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
   <message>
    <source>Simplifying borders</source>
    <translation>Simplificando los bordes</translation>
+  </message>
+  <message>
+   <source>Simulated flights</source>
+   <translation>Vuelos simulados</translation>
   </message>
   <message>
    <source>Simulated images</source>
@@ -3414,6 +3466,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Smallest scale</source>
    <translation>Escala menor</translation>
+  </message>
+  <message>
+   <source>So many flights along every line, as “Localize flight” and watch --flight follow them: where the first position comes, how large the error gets, where the track is lost. Each image takes about a second until the first position. 0 for none.</source>
+   <translation>Tantos vuelos a lo largo de cada línea, como los siguen «Localizar vuelo» y watch --flight: dónde llega la primera posición, cuánto crece el error, dónde se pierde la trayectoria. Hasta la primera posición cada imagen tarda cerca de un segundo. 0 para ninguno.</translation>
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
@@ -3702,6 +3758,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>El vuelo hasta ahora no revela dónde está: la mejor traza es errónea con una probabilidad de {risk:.2g}; se permite como máximo {allowed:.2g}.</translation>
+  </message>
+  <message>
+   <source>The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger distance between images.</source>
+   <translation>Los vuelos tienen en total {count} imágenes y se pueden simular {most} como máximo; elija menos vuelos o una distancia mayor entre imágenes.</translation>
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
@@ -4544,6 +4604,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>De qué se compone el radio del 95 %: {parts}.</translation>
   </message>
   <message>
+   <source>What motion from image to image is off by, a share of the distance: of each step by itself, and of all of them by as much again.</source>
+   <translation>En cuánto yerra el movimiento de imagen a imagen, como parte de la distancia: cada paso por sí mismo, y todos juntos otro tanto.</translation>
+  </message>
+  <message>
    <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
    <translation>En qué se ejecutan las redes. Un dispositivo que no arranca se sustituye por el procesador; el registro y los resultados lo dicen, y también cuántas teselas por segundo fueron.</translation>
   </message>
@@ -4900,6 +4964,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>hallazgos</translation>
   </message>
   <message>
+   <source>first position after (m)</source>
+   <translation>primera posición tras (m)</translation>
+  </message>
+  <message>
    <source>fix of its own</source>
    <translation>posición propia</translation>
   </message>
@@ -4988,6 +5056,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>imágenes con posición encontrada</translation>
   </message>
   <message>
+   <source>images with a position after it</source>
+   <translation>imágenes con posición después</translation>
+  </message>
+  <message>
    <source>in the 50 % ellipse</source>
    <translation>en la elipse del 50 %</translation>
   </message>
@@ -5066,6 +5138,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>landmarks missed</source>
    <translation>hitos omitidos</translation>
+  </message>
+  <message>
+   <source>largest (m)</source>
+   <translation>mayor (m)</translation>
   </message>
   <message>
    <source>length</source>
@@ -5228,6 +5304,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>en el terreno reservado</translation>
   </message>
   <message>
+   <source>only {share} of the flights keep a position</source>
+   <translation>solo {share} de los vuelos conservan una posición</translation>
+  </message>
+  <message>
    <source>outside the CRS’s area</source>
    <translation>fuera del área del SRC</translation>
   </message>
@@ -5372,6 +5452,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>detenido: se acabó el tiempo</translation>
   </message>
   <message>
+   <source>the 95 % radius grows to {radius:.0f} m</source>
+   <translation>el radio del 95 % crece hasta {radius:.0f} m</translation>
+  </message>
+  <message>
    <source>the database</source>
    <translation>la base de datos</translation>
   </message>
@@ -5436,6 +5520,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>trayectorias</translation>
   </message>
   <message>
+   <source>tracks lost a flight</source>
+   <translation>trayectorias perdidas por vuelo</translation>
+  </message>
+  <message>
    <source>training time</source>
    <translation>tiempo de entrenamiento</translation>
   </message>
@@ -5462,6 +5550,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>warnings</source>
    <translation>advertencias</translation>
+  </message>
+  <message>
+   <source>what is expected</source>
+   <translation>qué se espera</translation>
   </message>
   <message>
    <source>window {value}</source>
@@ -5630,6 +5722,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Posición encontrada para {fixes} de {images} imágenes.</translation>
+  </message>
+  <message>
+   <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
+   <translation>{flights} vuelos simulados a lo largo de cada ruta, con una imagen cada {distance:.0f} m, según se sabe en vuelo. La primera posición cuenta donde {threshold} de los vuelos tenían la suya; los radios son medianas de los vuelos que tienen una posición.</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6482,6 +6578,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} no tiene ningún hito; créela con otras clases o un área menor.</translation>
+  </message>
+  <message>
+   <source>{source} has no overview, by which flights are simulated; build it with one.</source>
+   <translation>{source} no tiene vista general, con la que se simulan los vuelos; constrúyala con una.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>

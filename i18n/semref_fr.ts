@@ -52,6 +52,14 @@
    <translation>Rayon à 95 % (m)</translation>
   </message>
   <message>
+   <source>95 % radius in flight (m)</source>
+   <translation>Rayon à 95 % en vol (m)</translation>
+  </message>
+  <message>
+   <source>95 % radius, median (m)</source>
+   <translation>rayon à 95 %, médiane (m)</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>Un CSV avec les colonnes image (nom du fichier), roll, pitch (degrés ; 0 et 0 regarde droit vers le bas, pitch supérieur à 0 regarde vers le haut de l’image, roll supérieur à 0 vers sa droite), une colonne parmi focal_length_px, focal_length_35mm ou field_of_view (degrés sur la largeur), time (secondes, ou date et heure), height (m au-dessus du sol) et heading (degrés dans le sens horaire depuis le nord). Les images sont redressées avant d’être localisées ; la hauteur et l’objectif disent ensemble la taille de leurs pixels. Ce que la table ne dit pas est lu dans les EXIF et XMP de l’image, ou de la photo du même nom qui se trouve à côté. Le vecteur topologique prend les images telles quelles.</translation>
   </message>
@@ -242,6 +250,10 @@
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>Image aérienne de 8 ou 16 bits. Les réseaux de SemRef prennent trois bandes ; les autres bandes sont aussi exportées.</translation>
+  </message>
+  <message>
+   <source>After that a position is expected everywhere, with a small radius.</source>
+   <translation>Ensuite une position est attendue partout, avec un petit rayon.</translation>
   </message>
   <message>
    <source>All files (*)</source>
@@ -916,6 +928,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance autour (unités de carte)</translation>
   </message>
   <message>
+   <source>Distance between images (map units)</source>
+   <translation>Distance entre les images (unités de carte)</translation>
+  </message>
+  <message>
    <source>Distance between the points; a quarter of the footprint if left out.</source>
    <translation>Distance entre les points ; un quart de l’emprise si omise.</translation>
   </message>
@@ -948,6 +964,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Rapports de distances, différences d’angles et rangs de classes, avec les classes utilisées.</translation>
   </message>
   <message>
+   <source>Distance to the first position of a flight</source>
+   <translation>Distance jusqu’à la première position d’un vol</translation>
+  </message>
+  <message>
    <source>Distinctiveness</source>
    <translation>Singularité</translation>
   </message>
@@ -978,6 +998,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>Dessine le vecteur de l’image sélectionnée dans les résultats par-dessus celui de la fenêtre</translation>
+  </message>
+  <message>
+   <source>Drift of motion (%)</source>
+   <translation>Dérive du mouvement (%)</translation>
   </message>
   <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
@@ -1320,6 +1344,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Journaux de vol (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
   </message>
   <message>
+   <source>Flying along the route</source>
+   <translation>Vols le long de la route</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>Dossier</translation>
   </message>
@@ -1648,6 +1676,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Images avec leur propre position</translation>
   </message>
   <message>
+   <source>In flight</source>
+   <translation>En vol</translation>
+  </message>
+  <message>
    <source>In the project</source>
    <translation>Dans le projet</translation>
   </message>
@@ -1858,6 +1890,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Largest 95 % radius (m)</source>
    <translation>Plus grand rayon à 95 % (m)</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius of a flight’s positions</source>
+   <translation>Plus grand rayon à 95 % des positions d’un vol</translation>
   </message>
   <message>
    <source>Largest gap (m²)</source>
@@ -2526,6 +2562,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Odometry table</source>
    <translation>Table d’odométrie</translation>
+  </message>
+  <message>
+   <source>Of a simulated flight; a third of the footprint if left out.</source>
+   <translation>D’un vol simulé ; un tiers de l’emprise si omise.</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -3280,6 +3320,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Part des surfaces des autres classes que celles des repères visuels qui en reçoivent une autre.</translation>
   </message>
   <message>
+   <source>Share of the flights that lose their track</source>
+   <translation>Part des vols qui perdent leur trajectoire</translation>
+  </message>
+  <message>
+   <source>Share of the flights with a position</source>
+   <translation>Part des vols avec une position</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>Part du terrain étiqueté qui est réservée à la validation ; 0 pour aucune.</translation>
   </message>
@@ -3342,6 +3390,10 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
   <message>
    <source>Simplifying borders</source>
    <translation>Simplification des limites</translation>
+  </message>
+  <message>
+   <source>Simulated flights</source>
+   <translation>Vols simulés</translation>
   </message>
   <message>
    <source>Simulated images</source>
@@ -3414,6 +3466,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Smallest scale</source>
    <translation>Plus petite échelle</translation>
+  </message>
+  <message>
+   <source>So many flights along every line, as “Localize flight” and watch --flight follow them: where the first position comes, how large the error gets, where the track is lost. Each image takes about a second until the first position. 0 for none.</source>
+   <translation>Autant de vols le long de chaque ligne, suivis comme le font « Localiser un vol » et watch --flight : où vient la première position, combien l’erreur grandit, où la trajectoire est perdue. Jusqu’à la première position chaque image prend environ une seconde. 0 pour aucun.</translation>
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
@@ -3702,6 +3758,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>Le vol ne dit pas encore où il est : la meilleure trace est fausse avec une probabilité de {risk:.2g} ; au plus {allowed:.2g} est permis.</translation>
+  </message>
+  <message>
+   <source>The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger distance between images.</source>
+   <translation>Les vols ont {count} images au total, {most} au plus peuvent être simulées ; choisissez moins de vols ou une plus grande distance entre les images.</translation>
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
@@ -4544,6 +4604,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Ce qui compose le rayon à 95 % : {parts}.</translation>
   </message>
   <message>
+   <source>What motion from image to image is off by, a share of the distance: of each step by itself, and of all of them by as much again.</source>
+   <translation>De combien le mouvement d’image en image est faux, en part de la distance : chaque pas pour lui-même, et tous ensemble encore d’autant.</translation>
+  </message>
+  <message>
    <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
    <translation>Ce sur quoi les réseaux tournent. Un appareil qui ne démarre pas est remplacé par le processeur ; le journal et les résultats le disent, ainsi que le nombre de tuiles par seconde.</translation>
   </message>
@@ -4900,6 +4964,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>constats</translation>
   </message>
   <message>
+   <source>first position after (m)</source>
+   <translation>première position après (m)</translation>
+  </message>
+  <message>
    <source>fix of its own</source>
    <translation>position propre</translation>
   </message>
@@ -4988,6 +5056,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>images avec une position trouvée</translation>
   </message>
   <message>
+   <source>images with a position after it</source>
+   <translation>images avec une position ensuite</translation>
+  </message>
+  <message>
    <source>in the 50 % ellipse</source>
    <translation>dans l’ellipse à 50 %</translation>
   </message>
@@ -5066,6 +5138,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>landmarks missed</source>
    <translation>repères visuels manqués</translation>
+  </message>
+  <message>
+   <source>largest (m)</source>
+   <translation>plus grand (m)</translation>
   </message>
   <message>
    <source>length</source>
@@ -5228,6 +5304,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>sur le terrain mis de côté</translation>
   </message>
   <message>
+   <source>only {share} of the flights keep a position</source>
+   <translation>seuls {share} des vols gardent une position</translation>
+  </message>
+  <message>
    <source>outside the CRS’s area</source>
    <translation>hors de la zone du SCR</translation>
   </message>
@@ -5372,6 +5452,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>arrêté : le temps était écoulé</translation>
   </message>
   <message>
+   <source>the 95 % radius grows to {radius:.0f} m</source>
+   <translation>le rayon à 95 % grandit jusqu’à {radius:.0f} m</translation>
+  </message>
+  <message>
    <source>the database</source>
    <translation>la base de données</translation>
   </message>
@@ -5436,6 +5520,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>traces</translation>
   </message>
   <message>
+   <source>tracks lost a flight</source>
+   <translation>trajectoires perdues par vol</translation>
+  </message>
+  <message>
    <source>training time</source>
    <translation>durée de l’entraînement</translation>
   </message>
@@ -5462,6 +5550,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>warnings</source>
    <translation>avertissements</translation>
+  </message>
+  <message>
+   <source>what is expected</source>
+   <translation>ce qui est attendu</translation>
   </message>
   <message>
    <source>window {value}</source>
@@ -5630,6 +5722,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Position trouvée pour {fixes} images sur {images}.</translation>
+  </message>
+  <message>
+   <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
+   <translation>{flights} vols simulés le long de chaque route, avec une image tous les {distance:.0f} m, tels que connus en vol. La première position compte là où {threshold} des vols avaient la leur ; les rayons sont des médianes des vols qui ont une position.</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6482,6 +6578,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} n’a aucun repère visuel ; créez-la avec d’autres classes ou une surface plus petite.</translation>
+  </message>
+  <message>
+   <source>{source} has no overview, by which flights are simulated; build it with one.</source>
+   <translation>{source} n’a pas d’aperçu, avec lequel les vols sont simulés ; construisez-la avec un aperçu.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>

@@ -52,6 +52,14 @@
    <translation>95 % 半径（米）</translation>
   </message>
   <message>
+   <source>95 % radius in flight (m)</source>
+   <translation>飞行中的 95% 半径(m)</translation>
+  </message>
+  <message>
+   <source>95 % radius, median (m)</source>
+   <translation>95% 半径,中位数(m)</translation>
+  </message>
+  <message>
    <source>A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, focal_length_35mm or field_of_view (degrees across the width), time (seconds, or date and time), height (m above the ground) and heading (degrees clockwise from north). Images are leveled before they are localized; height and lens together tell how large their pixels are. What the table does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside it. The topology vector takes images as they are.</source>
    <translation>CSV 文件，包含以下列：image（文件名）、roll、pitch（度；两者均为 0 表示垂直向下，pitch 大于 0 表示朝影像上方倾斜，roll 大于 0 表示朝影像右侧倾斜），focal_length_px、focal_length_35mm 或 field_of_view（横向视场角，度）三者之一，time（秒，或日期和时间），height（离地高度，米），以及 heading（自北起顺时针的度数）。影像在定位之前先做倾斜校正；高度与镜头共同决定像元大小。表中没有给出的内容取自影像的 EXIF 和 XMP，或取自旁边同名照片的 EXIF 和 XMP。拓扑向量法按影像原样处理。</translation>
   </message>
@@ -242,6 +250,10 @@
   <message>
    <source>Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too.</source>
    <translation>8 位或 16 位航空影像。SemRef 的网络使用三个波段；其余波段也会一并导出。</translation>
+  </message>
+  <message>
+   <source>After that a position is expected everywhere, with a small radius.</source>
+   <translation>此后各处均可望得到位置,且半径较小。</translation>
   </message>
   <message>
    <source>All files (*)</source>
@@ -916,6 +928,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>周围距离（地图单位）</translation>
   </message>
   <message>
+   <source>Distance between images (map units)</source>
+   <translation>图像间距(地图单位)</translation>
+  </message>
+  <message>
    <source>Distance between the points; a quarter of the footprint if left out.</source>
    <translation>点间距；不填则为覆盖边长的四分之一。</translation>
   </message>
@@ -948,6 +964,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>距离比、角度差和类别序号，以及所用的类别。</translation>
   </message>
   <message>
+   <source>Distance to the first position of a flight</source>
+   <translation>飞行到第一个位置的距离</translation>
+  </message>
+  <message>
    <source>Distinctiveness</source>
    <translation>独特性</translation>
   </message>
@@ -978,6 +998,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Draws the vector of the image selected in the results over the window’s</source>
    <translation>将结果中所选影像的向量绘制在窗口的向量之上</translation>
+  </message>
+  <message>
+   <source>Drift of motion (%)</source>
+   <translation>运动漂移(%)</translation>
   </message>
   <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
@@ -1320,6 +1344,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>飞行日志 (*.bin *.ulg *.tlog *.srt *.SRT *.txt)</translation>
   </message>
   <message>
+   <source>Flying along the route</source>
+   <translation>沿航线飞行</translation>
+  </message>
+  <message>
    <source>Folder</source>
    <translation>文件夹</translation>
   </message>
@@ -1648,6 +1676,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>自身定位的图像</translation>
   </message>
   <message>
+   <source>In flight</source>
+   <translation>飞行中</translation>
+  </message>
+  <message>
    <source>In the project</source>
    <translation>工程中</translation>
   </message>
@@ -1858,6 +1890,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Largest 95 % radius (m)</source>
    <translation>最大 95 % 半径（米）</translation>
+  </message>
+  <message>
+   <source>Largest 95 % radius of a flight’s positions</source>
+   <translation>飞行位置的最大 95% 半径</translation>
   </message>
   <message>
    <source>Largest gap (m²)</source>
@@ -2526,6 +2562,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Odometry table</source>
    <translation>里程计表</translation>
+  </message>
+  <message>
+   <source>Of a simulated flight; a third of the footprint if left out.</source>
+   <translation>模拟飞行的图像间距;省略时为覆盖范围的三分之一。</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -3280,6 +3320,14 @@ The model that ships with SemRef can read these photos.</source>
    <translation>非地标类别的区域中被改成另一个此类类别的比例。</translation>
   </message>
   <message>
+   <source>Share of the flights that lose their track</source>
+   <translation>丢失航迹的飞行比例</translation>
+  </message>
+  <message>
+   <source>Share of the flights with a position</source>
+   <translation>有位置的飞行比例</translation>
+  </message>
+  <message>
    <source>Share of the labeled ground that is set aside for validation; 0 for none.</source>
    <translation>有标签的地面中留作验证的比例；0 表示不留。</translation>
   </message>
@@ -3342,6 +3390,10 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
   <message>
    <source>Simplifying borders</source>
    <translation>正在简化边界</translation>
+  </message>
+  <message>
+   <source>Simulated flights</source>
+   <translation>模拟飞行次数</translation>
   </message>
   <message>
    <source>Simulated images</source>
@@ -3414,6 +3466,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Smallest scale</source>
    <translation>最小比例</translation>
+  </message>
+  <message>
+   <source>So many flights along every line, as “Localize flight” and watch --flight follow them: where the first position comes, how large the error gets, where the track is lost. Each image takes about a second until the first position. 0 for none.</source>
+   <translation>沿每条线模拟这么多次飞行,按“定位航次”和 watch --flight 的方式跟踪:何处得到第一个位置、误差增大到多少、何处丢失航迹。得到第一个位置之前,每幅图像约需一秒。0 表示不模拟。</translation>
   </message>
   <message>
    <source>Some fixes would be wrong.</source>
@@ -3702,6 +3758,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The flight so far does not tell where it is: the best track is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
    <translation>目前的航飞尚不能确定位置：最佳航迹错误的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
+   <source>The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or a larger distance between images.</source>
+   <translation>这些飞行共有 {count} 幅图像,最多可模拟 {most} 幅;请减少飞行次数或增大图像间距。</translation>
   </message>
   <message>
    <source>The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.</source>
@@ -4544,6 +4604,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>95 % 半径的构成：{parts}。</translation>
   </message>
   <message>
+   <source>What motion from image to image is off by, a share of the distance: of each step by itself, and of all of them by as much again.</source>
+   <translation>图像之间运动的误差占距离的比例:每一步各自的误差,以及所有步共有的同样大小的误差。</translation>
+  </message>
+  <message>
    <source>What networks run on. A device that does not start is replaced by the processor; the log and the results say so, and how many tiles a second there were.</source>
    <translation>网络在什么上运行。无法启动的设备由处理器代替；日志和结果会说明这一点以及每秒处理的瓦片数。</translation>
   </message>
@@ -4900,6 +4964,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>问题</translation>
   </message>
   <message>
+   <source>first position after (m)</source>
+   <translation>第一个位置在(m)之后</translation>
+  </message>
+  <message>
    <source>fix of its own</source>
    <translation>自身定位</translation>
   </message>
@@ -4988,6 +5056,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>有定位结果的影像</translation>
   </message>
   <message>
+   <source>images with a position after it</source>
+   <translation>此后有位置的图像</translation>
+  </message>
+  <message>
    <source>in the 50 % ellipse</source>
    <translation>在 50 % 椭圆内</translation>
   </message>
@@ -5066,6 +5138,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>landmarks missed</source>
    <translation>漏检的地标</translation>
+  </message>
+  <message>
+   <source>largest (m)</source>
+   <translation>最大(m)</translation>
   </message>
   <message>
    <source>length</source>
@@ -5228,6 +5304,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>在预留的地面上</translation>
   </message>
   <message>
+   <source>only {share} of the flights keep a position</source>
+   <translation>只有 {share} 的飞行保持有位置</translation>
+  </message>
+  <message>
    <source>outside the CRS’s area</source>
    <translation>超出坐标系适用范围</translation>
   </message>
@@ -5372,6 +5452,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>已停止：时间已到</translation>
   </message>
   <message>
+   <source>the 95 % radius grows to {radius:.0f} m</source>
+   <translation>95% 半径增大到 {radius:.0f} m</translation>
+  </message>
+  <message>
    <source>the database</source>
    <translation>数据库</translation>
   </message>
@@ -5436,6 +5520,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>航迹</translation>
   </message>
   <message>
+   <source>tracks lost a flight</source>
+   <translation>每次飞行丢失的航迹数</translation>
+  </message>
+  <message>
    <source>training time</source>
    <translation>训练时间</translation>
   </message>
@@ -5462,6 +5550,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>warnings</source>
    <translation>警告</translation>
+  </message>
+  <message>
+   <source>what is expected</source>
+   <translation>预期情况</translation>
   </message>
   <message>
    <source>window {value}</source>
@@ -5630,6 +5722,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>{images} 幅影像中有 {fixes} 幅得到定位结果。</translation>
+  </message>
+  <message>
+   <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
+   <translation>沿每条航线模拟 {flights} 次飞行,每 {distance:.0f} m 一幅图像,按飞行中所知。第一个位置取 {threshold} 的飞行已得到位置之处;半径为有位置的飞行的中位数。</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6482,6 +6578,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{source} has no landmark; build it with other classes or a smaller area.</source>
    <translation>{source} 没有地标；请用其他类别或更小的面积构建。</translation>
+  </message>
+  <message>
+   <source>{source} has no overview, by which flights are simulated; build it with one.</source>
+   <translation>{source} 没有用于模拟飞行的概览;请重新构建并包含概览。</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>

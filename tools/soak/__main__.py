@@ -1,6 +1,7 @@
 """Does one thing for long and measures what the process that does it holds (Linux).
 
     python -m tools.soak [--images 10000] [--folder FOLDER]          images through ``python -m core watch``
+    python -m tools.soak --flight [--images 10000]                   the same as one flight, killed half way
     python -m tools.soak --localizations 2000 [--folder FOLDER]      runs of semref:localizeimages in one QGIS
 
 Prints a line for each tenth, and ends with 1 when memory, descriptors or threads grew after the first tenth
@@ -29,6 +30,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m tools.soak", description=__doc__.split("\n")[0])
     parser.add_argument("--images", type=int, default=10_000, help="through watch")
     parser.add_argument("--localizations", type=int, help="in one QGIS, instead of images through watch")
+    parser.add_argument("--flight", action="store_true", help="images through watch as one flight")
     parser.add_argument("--folder", type=Path, help="empty one to work in (default: a temporary one)")
     options = parser.parse_args()
     folder = options.folder or Path(tempfile.mkdtemp())
@@ -41,7 +43,7 @@ def main() -> int:
         else:
             from .watching import watch_images
 
-            rows = watch_images(options.images, folder)
+            rows = watch_images(options.images, folder, options.flight)
     finally:
         if options.folder is None:
             shutil.rmtree(folder)

@@ -21,6 +21,9 @@ from .held import Held, held, line
 AT_ONCE = 50
 """Images that lie in the folder together."""
 
+RESTARTED_AFTER = 5
+"""Tenths after which a flight's process is killed and goes on."""
+
 
 def made_area() -> ModuleType:
     """tests/data/onboard_area.py, which needs the plugin as a package."""
@@ -47,8 +50,11 @@ def send(folder: bytes, outside: bytes, numbers: range, pictures: tuple[bytes, b
     return paths
 
 
-def watch_images(count: int, folder: Path) -> list[Held]:
-    """What the process holds after each tenth of ``count`` images; ends the program when one of them got no answer."""
+def watch_images(count: int, folder: Path, is_flight: bool = False) -> list[Held]:
+    """What the process holds after each tenth of ``count`` images; ends the program when one of them got no answer.
+
+    As a flight, its state is kept, and half way the process is killed and goes on from it.
+    """
     incoming = folder / "incoming"
     incoming.mkdir()
     os.symlink("loop.png", incoming / "loop.png")
@@ -60,10 +66,15 @@ def watch_images(count: int, folder: Path) -> list[Held]:
     cuts = (onboard_area.HERE[:60, :60], onboard_area.HERE)
     pictures = tuple(cv2.imencode(".png", cut)[1].tobytes() for cut in cuts)
     command = [sys.executable, "-m", "core", "watch", "incoming", "--database", "area.npz", "--gga", "sentences"]
-    command += ["--method", "constellation"]
-    rows = []
+    command += ["--method", "constellation", *(["--flight", "--state", "flight.npz"] if is_flight else [])]
+    rows: list[Held] = []
+    seconds: list[float] = []
     with open(folder / "log", "wb") as log:
-        watching = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=log)
+
+        def started() -> subprocess.Popen[bytes]:
+            return subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=log)
+
+        watching = started()
         try:
             while not rows or rows[-1].done < count:
                 done = rows[-1].done if rows else 0
@@ -71,18 +82,29 @@ def watch_images(count: int, folder: Path) -> list[Held]:
                 for first in range(done, until, AT_ONCE):
                     numbers = range(first, min(first + AT_ONCE, until))
                     paths = send(os.fsencode(incoming), os.fsencode(folder / "made"), numbers, pictures)
-                    answers = {json.loads(watching.stdout.readline())["image"] for _ in paths}
+                    answers = set()
+                    for _ in paths:
+                        asked = time.perf_counter()
+                        answers.add(json.loads(watching.stdout.readline())["image"])
+                        seconds.append(time.perf_counter() - asked)
                     if answers != {os.fsdecode(os.path.join(b"incoming", os.path.basename(path))) for path in paths}:
                         raise SystemExit(f"images {numbers} did not get an answer each")
                     for path in paths:
                         os.unlink(path)
                 rows.append(held(until, watching.pid))
                 print(line(rows[-1]), flush=True)
+                if is_flight and len(rows) == RESTARTED_AFTER:
+                    time.sleep(1)
+                    watching.kill()
+                    watching.wait()
+                    watching = started()
             # The sentence of the last image follows its line.
             time.sleep(1)
         finally:
             watching.kill()
             watching.wait()
+    half, most = sorted(seconds)[len(seconds) // 2], sorted(seconds)[int(0.95 * len(seconds))]
+    print(f"an image: {half:.3f} s (median), {most:.3f} s (95 %)", flush=True)
     sentences = (folder / "sentences").read_bytes().count(b"\n")
     if sentences != count:
         raise SystemExit(f"{sentences} sentences for {count} images")
