@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 from bench import inputs, kept, page
-from bench.correlation import ON_A_TILE, best_right
+from bench.correlation import ON_A_TILE
 from bench.evidence import why
 from bench.ground import accuracy, tile_ground, tile_paths
 from bench.photos import SEED, TRUE_LABELS, Network, agreement, as_seen, seen
@@ -28,7 +28,7 @@ from semref.core.localization import Method
 SIZES_PX = (512, 640, 768)
 COUNT, QUICK_COUNT = 25, 1
 COLUMNS = (
-    *("tile left out, crops, labels", "right fixes", "wrong fixes", "best place right, fix or not", "why no fix"),
+    *("tile left out, crops, labels", "right fixes", "wrong fixes", "why no fix"),
     *("median error, heading, scale", "in the 95 % radius"),
 )
 WITHOUT = "without_tile"
@@ -110,7 +110,6 @@ def _row(name: str, trials: Sequence[Trial]) -> list[str]:
         name,
         page.rate(len(right), total),
         page.rate(sum(trial.is_wrong for trial in trials), total),
-        best_right(trials),
         ", ".join(f"{count} {reason}" for reason, count in reasons.most_common()) or "–",
         *accuracy(right),
     ]
