@@ -84,16 +84,16 @@ class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
         super().__init__(parameter, kind_of_dialog)
         self._kind = kind
 
-    # QGIS takes the box over: Python's half of it is no more, wrappedWidget() gives another one.
-
     def createWidget(self):
         box = QgsFileWidget()
         box.setToolTip(self.parameterDefinition().toolTip())
         box.setDialogTitle(self.parameterDefinition().description())
         box.setFilter(self.parameterDefinition().createFileFilter())
         box.fileChanged.connect(self._tell)
-        # Kept, because it lost the half that would keep it.
         self.known = KnownButton(box, self._kind)
+        # QGIS takes the box over without keeping Python's half of it, which its destructor looks for: the connection
+        # keeps that half until the box is gone.
+        box.destroyed.connect(lambda *_, half=box: None)
         return box
 
     def setWidgetValue(self, value, context):
