@@ -19,6 +19,7 @@ from .algorithms.export_training_tiles import ExportTrainingTiles
 from .algorithms.georeference_images import GeoreferenceImages
 from .algorithms.localize_flight import LocalizeFlight
 from .algorithms.localize_images import LocalizeImages
+from .algorithms.make_class_table import MakeClassTable
 from .algorithms.make_sample import MakeSample
 from .algorithms.rasterize_annotation import RasterizeAnnotation
 from .algorithms.repair_annotation import RepairAnnotation
@@ -49,6 +50,7 @@ ALGORITHMS = (
     EvaluateLocalization,
     AssessDatabase,
     AssessRoute,
+    MakeClassTable,
 )
 
 

@@ -53,6 +53,7 @@ class LabelMapFile(WrittenRaster):
         if class_bias:
             self._dataset.SetMetadataItem(CLASS_BIAS_ITEM, class_bias)
         set_class_colors(self._dataset.GetRasterBand(1), table)
+        set_attribute_table(self._dataset.GetRasterBand(1), table)
 
     def write_rows(self, first_row: int, labels_hw: np.ndarray) -> None:
         """Writes whole rows through to the file; may run in another thread, one call at a time."""
@@ -94,3 +95,25 @@ def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
     names[0] = names[0] or "unlabeled"
     band.SetRasterColorTable(colors)
     band.SetRasterCategoryNames(names)
+
+
+def set_attribute_table(band: gdal.Band, table: ClassTable) -> None:
+    """GDAL's raster attribute table: value, name, color and role of each class, in the .aux.xml of a GeoTIFF."""
+    attributes = gdal.RasterAttributeTable()
+    columns = (
+        ("Value", gdal.GFT_Integer, gdal.GFU_MinMax),
+        ("Class", gdal.GFT_String, gdal.GFU_Name),
+        ("Red", gdal.GFT_Integer, gdal.GFU_Red),
+        ("Green", gdal.GFT_Integer, gdal.GFU_Green),
+        ("Blue", gdal.GFT_Integer, gdal.GFU_Blue),
+        ("Role", gdal.GFT_String, gdal.GFU_Generic),
+    )
+    for name, kind, usage in columns:
+        attributes.CreateColumn(name, kind, usage)
+    rows = [(c.value, c.name, *c.rgb, c.role) for c in table if c.value]
+    attributes.SetRowCount(len(rows))
+    for row, cells in enumerate(rows):
+        for column, cell in enumerate(cells):
+            (attributes.SetValueAsString if isinstance(cell, str) else attributes.SetValueAsInt)(row, column, cell)
+    attributes.SetTableType(gdal.GRTT_THEMATIC)
+    band.SetDefaultRAT(attributes)

@@ -14,9 +14,9 @@ from ..core.errors import ClassTableError, LabelMapError
 from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
+    chosen_colors,
     class_table_from_csv,
     class_table_from_values,
-    default_color,
 )
 from ..core.labels.color_labels import decode_colors
 from ..core.labels.counts import count_labels
@@ -267,12 +267,12 @@ def named_classes(dataset: gdal.Dataset) -> tuple[LandCoverClass, ...]:
     """Classes from GDAL's category names and color table."""
     band = dataset.GetRasterBand(1)
     colors = band.GetRasterColorTable()
+    named = [(v, name) for v, name in enumerate(band.GetRasterCategoryNames() or []) if 0 < v <= 255 and name]
     found = []
-    for value, name in enumerate(band.GetRasterCategoryNames() or []):
-        if value > 0 and name and value <= 255:
-            entry = colors.GetColorEntry(value) if colors is not None and value < colors.GetCount() else None
-            color = "#{:02x}{:02x}{:02x}".format(*entry[:3]) if entry else default_color(value)
-            found.append(LandCoverClass(value, name, color))
+    for (value, name), chosen in zip(named, chosen_colors(named)):
+        entry = colors.GetColorEntry(value) if colors is not None and value < colors.GetCount() else None
+        color = "#{:02x}{:02x}{:02x}".format(*entry[:3]) if entry else chosen
+        found.append(LandCoverClass(value, name, color))
     names = [c.name for c in found]
     return tuple(found) if len(set(names)) == len(names) else ()
 

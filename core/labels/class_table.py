@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from ..errors import ClassTableError
 from ..sentences import Sentence
 from ..values import LONGEST_NAME, shown
+from .class_colors import known_color, shades
 
 UNLABELED = 0
 """Label of pixels that no class covers ("unlabeled/other")."""
@@ -154,9 +155,18 @@ class ClassTable:
         return next((c for c in self.classes if c.value == value), None)
 
     def find(self, text: str) -> LandCoverClass | None:
-        """The class a person means by ``text``: its name (case-insensitive if need be) or its value."""
+        """The class a person means by ``text``: its name (case-insensitive if need be), half of it, or its value.
+
+        Names of nomenclatures begin with a code of three digits or more: “311 Broad-leaved forest” is also found by
+        “311” and by “Broad-leaved forest”.
+        """
         wanted = text.strip()
-        for key in (lambda c: c.name == wanted, lambda c: c.name.casefold() == wanted.casefold()):
+        folded = wanted.casefold()
+        for key in (
+            lambda c: c.name == wanted,
+            lambda c: c.name.casefold() == folded,
+            lambda c: folded in [part.casefold() for part in _code_and_title(c.name)],
+        ):
             found = [c for c in self.classes if key(c)]
             if len(found) == 1:
                 return found[0]
@@ -234,20 +244,26 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
             "labels.class_table_lacks_column", source=source, missing=missing, header=lines[0].strip()
         )
     reader.fieldnames = header
-    return ClassTable(
-        tuple(
-            _class_from_row(row, Sentence("labels.line", source=source, line=n))
-            for n, row in enumerate(reader, start=2)
-        )
-    )
+    found = [
+        _class_from_row(row, Sentence("labels.line", source=source, line=n)) for n, row in enumerate(reader, start=2)
+    ]
+    colorless = [one for one, has_color in found if not has_color]
+    chosen = dict(zip(map(id, colorless), chosen_colors((one.value, one.name) for one in colorless)))
+    return ClassTable(tuple(replace(one, color=chosen.get(id(one), one.color)) for one, _ in found))
 
 
 def class_table_from_names(names: Iterable[str]) -> ClassTable:
     """A table for classes known only by name: values 1, 2, … in the given order, colors chosen, all background."""
     found = list(names)
-    if len(found) > MAXIMUM_VALUE:
-        raise ClassTableError("labels.too_many_classes", count=len(found), most=MAXIMUM_VALUE)
-    return ClassTable(tuple(LandCoverClass(i, name, default_color(i)) for i, name in enumerate(found, start=1)))
+    require_class_count(len(found))
+    colors = chosen_colors(enumerate(found, start=1))
+    return ClassTable(tuple(LandCoverClass(i, *both) for i, both in enumerate(zip(found, colors), start=1)))
+
+
+def require_class_count(count: int) -> None:
+    """Raises ClassTableError for more classes than a label map has values."""
+    if count > MAXIMUM_VALUE:
+        raise ClassTableError("labels.too_many_classes", count=count, most=MAXIMUM_VALUE)
 
 
 def class_table_from_values(values: Iterable[int]) -> ClassTable:
@@ -262,6 +278,17 @@ def default_color(value: int) -> str:
     return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
 
 
+def chosen_colors(classes: Iterable[tuple[int, str]]) -> list[str]:
+    """A color ``#rrggbb`` for each (value, name): what its name is known by, else any; the same every time."""
+    return shades([known_color(name) or default_color(value) for value, name in classes])
+
+
+def _code_and_title(name: str) -> tuple[str, ...]:
+    """The code that a name begins with and what stands behind it; nothing for a name without one."""
+    found = re.fullmatch(r"(\d{3,})\s+(.+)", name)
+    return found.groups() if found else ()
+
+
 def split_list(text: str | None) -> list[str]:
     """Items of a list given as text, without empty ones: ``"building; water"`` → ["building", "water"]."""
     return [item.strip() for item in (text or "").split(LIST_SEPARATOR) if item.strip()]
@@ -274,7 +301,8 @@ def shortened(items: Sequence[str], most: int = 12) -> tuple[str, ...] | Sentenc
     return Sentence("labels.and_more", shown=items[:most], count=len(items) - most)
 
 
-def _class_from_row(row: dict[str, str | None], where: Sentence) -> LandCoverClass:
+def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCoverClass, bool]:
+    """(the class, whether the row has its color)."""
     cell = {
         key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
     }
@@ -287,7 +315,7 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> LandCoverCla
     except ValueError:
         raise ClassTableError("labels.class_order_not_number", where=where, text=cell["draw_order"]) from None
     try:
-        return LandCoverClass(
+        made = LandCoverClass(
             value=value,
             name=cell["name"],
             color=(cell.get("color") or default_color(value)).lower(),
@@ -298,6 +326,7 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> LandCoverCla
         )
     except ClassTableError as error:
         raise ClassTableError("labels.at_line", where=where, fault=error.sentence) from None
+    return made, bool(cell.get("color"))
 
 
 def _hsv(text: str, where: Sentence) -> Hsv | None:

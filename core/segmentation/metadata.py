@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..errors import ClassTableError, ModelError
-from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, default_color
+from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, chosen_colors
 from ..values import LONGEST_NAME, read_json
 from .class_bias import KEY as CLASS_BIAS
 
@@ -163,7 +163,7 @@ def _classes(
     values = [channel if first_is_none else channel + 1 for channel in range(len(names))]
     if "class_values" in texts:
         values = [_class_value(v, source) for v in _by_channel(texts, "class_values", source, len(names))]
-    colors = [default_color(value) for value in values]
+    colors = chosen_colors(zip(values, names))
     if "class_colors" in texts:
         colors = [str(color) for color in _by_channel(texts, "class_colors", source, len(names))]
     roles = [BACKGROUND] * len(names)

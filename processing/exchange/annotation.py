@@ -23,11 +23,12 @@ from qgis.core import (
 )
 
 from ...core.errors import AnnotationError
+from ...core.labels.class_proposal import FoundClass
 from ...core.labels.class_table import (
     ClassTable,
     LandCoverClass,
-    class_table_from_names,
-    class_table_from_values,
+    chosen_colors,
+    require_class_count,
     shortened,
 )
 from ...storage.burning import BurnPolygon
@@ -218,18 +219,31 @@ def class_lookup(source: AnnotationSource, given: ClassTable | None, canceled: C
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
         raise AnnotationError("exchange.no_class_filled", source=source.name)
+    require_class_count(len(found))
     texts = [raw_text(values[0]) for values, _, _ in found]
     as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
     labels = [label for _, label, _ in found]
     if len(set(labels)) < len(labels):
         labels = texts
-    base = class_table_from_values(int(t) for t in texts) if as_values else class_table_from_names(labels)
     numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
-    classes = []
-    for number, label, (_, _, color) in zip(numbers, labels, found):
-        classes.append(LandCoverClass(number, label, color or base.by_value(number).color))
+    chosen = chosen_colors(zip(numbers, labels))
+    classes = [
+        LandCoverClass(number, label, color or other)
+        for number, label, (_, _, color), other in zip(numbers, labels, found, chosen)
+    ]
     by_raw = {raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}
     return ClassLookup(ClassTable(tuple(classes)), by_raw)
+
+
+def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[FoundClass]:
+    """Every class that the layer's features or its style have, as the class field holds it; raises AnnotationError."""
+    styles = {raw_text(raw): (label, color) for raws, label, color in source.styled for raw in raws}
+    texts = [raw_text(value) for value in _distinct_values(source, canceled)]
+    texts += [text for text in styles if text not in texts]
+    if not texts and not canceled():
+        raise AnnotationError("exchange.no_class_filled", source=source.name)
+    is_value = source.class_is_number and all(text.isdigit() and 1 <= int(text) <= 255 for text in texts)
+    return [FoundClass(t, *styles.get(t, (t, "")), int(t) if is_value else None) for t in texts]
 
 
 def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> list[object]:

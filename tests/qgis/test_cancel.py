@@ -95,6 +95,12 @@ def jobs(run_algorithm, tmp_path_factory):
             "ISSUES",
             "out.gpkg",
         ),
+        "class table": (
+            "semref:classtable",
+            {"INPUT": str(folder / "annotation.shp"), "CLASS_FIELD": "class"},
+            "OUTPUT",
+            "out.csv",
+        ),
         "repair": (
             "semref:repairannotation",
             {"INPUT": str(folder / "overlapping.shp"), "CLASS_FIELD": "class"},

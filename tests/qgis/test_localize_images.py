@@ -85,7 +85,7 @@ def test_the_labels_folder_has_a_label_map_for_each_image_by_its_stem(localize, 
     for name, expected in (("a.tif", window(0, 0)), ("a_2.tif", window(40, 80))):
         labels = gdal.Open(str(folder / name))
         assert np.array_equal(labels.ReadAsArray(), expected)
-        assert "1,building,#cc6677" in labels.GetMetadataItem("SEMREF_CLASS_TABLE")
+        assert "1,building,#c8372d" in labels.GetMetadataItem("SEMREF_CLASS_TABLE")
 
 
 def test_a_labels_folder_with_other_files_is_refused_before_anything_is_localized(localize, tmp_path):

@@ -35,6 +35,7 @@ NAMES = (
     "evaluatelocalization",
     "assessdatabase",
     "assessroute",
+    "classtable",
 )
 
 

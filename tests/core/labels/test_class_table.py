@@ -90,8 +90,8 @@ def test_blank_lines_spaces_and_capitals_do_no_harm():
 def test_color_and_role_may_be_left_out():
     table = class_table_from_csv("name,value\nbuilding,1\nwater,2\n")
     assert [(c.name, c.color, c.role) for c in table] == [
-        ("building", default_color(1), "background"),
-        ("water", default_color(2), "background"),
+        ("building", "#c8372d", "background"),
+        ("water", "#3a87c8", "background"),
     ]
 
 

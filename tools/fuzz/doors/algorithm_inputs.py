@@ -80,6 +80,7 @@ def base_parameters(files: dict[str, str], out: Path) -> dict[str, dict[str, Any
         "classifyopenstreetmap": {"INPUT": files["layer"], "OTHER_CLASS": "building", "OUTPUT": layer},
         "checkannotation": {**annotated, "PIXEL_SIZE": 1, "ISSUES": layer, "REPORT": report},
         "repairannotation": {**annotated, "OUTPUT": layer, "CHANGES": str(out / "y.gpkg")},
+        "classtable": {**annotated, "REFERENCE_CLASSES": "water", "OUTPUT": report},
         "builddatabase": {
             "LABELS": files["labels"],
             "REFERENCE_CLASSES": classes,

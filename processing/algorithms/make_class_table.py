@@ -1,0 +1,101 @@
+"""semref:classtable – a class table of an annotation layer, with colors and roles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ...core.errors import ClassTableError, ParameterError
+from ..exchange.annotation import annotation_source
+from ..framework import offers
+from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.class_presets import PRESETS
+from ..framework.declarations import Choice, FileOutput, NumberResult
+from ..translation import tr
+
+if TYPE_CHECKING:
+    from qgis.core import QgsProcessingFeedback
+
+    from ...core.labels.class_table import ClassTable
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+
+class MakeClassTable(SemRefAlgorithm):
+    ID = "classtable"
+    GROUP = ANNOTATION
+    TAGS = ("class table", "classes", "legend", "colors", "csv", "nomenclature", "openstreetmap", "corine", "lcdb")
+    PACKAGES = ()
+
+    INPUT, CLASS_FIELD, REFERENCE_CLASSES = offers.INPUT, offers.CLASS_FIELD, offers.REFERENCE_CLASSES
+    OUTPUT = "OUTPUT"
+    PRESET = "PRESET"
+    CLASS_COUNT = "CLASS_COUNT"
+
+    def title(self) -> str:
+        return tr("Make class table")
+
+    def summary(self) -> str:
+        return tr(
+            "Writes the class table of an annotation layer: a value, a color and a role for each class that it has.\n\n"
+            "Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known "
+            "by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a "
+            "class table is asked for, or in any spreadsheet."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            *offers.annotation()[:2],
+            offers.reference_classes(
+                tr(
+                    "Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those "
+                    "that usually are compact and stay where they are: buildings, water, bare land, orchards."
+                )
+            ),
+            FileOutput(
+                self.OUTPUT,
+                tr("Class table"),
+                tr("CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max."),
+                filter=tr("CSV files (*.csv)"),
+            ),
+            Choice(
+                self.PRESET,
+                tr("Nomenclature"),
+                tr(
+                    "Whose values, colors and roles the classes get. The class field may hold the names, or the codes "
+                    "that names begin with; classes that the nomenclature lacks come behind its own."
+                ),
+                advanced=True,
+                default=0,
+                options=(tr("None"), *(preset.title for preset in PRESETS)),
+            ),
+            NumberResult(self.CLASS_COUNT, tr("Number of classes")),
+        )
+
+    def read_layers(self, values: Values) -> None:
+        layer = values.vector(self.INPUT)
+        self._source = annotation_source(layer, values.raw(self.INPUT), values.text(self.CLASS_FIELD), "")
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ...core.labels.class_proposal import proposed_table
+        from ..exchange.annotation import class_texts
+
+        found = class_texts(self._source, feedback.isCanceled)
+        check_canceled(feedback)
+        number = values.choice(self.PRESET)
+        table = proposed_table(found, PRESETS[number - 1].table() if number else None)
+        chosen = values.parts(self.REFERENCE_CLASSES)
+        try:
+            table = table.with_references(chosen) if chosen else table
+        except ClassTableError as error:
+            raise ParameterError("labels.at_line", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
+        outputs.text(self.OUTPUT, table.to_csv())
+        _say(table, feedback)
+        return {self.CLASS_COUNT: len(table)}
+
+
+def _say(table: ClassTable, feedback: QgsProcessingFeedback) -> None:
+    for one in table:
+        role = tr("landmarks") if one.is_reference else tr("background")
+        feedback.pushInfo(f"{one.value} {one.name}: {one.color}, {role}")
+    if not table.references:
+        feedback.pushWarning(tr("No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles."))

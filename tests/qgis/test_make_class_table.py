@@ -1,0 +1,111 @@
+"""semref:classtable: what a layer's classes become, and what the result is good for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from made_inputs import square, write_layer
+from osgeo import gdal
+from qgis.core import (
+    QgsCategorizedSymbolRenderer,
+    QgsFillSymbol,
+    QgsProcessingException,
+    QgsRendererCategory,
+    QgsVectorLayer,
+)
+
+from semref.core.labels.class_table import class_table_from_csv
+from semref.processing.framework.class_presets import PRESETS
+
+CLASS_TABLE, RASTERIZE = "semref:classtable", "semref:rasterizeannotation"
+
+
+@pytest.fixture
+def made(run_algorithm, tmp_path):
+    def run(layer, **parameters):
+        output = str(tmp_path / "classes.csv")
+        given = {"INPUT": layer, "CLASS_FIELD": "class", "OUTPUT": output, **parameters}
+        results = run_algorithm(CLASS_TABLE, given)
+        return class_table_from_csv(Path(output).read_text(encoding="utf-8")), results
+
+    return run
+
+
+def layer_of(tmp_path, *values, kind="text") -> str:
+    features = [(square(10 + 40 * n, 10, 30), value) for n, value in enumerate(values)]
+    return str(write_layer(tmp_path / "annotation.gpkg", features, [("class", kind)]))
+
+
+def test_a_layers_classes_get_values_colors_and_roles(made, tmp_path):
+    table, results = made(layer_of(tmp_path, "water", "forest", "building", "water", None))
+    assert results["CLASS_COUNT"] == 3
+    assert [(c.value, c.name) for c in table] == [(1, "building"), (2, "forest"), (3, "water")]
+    assert [c.name for c in table.references] == ["building", "water"]
+    assert table.find("water").color == "#3a87c8"
+
+
+def test_the_reference_classes_are_those_named(made, tmp_path):
+    table, _ = made(layer_of(tmp_path, "water", "forest"), REFERENCE_CLASSES="forest")
+    assert [c.name for c in table.references] == ["forest"]
+
+
+def test_the_colors_of_the_layers_style_are_kept(made, tmp_path):
+    layer = QgsVectorLayer(layer_of(tmp_path, 4, 9, kind="integer"), "annotation", "ogr")
+    symbols = [QgsFillSymbol.createSimple({"color": color}) for color in ("#112233", "#445566")]
+    categories = [QgsRendererCategory(*row) for row in ((4, symbols[0], "Lake"), (9, symbols[1], "House"))]
+    layer.setRenderer(QgsCategorizedSymbolRenderer("class", categories))
+    table, _ = made(layer)
+    assert [(c.value, c.name, c.color) for c in table] == [(4, "Lake", "#112233"), (9, "House", "#445566")]
+
+
+def test_the_table_is_good_for_the_layer_it_was_made_of(made, run_algorithm, tmp_path):
+    layer = layer_of(tmp_path, "311", "112", "something else")
+    table, _ = made(layer, PRESET=3)
+    assert [c.value for c in table] == [2, 23, 24]
+    output = str(tmp_path / "labels.tif")
+    given = {"INPUT": layer, "CLASS_FIELD": "class", "CLASS_TABLE": str(tmp_path / "classes.csv"), "OUTPUT": output}
+    assert run_algorithm(RASTERIZE, given)["CLASS_COUNT"] == 3
+
+
+@pytest.mark.parametrize("preset", PRESETS, ids=lambda preset: preset.file)
+def test_presets_are_class_tables_whose_colors_differ_and_that_have_landmarks(preset):
+    table = preset.table()
+    assert len({c.color for c in table}) >= 0.95 * len(table)
+    assert 3 <= len(table.references) < len(table)
+
+
+def test_a_layer_without_classes_or_an_unknown_reference_class_is_refused(made, tmp_path):
+    with pytest.raises(QgsProcessingException, match="REFERENCE_CLASSES"):
+        made(layer_of(tmp_path, "water"), REFERENCE_CLASSES="lava")
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(QgsProcessingException, match="class"):
+        made(layer_of(tmp_path / "empty", None))
+    assert not list(tmp_path.glob("classes*"))
+
+
+def test_a_label_map_tells_its_classes_as_gdals_attribute_table(made, run_algorithm, tmp_path):
+    layer = layer_of(tmp_path, "water", "forest")
+    table, _ = made(layer)
+    output = str(tmp_path / "labels.tif")
+    given = {"INPUT": layer, "CLASS_FIELD": "class", "CLASS_TABLE": str(tmp_path / "classes.csv"), "OUTPUT": output}
+    run_algorithm(RASTERIZE, given)
+    raster = gdal.Open(output)
+    band = raster.GetRasterBand(1)
+    attributes = band.GetDefaultRAT()
+    name, value, red = (attributes.GetColOfUsage(u) for u in (gdal.GFU_Name, gdal.GFU_MinMax, gdal.GFU_Red))
+    found = {attributes.GetValueAsInt(r, value): attributes.GetValueAsString(r, name) for r in range(2)}
+    assert found == {c.value: c.name for c in table}
+    assert [attributes.GetValueAsInt(r, red) for r in range(2)] == [c.rgb[0] for c in table]
+    assert band.GetRasterCategoryNames() == ["unlabeled", "forest", "water"]
+
+
+def test_a_new_label_map_in_an_old_ones_place_has_its_own_attribute_table(made, run_algorithm, tmp_path):
+    output = str(tmp_path / "labels.tif")
+    for names in (("water", "forest", "building"), ("road", "grass")):
+        (tmp_path / names[0]).mkdir()
+        layer = layer_of(tmp_path / names[0], *names)
+        run_algorithm(RASTERIZE, {"INPUT": layer, "CLASS_FIELD": "class", "OUTPUT": output})
+    raster = gdal.Open(output)
+    attributes = raster.GetRasterBand(1).GetDefaultRAT()
+    assert [attributes.GetValueAsString(r, 1) for r in range(attributes.GetRowCount())] == ["grass", "road"]
