@@ -81,7 +81,8 @@ def _kind(name: str) -> tuple[str, bool] | None:
 
 def shades(colors: Iterable[str]) -> list[str]:
     """The same colors; one that comes again is another shade each time, lighter and darker in turn."""
-    given, counts = [], {}
+    given: list[str] = []
+    counts: dict[str, int] = {}
     for color in colors:
         again = counts.get(color, 0)
         counts[color] = again + 1

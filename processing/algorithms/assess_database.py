@@ -16,6 +16,7 @@ from ..framework.assessing import AssessAlgorithm, footprint_sizes, reason_text,
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.declarations import Number, NumberResult, PolygonOutput, Text
 from ..translation import tr
+from ..wording.numbers import shown
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -166,7 +167,7 @@ class AssessDatabase(AssessAlgorithm):
         conditions, threshold = self.conditions(values), self.threshold(values)
         correlation = self.with_correlation(values, database)
         settings = [
-            (tr("Spacing (map units)"), f"{cells.size:g}"),
+            (tr("Spacing (map units)"), shown(cells.size, "g")),
             (tr("Simulated images"), str(values.integer(self.TRIALS))),
             *setting_rows(conditions, threshold, correlation, values.integer(self.SEED)),
         ]

@@ -24,6 +24,7 @@ from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.declarations import Number, NumberResult, PointOutput, VectorSource
 from ..translation import tr
+from ..wording.numbers import shown
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -267,8 +268,8 @@ class AssessRoute(AssessAlgorithm):
 
         conditions = self.conditions(values)
         settings = [
-            (tr("Footprint (map units)"), f"{route.footprint:g}"),
-            (tr("Spacing (map units)"), f"{route.spacing:g}"),
+            (tr("Footprint (map units)"), shown(route.footprint, "g")),
+            (tr("Spacing (map units)"), shown(route.spacing, "g")),
             (tr("Simulated images a point"), str(values.integer(self.TRIALS))),
             *setting_rows(conditions, route.threshold, assessment.correlation, values.integer(self.SEED)),
         ]

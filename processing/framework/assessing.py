@@ -12,6 +12,7 @@ from ...core.errors import DatabaseError, ParameterError
 from ...core.localization import Method, Status
 from ...core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG
 from ..translation import tr
+from ..wording.numbers import shown
 from ..wording.sentences import worded
 from . import offers
 from .base import SemRefAlgorithm, cancelable, check_canceled
@@ -204,12 +205,12 @@ def setting_rows(conditions: Conditions, threshold: float, correlation: bool, se
     method = Method.AUTOMATIC if correlation else Method.CONSTELLATION
     return [
         (tr("Method"), worded(method.title)),
-        (tr("Landmarks missed (%)"), f"{100 * noise.missed:g}"),
-        (tr("Landmarks invented (%)"), f"{100 * noise.spurious:g}"),
-        (tr("Landmarks misnamed (%)"), f"{100 * noise.mislabeled:g}"),
-        (tr("Ragged edges (map units)"), f"{noise.jitter:g}"),
-        *((title, f"{number:g}") for (_, title, _), number in zip(offers.shared_errors(), numbers)),
-        (tr("Good enough from (%)"), f"{100 * threshold:g}"),
+        (tr("Landmarks missed (%)"), shown(100 * noise.missed, "g")),
+        (tr("Landmarks invented (%)"), shown(100 * noise.spurious, "g")),
+        (tr("Landmarks misnamed (%)"), shown(100 * noise.mislabeled, "g")),
+        (tr("Ragged edges (map units)"), shown(noise.jitter, "g")),
+        *((title, shown(number, "g")) for (_, title, _), number in zip(offers.shared_errors(), numbers)),
+        (tr("Good enough from (%)"), shown(100 * threshold, "g")),
         (tr("Seed"), str(seed)),
     ]
 

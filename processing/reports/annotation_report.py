@@ -6,11 +6,24 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ...core.annotation.findings import CHECKED_KINDS, ERROR, NOTHING, SEVERITIES, Finding
+from ...core.annotation.findings import (
+    CHECKED_KINDS,
+    ERROR,
+    INFORMATION,
+    NOTHING,
+    SEVERITIES,
+    WARNING,
+    Finding,
+)
 from ..translation import tr
-from ..wording.annotation_messages import sentence, severity_title
+from ..wording.annotation_messages import kind_titles, sentence, severity_title
+from ..wording.numbers import count as number_text
+from ..wording.numbers import shown
 from . import charts, page
 from .charts import Series
+
+_CSS = {ERROR: "bad", WARNING: "warning", INFORMATION: "information"}
+"""Names of the page's colors: those of the layer of findings."""
 
 EXAMPLES = 3
 """Findings of each kind that are told in words: those with the largest area."""
@@ -29,16 +42,32 @@ class AnnotationReport:
         """The whole page."""
         return page.page(
             tr("Check of an annotation"),
-            tr("{layer}: {features} features").format(layer=self.layer, features=self.features),
+            tr("{layer}: {features} features").format(layer=self.layer, features=number_text(self.features)),
             self._key_figures(),
-            page.section(tr("Findings by kind"), page.columns(self._kinds_table(), self._kinds_chart())),
+            self._next(),
+            page.section(tr("Findings by kind"), self._kinds_table(), self._kinds_chart()),
             page.section(tr("Findings by class"), self._classes_table()),
             page.section(tr("The largest of each kind"), *self._examples()),
         )
 
     def _key_figures(self) -> str:
         counts = Counter(finding.severity for finding in self.findings)
-        return page.key_figures([(str(counts[severity]), severity_title(severity), "") for severity in SEVERITIES])
+        figures = [(number_text(counts[severity]), severity_title(severity), "") for severity in SEVERITIES]
+        return page.key_figures(figures)
+
+    def _next(self) -> str:
+        if any(finding.severity == ERROR for finding in self.findings):
+            steps = [
+                tr("Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first."),
+                tr("“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers."),
+                tr("Check again: without errors the layer is ready for “Rasterize annotation”."),
+            ]
+        else:
+            steps = [
+                tr("There is no error: go on with “Rasterize annotation”, then “Build reference database”."),
+                tr("Warnings cost landmarks; those in the map’s important places are worth a look."),
+            ]
+        return page.next_steps(tr("What to do next"), steps)
 
     def _kinds(self) -> list[str]:
         found = {finding.kind for finding in self.findings}
@@ -52,7 +81,8 @@ class AnnotationReport:
         series = []
         for severity in SEVERITIES:
             places = [n for n, kind in enumerate(kinds) if counts[kind, severity]]
-            series.append(Series(severity_title(severity), places, [counts[kinds[n], severity] for n in places]))
+            heights = [counts[kinds[n], severity] for n in places]
+            series.append(Series(severity_title(severity), places, heights, color=f"var(--{_CSS[severity]})"))
         largest = max(counts.values())
         # Numbers below the bars: the names of the kinds stand in the table.
         groups = [str(n) for n in range(1, len(kinds) + 1)]
@@ -67,7 +97,8 @@ class AnnotationReport:
             own = [finding for finding in self.findings if finding.kind == kind]
             counts = Counter(finding.severity for finding in own)
             cells = [_count(counts[severity], severity) for severity in SEVERITIES]
-            rows.append([str(n), kind, *cells, f"{sum(f.area or 0.0 for f in own):,.2f}{page.NO_BREAK}m²"])
+            area = shown(sum(f.area or 0.0 for f in own), ",.2f")
+            rows.append([str(n), kind_titles()[kind], *cells, f"{area}{page.NO_BREAK}m²"])
         header = ["", tr("kind"), *(severity_title(severity) for severity in SEVERITIES), tr("area")]
         return page.table(header, rows, numbers=(0, 2, 3, 4, 5))
 
@@ -84,9 +115,11 @@ class AnnotationReport:
         parts = []
         for kind in self._kinds():
             own = sorted((f for f in self.findings if f.kind == kind), key=lambda f: -(f.area or 0.0))
-            parts += [page.paragraph(f"{kind}: {sentence(f, self.class_names)}") for f in own[:EXAMPLES]]
+            title = kind_titles()[kind]
+            parts += [page.paragraph(f"{title}: {sentence(f, self.class_names)}") for f in own[:EXAMPLES]]
         return parts
 
 
 def _count(number: int, severity: str) -> str:
-    return page.Marked(str(number), False) if number and severity == ERROR else str(number)
+    text = number_text(number)
+    return page.Marked(text, False) if number and severity == ERROR else text

@@ -20,10 +20,15 @@ from ...core.localization import Status
 from ...core.simulation.conditions import Conditions
 from ..exchange.assessment_styles import success_classes
 from ..translation import tr
+from ..wording.numbers import Local, shown
+from ..wording.numbers import count as number_text
 from . import charts, page
 from .assessment_map import cell_map, legend
 from .charts import rate_series
 from .roads import road_rows, road_table
+
+ENOUGH_GROUND = 0.8
+"""Share of the ground that is good enough, below which the report says what helps."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +42,7 @@ class AssessedFootprint:
     model: SuccessModel
 
     def title(self) -> str:
-        return tr("Footprint {footprint:g}").format(footprint=self.footprint)
+        return tr("Footprint {footprint:g}").format(footprint=Local(self.footprint))
 
 
 @dataclass(frozen=True)
@@ -58,6 +63,7 @@ class AssessmentReport:
             tr("Assessment of a reference database"),
             name,
             self._key_figures(self.results[0]),
+            page.next_steps(tr("What to do next"), self._next()),
             page.paragraph(assumed(self.conditions, self.correlation)),
             page.section(tr("Where it will localize"), *self._maps()),
             page.section(tr("By footprint"), self._footprints(), self._landmarks_chart()),
@@ -81,13 +87,28 @@ class AssessmentReport:
             ]
         ) + (page.paragraph(first.title() + ".") if len(self.results) > 1 else "")
 
+    def _next(self) -> list[str]:
+        good = float((self.results[0].estimates.success >= self.threshold).mean())
+        steps = [tr("Plan routes over the bright squares, and try them with “Assess route”.")] if good else []
+        if good < ENOUGH_GROUND:
+            steps.append(
+                tr(
+                    "Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller "
+                    "minimum area, or further reference classes for “Build reference database”."
+                )
+            )
+        steps.append(
+            tr("Try it with images of another date by “Evaluate localization”: noise that is understated flatters.")
+        )
+        return steps
+
     def _maps(self) -> list[str]:
         classes = success_classes(self.threshold)
         maps = [
             page.figure(
                 cell_map(self.cells.columns, self.cells.rows, r.estimates.success, classes, r.title()),
                 tr("{footprint}: expected success. A square is {size:g} map units wide; north is up.").format(
-                    footprint=r.title(), size=self.cells.size
+                    footprint=r.title(), size=Local(self.cells.size)
                 ),
             )
             for r in self.results
@@ -106,7 +127,7 @@ class AssessmentReport:
         ]
         rows = [
             [
-                f"{r.footprint:g}",
+                shown(r.footprint, "g"),
                 page.percent(float((r.estimates.success >= self.threshold).mean())),
                 page.percent(float(r.estimates.success.mean())),
                 page.number(_median(r.estimates.error), "m"),
@@ -167,7 +188,7 @@ class AssessmentReport:
             rows.append(
                 [
                     one.name,
-                    f"{len(areas):,}",
+                    number_text(len(areas)),
                     page.percent(len(areas) / len(references)),
                     page.number(float(np.median(areas)) if len(areas) else None, "m²"),
                 ]
@@ -209,12 +230,12 @@ def assumed(conditions: Conditions, correlation: bool) -> str:
         invented=page.percent(noise.spurious, 0),
         misnamed=page.percent(noise.mislabeled, 0),
         background=page.percent(noise.background, 0),
-        ragged=noise.jitter,
-        displaced=noise.displaced,
-        shifted=conditions.class_shift,
+        ragged=Local(noise.jitter),
+        displaced=Local(noise.displaced),
+        shifted=Local(conditions.class_shift),
         leaning=page.percent(noise.leaning),
         lens=page.percent(conditions.lens),
-        tilt=conditions.tilt_deg,
+        tilt=Local(conditions.tilt_deg),
         method=method,
     )
 

@@ -11,8 +11,12 @@ from dataclasses import dataclass
 from html import escape
 
 from ...core.evaluation.rates import RateAt
+from ..wording.numbers import shown
 
 WIDTH, HEIGHT = 480, 300
+WIDEST_PX = 620
+"""On screen and paper, so that its letters are hardly larger than the page's."""
+
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
 TITLE_ROW = 24
@@ -33,7 +37,8 @@ CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
 class Series:
     """A named line or row of bars: y of each x, with the interval (low, high) of each y if it is known.
 
-    marked: whether the points get markers; stepped: y stays until the next x.
+    marked: whether the points get markers; stepped: y stays until the next x; color: of CSS, by the series' number if
+    empty.
     """
 
     name: str
@@ -43,6 +48,7 @@ class Series:
     high: Sequence[float] | None = None
     marked: bool = True
     stepped: bool = False
+    color: str = ""
 
 
 def rate_series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) -> Series:
@@ -81,14 +87,14 @@ def percent_axis(title: str) -> Axis:
 def linear_axis(title: str, low: float, high: float, steps: int = 5) -> Axis:
     """Even ticks from low to high."""
     ticks = [low + (high - low) * n / steps for n in range(steps + 1)]
-    return Axis(title, (low, high), [(tick, f"{tick:.3g}") for tick in ticks])
+    return Axis(title, (low, high), [(tick, shown(tick, ".3g")) for tick in ticks])
 
 
 def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
     """Whole decades around smallest and largest, both above 0."""
     first, last = math.floor(math.log10(smallest)), math.ceil(math.log10(largest))
     last = max(last, first + 1)
-    ticks = [(10.0**n, f"{10.0**n:,g}") for n in range(first, last + 1)]
+    ticks = [(10.0**n, shown(10.0**n, ",g")) for n in range(first, last + 1)]
     return Axis(title, (10.0**first, 10.0**last), ticks, True)
 
 
@@ -116,13 +122,14 @@ def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_a
             (x0, top), (x1, floor) = frame.point(left, y), frame.point(left + width * 0.9, y_axis.limits[0])
             parts.append(
                 f'<rect x="{x0:.1f}" y="{top:.1f}" width="{x1 - x0:.1f}" height="{max(floor - top, 0.5):.1f}" '
-                f'style="fill:{_color(number)}"/>'
+                f'style="fill:{one.color or _color(number)}"/>'
             )
             if one.low is not None:
                 middle = (x0 + x1) / 2
                 ends = [frame.point(left, value)[1] for value in (one.low[at], one.high[at])]
                 parts.append(f'<path d="M{middle:.1f} {ends[0]:.1f}V{ends[1]:.1f}" {_stroke("var(--text)", "", 1)}/>')
-    return frame.svg(parts + _legend(frame, [one.name for one in series], lines=False), name)
+    colors = [one.color for one in series]
+    return frame.svg(parts + _legend(frame, [one.name for one in series], False, colors), name)
 
 
 def heat_map(
@@ -213,7 +220,7 @@ class _Frame:
         return parts
 
     def svg(self, parts: Sequence[str], name: str) -> str:
-        return _svg(parts, name, WIDTH, self.height)
+        return _svg(parts, name, WIDTH, self.height, f' style="max-width:{WIDEST_PX}px"')
 
 
 def _ends(x_axis: Axis, y_axis: Axis) -> tuple[float, float]:
@@ -253,7 +260,7 @@ def _marker(x: float, y: float, number: int) -> str:
     return f'<path d="M{x:.1f} {y:.1f}m{corners[number % SERIES]}" style="fill:{_color(number)}"/>'
 
 
-def _legend(frame: _Frame, names: Sequence[str], lines: bool = True) -> list[str]:
+def _legend(frame: _Frame, names: Sequence[str], lines: bool = True, colors: Sequence[str] = ()) -> list[str]:
     """Two entries a row, above the chart."""
     parts = []
     for number, name in enumerate(names):
@@ -262,7 +269,8 @@ def _legend(frame: _Frame, names: Sequence[str], lines: bool = True) -> list[str
             parts.append(f'<path d="M{x:.1f} {y}h24" {_stroke(_color(number), DASHES[number % SERIES], 2)}/>')
             parts.append(_marker(x + 12, y, number))
         else:
-            parts.append(f'<rect x="{x + 6:.1f}" y="{y - 6}" width="12" height="12" style="fill:{_color(number)}"/>')
+            color = (colors[number] if colors else "") or _color(number)
+            parts.append(f'<rect x="{x + 6:.1f}" y="{y - 6}" width="12" height="12" style="fill:{color}"/>')
         parts.append(f'<text x="{x + 30:.1f}" y="{y + 4}">{escape(name)}</text>')
     return parts
 

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from ...core.labels.comparison import ClassMatch, LabelComparison
 from ...core.landmarks.class_shifts import PIECE_PX
 from ..translation import tr
+from ..wording.numbers import count as number_text
+from ..wording.numbers import shown
 from . import charts, page
 
 METER, PIXEL, MAP_UNIT = "m", "px", ""
@@ -39,7 +41,7 @@ def comparison_html(
     comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts, reference: str, predicted: str
 ) -> str:
     """The whole page; ``reference``, ``predicted``: paths of the maps."""
-    count = tr("{count} pixels compared").format(count=f"{comparison.pixels:,}")
+    count = tr("{count} pixels compared").format(count=number_text(comparison.pixels))
     figures = page.key_figures(
         [
             (page.percent(comparison.overall_accuracy), tr("overall accuracy"), count),
@@ -58,10 +60,23 @@ def comparison_html(
         title,
         subtitle,
         figures,
+        page.next_steps(tr("What to do next"), _next(comparison, match, shifts)),
         page.section(tr("Confusion matrix"), matrix),
         page.section(tr("Classes"), _classes(comparison, match)),
         page.section(tr("Bias of classes"), *_biases(shifts)),
     )
+
+
+def _next(comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts) -> list[str]:
+    steps = [tr("Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.")]
+    values = [value for value in comparison.values if value and comparison.annotated[value]]
+    if values:
+        worst = min(values, key=comparison.iou)
+        text = tr("The class found worst is {name} ({iou}): more of it in the training helps most.")
+        steps.append(text.format(name=match.name(worst), iou=page.percent(comparison.iou(worst))))
+    if shifts.rows:
+        steps.append(tr("Give the network’s file as MODEL, and positions are freed of the biases below."))
+    return steps
 
 
 def _biases(shifts: MeasuredShifts) -> list[str]:
@@ -73,10 +88,10 @@ def _biases(shifts: MeasuredShifts) -> list[str]:
     rows = [
         [
             row.name,
-            f"{row.pairs:,}",
-            f"{row.along[0]:+.2f} {shifts.unit}",
-            f"{row.along[1]:+.2f} {shifts.unit}",
-            f"± {row.deviation:.2f} {shifts.unit}",
+            number_text(row.pairs),
+            f"{shown(row.along[0], '+.2f')} {shifts.unit}",
+            f"{shown(row.along[1], '+.2f')} {shifts.unit}",
+            f"± {shown(row.deviation, '.2f')} {shifts.unit}",
             page.number(row.spread, shifts.unit),
         ]
         for row in shifts.rows
@@ -106,7 +121,7 @@ def _classes(comparison: LabelComparison, match: ClassMatch) -> str:
             page.percent(comparison.iou(value)),
             page.percent(comparison.recall(value)),
             page.percent(comparison.precision(value)),
-            f"{int(comparison.annotated[value]):,}",
+            number_text(int(comparison.annotated[value])),
         ]
         for value in comparison.values
         if value

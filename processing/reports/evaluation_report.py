@@ -22,6 +22,8 @@ from ...core.evaluation.summary import (
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
 from ..translation import tr
+from ..wording.numbers import count as number_text
+from ..wording.numbers import shown
 from ..wording.sentences import worded
 from . import charts, page
 from .charts import Series, rate_series
@@ -46,6 +48,7 @@ class EvaluationReport:
             tr("Evaluation of localization"),
             tr("{database}, images cut from {labels}").format(database=self.database, labels=self.labels),
             self._key_figures(summaries[0]),
+            page.next_steps(tr("What to do next"), _next(summaries)),
             page.section(tr("Methods side by side"), self._methods_table(summaries), page.paragraph(_how_judged())),
             page.section(
                 tr("Where it succeeds"),
@@ -75,7 +78,7 @@ class EvaluationReport:
                         "vectors: a distance above 2 is no match."
                     )
                 ),
-                self._paper_table(SCALING, tr("Scale"), lambda query: f"{query.scale:.2f}"),
+                self._paper_table(SCALING, tr("Scale"), lambda query: shown(query.scale, ".2f")),
             ),
             page.section(
                 tr("Rotation (Table 5 of He & Wu 2025)"),
@@ -189,7 +192,9 @@ class EvaluationReport:
 
     def _statuses(self, summaries: Sequence[MethodSummary]) -> str:
         found = [status for status in Status if any(status.key in s.statuses for s in summaries)]
-        rows = [[worded(status.title), *(str(s.statuses.get(status.key, 0)) for s in summaries)] for status in found]
+        rows = [
+            [worded(status.title), *(number_text(s.statuses.get(status.key, 0)) for s in summaries)] for status in found
+        ]
         titles = [self.methods[s.method] for s in summaries]
         return page.paragraph(tr("What became of the images of the map:")) + page.table(
             [tr("Status"), *titles], rows, range(1, len(titles) + 1)
@@ -225,6 +230,18 @@ class EvaluationReport:
         return cells
 
 
+def _next(summaries: Sequence[MethodSummary]) -> list[str]:
+    first = summaries[0]
+    steps = []
+    if first.false_accepts.successes or first.wrong.successes:
+        steps.append(tr("Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing."))
+    best = max(summaries, key=lambda one: one.right.share or 0.0)
+    if best is not first:
+        steps.append(tr("Another method found more here: compare them in the table below before you choose."))
+    steps.append(tr("“Assess reference database” shows where on the map images will be localized, and where not."))
+    return steps
+
+
 def _how_judged() -> str:
     return tr(
         "A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, "
@@ -240,7 +257,7 @@ def _has_distances(trials: Sequence[Trial]) -> bool:
 
 
 def _fixed(value: float | None, decimals: int) -> str:
-    return page.NOTHING if value is None else f"{value:.{decimals}f}"
+    return page.NOTHING if value is None else shown(value, f".{decimals}f")
 
 
 def _turn_order(query) -> tuple[float, float]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..translation import tr
+from ..wording.numbers import shown
 from . import charts, page
 from .flight_map import flight_map, legend
 
@@ -71,6 +72,7 @@ def flight_html(
         tr("Report of a flight"),
         database,
         _key_figures(points),
+        page.next_steps(tr("What to do next"), _next(points)),
         *([page.section(tr("Track"), *drawn)] if drawn else []),
         page.section(tr("Gaps"), *_gap_table(points)),
         *([page.section(tr("Along the flight"), _curves(points))] if len(placed) > 1 else []),
@@ -99,6 +101,22 @@ def _key_figures(points: Sequence[FlightPoint]) -> str:
             (str(outvoted), tr("own fixes outvoted"), tr("the flight contradicts them")),
         ]
     )
+
+
+def _next(points: Sequence[FlightPoint]) -> list[str]:
+    placed = sum(point.position is not None for point in points)
+    if not placed:
+        return [
+            tr("No image has a place: try a prior position, the camera table, or a database of this ground."),
+            tr("“Assess reference database” tells whether images of this size can be localized there."),
+        ]
+    steps = []
+    if placed < len(points):
+        steps.append(tr("Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks."))
+    if any(point.outvoted for point in points):
+        steps.append(tr("Look at images whose own fix was outvoted: the map may be out of date there."))
+    steps.append(tr("Georeference the images, or play the positions in QGIS’s temporal controller."))
+    return steps
 
 
 def gaps_of(points: Sequence[FlightPoint]) -> list[tuple[int, int]]:
@@ -148,11 +166,11 @@ def _image_table(points: Sequence[FlightPoint]) -> list[str]:
             point.time,
             _held_by(point),
             str(point.track) if point.track else page.NOTHING,
-            *(f"{value:.1f}" for value in point.position or ()),
+            *(shown(value, ".1f") for value in point.position or ()),
             *([page.NOTHING] * (0 if point.position else 2)),
-            page.NOTHING if point.heading_deg is None else f"{point.heading_deg:.1f}°",
+            page.NOTHING if point.heading_deg is None else f"{shown(point.heading_deg, '.1f')}°",
             page.number(point.radius_95, "m"),
-            page.NOTHING if point.fixes_per_error is None else f"{point.fixes_per_error:,.0f}",
+            page.NOTHING if point.fixes_per_error is None else shown(point.fixes_per_error, ",.0f"),
             point.reason,
         ]
         for point in points[:MOST_ROWS]

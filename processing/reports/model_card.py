@@ -7,6 +7,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from ..translation import tr
+from ..wording.numbers import shown
 from ..wording.sentences import worded
 from .page import NO_BREAK, NOTHING, percent
 
@@ -23,7 +24,11 @@ def resolution_text(card: ModelCard) -> str:
     """Meters a pixel, as people write them."""
     if card.resolution_m is None:
         return NOTHING
-    return f"{card.resolution_m:g}{NO_BREAK}m" if card.resolution_m >= 1 else f"{100 * card.resolution_m:g}{NO_BREAK}cm"
+    return (
+        f"{shown(card.resolution_m, 'g')}{NO_BREAK}m"
+        if card.resolution_m >= 1
+        else f"{shown(100 * card.resolution_m, 'g')}{NO_BREAK}cm"
+    )
 
 
 def quality_text(card: ModelCard) -> str:

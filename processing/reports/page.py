@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from html import escape
 
 from ...core.evaluation.rates import Rate
+from ..exchange import palette
+from ..wording.numbers import count, shown
 
 NOTHING = "–"
 """Stands where nothing is known."""
@@ -19,14 +21,49 @@ DASH = "\u2060–\u2060"
 NO_BREAK = "\u00a0"
 """A space at which no line breaks, between a number and its unit."""
 
-_STYLE = """
-:root { color-scheme: light dark; --ground: #ffffff; --text: #1c2126; --soft: #5d6770; --line: #d5dade;
-  --panel: #f4f6f7; --s0: #0067a5; --s1: #c65102; --s2: #00795c; --s3: #a3508c; --good: #00795c; --bad: #b3261e; }
-@media (prefers-color-scheme: dark) { :root { --ground: #16191c; --text: #e4e8eb; --soft: #9ba6ae; --line: #3a4147;
-  --panel: #1f2428; --s0: #56b4e9; --s1: #f0913a; --s2: #2fc49b; --s3: #d98fc5; --good: #2fc49b; --bad: #ff8a80; } }
-@media print { :root { color-scheme: light; --ground: #ffffff; --text: #000000; --soft: #444444; --line: #bbbbbb;
-  --panel: #ffffff; --s0: #0067a5; --s1: #c65102; --s2: #00795c; --s3: #a3508c; --good: #00795c; --bad: #b3261e; }
-  section, figure, .figures { break-inside: avoid; } table { break-inside: auto; } tr { break-inside: avoid; } }
+_COLORS = {
+    "s0": palette.FIX,
+    "s1": palette.FLIGHT,
+    "s2": palette.GOOD,
+    "s3": palette.FOURTH,
+    "good": palette.GOOD,
+    "bad": palette.BAD,
+    "warning": palette.WARNING,
+    "information": palette.INFORMATION,
+}
+"""The maps' colors by the names that a page has for them."""
+
+
+def _variables(colors: dict[str, str]) -> str:
+    return " ".join(f"--{name}: {color};" for name, color in colors.items())
+
+
+_LIGHT = _variables(
+    {"ground": "#ffffff", "text": "#1c2126", "soft": "#5d6770", "line": "#d5dade", "panel": "#f4f6f7", **_COLORS}
+)
+_DARK = _variables(
+    {
+        "ground": "#16191c",
+        "text": "#e4e8eb",
+        "soft": "#9ba6ae",
+        "line": "#3a4147",
+        "panel": "#1f2428",
+        **{name: palette.DARK[color] for name, color in _COLORS.items()},
+    }
+)
+_PAPER = _variables(
+    {"ground": "#ffffff", "text": "#000000", "soft": "#444444", "line": "#bbbbbb", "panel": "#ffffff", **_COLORS}
+)
+
+_STYLE = (
+    f":root {{ color-scheme: light dark; {_LIGHT} }}\n"
+    f"@media (prefers-color-scheme: dark) {{ :root {{ {_DARK} }} }}\n"
+    f"@media print {{ :root {{ color-scheme: light; {_PAPER} }} }}\n"
+    """@page { margin: 16mm 14mm; }
+@media print { section, figure, .figures, .next { break-inside: avoid; } table { break-inside: auto; }
+  tr { break-inside: avoid; } thead { display: table-header-group; } h2 { break-after: avoid; }
+  main { max-width: none; padding: 0; } .scroll { overflow: visible; }
+  svg, .figures div, .next, td { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 body { margin: 0; background: var(--ground); color: var(--text); font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans",
   sans-serif; }
 main { max-width: 1020px; margin: 0 auto; padding: 28px 24px 48px; }
@@ -51,8 +88,13 @@ th { font-weight: 600; color: var(--soft); }
 td.number, th.number { text-align: right; white-space: nowrap; }
 td.good { color: var(--good); } td.bad { color: var(--bad); }
 .scroll { overflow-x: auto; }
+.next { background: var(--panel); border-left: 4px solid var(--s0); border-radius: 0 6px 6px 0; padding: 12px 18px 6px;
+  margin: 18px 0; }
+.next h2 { border: 0; margin: 0 0 6px; padding: 0; font-size: 15px; }
+.next ul { margin: 0 0 8px; padding-left: 18px; } .next li { margin: 0 0 4px; max-width: 78ch; }
 @media (max-width: 520px) { .columns { grid-template-columns: 1fr; } }
 """
+)
 
 
 def page(title: str, subtitle: str, *parts: str) -> str:
@@ -74,6 +116,12 @@ def section(title: str, *parts: str) -> str:
 
 def paragraph(text: str) -> str:
     return f"<p>{escape(text)}</p>"
+
+
+def next_steps(title: str, steps: Sequence[str]) -> str:
+    """What to do with what the page says, below its key figures: a sentence each."""
+    items = "".join(f"<li>{escape(step)}</li>" for step in steps)
+    return f'<section class="next">\n<h2>{escape(title)}</h2>\n<ul>{items}</ul>\n</section>' if steps else ""
 
 
 def figure(svg: str, caption: str) -> str:
@@ -125,13 +173,14 @@ def _kinds(is_number: bool, cell: str = "") -> str:
 
 def percent(share, digits: int = 1) -> str:
     """0.125 → “12.5 %”; NOTHING for None."""
-    return NOTHING if share is None else f"{100 * share:.{digits}f}{NO_BREAK}%"
+    return NOTHING if share is None else f"{shown(100 * share, f'.{digits}f')}{NO_BREAK}%"
 
 
 def interval_text(rate: Rate) -> str:
     """“90.1–97.3 %, 93/98”."""
     low, high = rate.interval
-    return f"{100 * low:.1f}{DASH}{100 * high:.1f}{NO_BREAK}%, {rate.successes}/{rate.trials}"
+    between = f"{shown(100 * low, '.1f')}{DASH}{shown(100 * high, '.1f')}"
+    return f"{between}{NO_BREAK}%, {count(rate.successes)}/{count(rate.trials)}"
 
 
 def rate_text(rate: Rate) -> str:
@@ -143,5 +192,5 @@ def number(value, unit: str = "", digits: int = 3) -> str:
     """A number to so many significant digits with its unit; NOTHING for None."""
     if value is None:
         return NOTHING
-    text = f"{value:.{digits}g}" if abs(value) < 10**digits else f"{value:,.0f}"
+    text = shown(value, f".{digits}g" if abs(value) < 10**digits else ",.0f")
     return text + (unit if unit in ("", "°") else NO_BREAK + unit)

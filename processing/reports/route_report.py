@@ -14,6 +14,7 @@ from ...core.assessment.flights import FlownRoute
 from ...core.assessment.route import Gap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
 from ..translation import tr
+from ..wording.numbers import Local, shown
 from . import page
 from .assessment_report import assumed, reason_titles
 from .route_flights import flown_parts
@@ -55,11 +56,12 @@ def route_html(
             "along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough."
         )
         length = route.points.lengths[line] / 1000
-        profiles.append(page.figure(profile(route, line), caption.format(route=title, length=length)))
+        profiles.append(page.figure(profile(route, line), caption.format(route=title, length=Local(length))))
     return page.page(
         tr("Assessment of a route"),
         name,
         _key_figures(route),
+        page.next_steps(tr("What to do next"), _next(route)),
         page.paragraph(assumed(conditions, correlation)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
@@ -104,7 +106,7 @@ def profile(route: AssessedRoute, line: int) -> str:
         parts.append(_text(right + 6, y(share) + 4, f"{share * most:.0f}", "start", "soft"))
     for tick in _ticks(length):
         parts.append(f'<path d="M{x(tick):.1f} {bottom}v4" style="stroke:var(--soft)"/>')
-        parts.append(_text(x(tick), bottom + 17, f"{tick / 1000:g}", "middle", "soft"))
+        parts.append(_text(x(tick), bottom + 17, shown(tick / 1000, "g"), "middle", "soft"))
     parts.append(_text((LEFT + right) / 2, HEIGHT - 8, tr("along the route, km"), "middle"))
     parts.append(_turned(12, (TOP + bottom) / 2, tr("expected success")))
     parts.append(_turned(WIDTH - 6, (TOP + bottom) / 2, tr("landmarks in view")))
@@ -129,7 +131,11 @@ def profile(route: AssessedRoute, line: int) -> str:
 def _key_figures(route: AssessedRoute) -> str:
     longest = max((gap.length for gap in route.stretches), default=0.0)
     seconds = tr("{seconds:.0f} s at {speed:g} m/s")
-    note = seconds.format(seconds=longest / route.speed, speed=route.speed) if route.speed else tr("longest stretch")
+    note = (
+        seconds.format(seconds=Local(longest / route.speed), speed=Local(route.speed))
+        if route.speed
+        else tr("longest stretch")
+    )
     errors = route.estimates.error[np.isfinite(route.estimates.error)]
     good = float((route.estimates.success >= route.threshold).mean())
     at_least = tr("{threshold} or more expected").format(threshold=page.percent(route.threshold, 0))
@@ -145,6 +151,21 @@ def _key_figures(route: AssessedRoute) -> str:
             ),
         ]
     )
+
+
+def _next(route: AssessedRoute) -> list[str]:
+    export = tr("Take the database along: “Export for onboard use”, with this route as area.")
+    if not route.stretches:
+        return [tr("A fix is expected everywhere along the route."), export]
+    steps = []
+    if any(hint is not None for hint in route.hints):
+        steps.append(tr("Shift the stretches that have a hint below, and assess the route again."))
+    longest = max(gap.length for gap in route.stretches)
+    told = page.number(longest / 1000, "km")
+    if route.speed:
+        told += f" ({page.number(longest / route.speed, 's')})"
+    text = tr("Bridge what is left by odometry: the longest stretch without an expected fix is {length}.")
+    return [*steps, text.format(length=told), export]
 
 
 def _gap_table(route: AssessedRoute) -> list[str]:
@@ -165,10 +186,10 @@ def _gap_table(route: AssessedRoute) -> list[str]:
         rows.append(
             [
                 str(gap.line + 1),
-                f"{gap.start:.0f}",
-                f"{gap.end:.0f}",
-                f"{gap.length:.0f}",
-                *([f"{gap.length / route.speed:.0f}"] if route.speed else []),
+                shown(gap.start, ",.0f"),
+                shown(gap.end, ",.0f"),
+                shown(gap.length, ",.0f"),
+                *([shown(gap.length / route.speed, ",.0f")] if route.speed else []),
                 f"{route.estimates.landmarks[gap.points].mean():.0f}",
                 _reason(route, gap),
                 _hint(hint),
@@ -198,7 +219,7 @@ def _hint(hint: ShiftHint | None) -> str:
         else tr("{shift:.0f} m to the right: {after} instead of {before}")
     )
     shares = page.percent(hint.success, 0), page.percent(hint.before, 0)
-    return text.format(shift=abs(hint.offset), after=shares[0], before=shares[1])
+    return text.format(shift=Local(abs(hint.offset)), after=shares[0], before=shares[1])
 
 
 def _round_up(value: float) -> float:

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from html import escape
 
 from ..translation import tr
+from ..wording.numbers import count as number_text
+from ..wording.numbers import shown
 from . import charts, page
 from .charts import Series
 
@@ -42,6 +44,7 @@ class TrainingReport:
             tr("Training of a network"),
             self.model,
             self._figures(),
+            page.next_steps(tr("What to do next"), self._next()),
             page.section(tr("Classes"), page.columns(self._classes(), self._matrix())),
             page.section(tr("Curves"), page.columns(self._loss(), self._iou())),
             page.section(tr("Examples"), *self._examples()),
@@ -66,6 +69,13 @@ class TrainingReport:
             ]
         )
 
+    def _next(self) -> list[str]:
+        steps = [tr("Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.")]
+        if self.result["stopped_by"] == "minutes":
+            steps.append(tr("The time was over before it stopped learning: train again, it goes on from here."))
+        steps.append(tr("Classes that are found badly want more annotated ground, of places that differ."))
+        return steps
+
     def _classes(self) -> str:
         confusion = self.result["confusion"]
         rows = []
@@ -74,7 +84,7 @@ class TrainingReport:
             if annotated:
                 either = annotated + predicted - both
                 shares = (both / either, both / annotated, both / predicted if predicted else None)
-                rows.append([name, *(page.percent(share) for share in shares), f"{annotated:,}"])
+                rows.append([name, *(page.percent(share) for share in shares), number_text(annotated)])
         if not rows:
             return page.paragraph(tr("No ground was set aside, so nothing tells how good the network is."))
         header = [tr("Class"), tr("IoU"), tr("found"), tr("right where predicted"), tr("annotated pixels")]
@@ -168,8 +178,8 @@ def ground_title(key: str) -> str:
 
 def _shown(value: object) -> str:
     if isinstance(value, (list, tuple)):
-        return ", ".join(f"{part:.2f}" if isinstance(part, float) else str(part) for part in value)
-    return f"{value:g}" if isinstance(value, float) else str(value)
+        return ", ".join(shown(part, ".2f") if isinstance(part, float) else str(part) for part in value)
+    return shown(value, "g") if isinstance(value, float) else str(value)
 
 
 def _picture(png: bytes) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...core.annotation import findings as kinds
 from ...core.annotation.findings import Finding
 from ..translation import tr
+from .numbers import LocalTemplate
 
 FIELDS = (
     ("kind", "text"),
@@ -74,7 +75,7 @@ def change_sentence(finding: Finding, class_names: dict[int, str]) -> str:
 
 
 def _filled(template: str, finding: Finding, class_names: dict[int, str]) -> str:
-    return template.format(
+    return LocalTemplate(template).format(
         id=finding.feature_id,
         other=finding.other_id,
         name=class_names.get(finding.class_value, ""),

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from qgis.PyQt.QtCore import QLocale
+try:
+    from qgis.PyQt.QtCore import QLocale
+except ImportError:
+    # Pages of reports are put together without QGIS, too: then as Python writes numbers.
+    QLocale = None
 
 
 def shown(number: float, spec: str = "") -> str:
@@ -17,6 +21,8 @@ def shown(number: float, spec: str = "") -> str:
         number: Any number.
         spec: Python's format; a comma in it asks for groups of three digits.
     """
+    if QLocale is None:
+        return format(number, spec)
     locale = QLocale()
     signs = {ord(","): str(locale.groupSeparator()), ord("."): str(locale.decimalPoint())}
     return format(number, spec).translate(signs)
@@ -31,8 +37,9 @@ class Local(float):
     """A number that templates show by the user's locale: ``"{length:.1f} km".format(length=Local(length))``."""
 
     def __format__(self, spec: str) -> str:
-        """As ``shown``."""
-        return shown(float(self), spec)
+        """As ``shown``; with a fixed number of decimals in groups of three digits, as counts have them."""
+        decimals = spec.startswith(".") and spec.endswith("f")
+        return shown(float(self), f",{spec}" if decimals else spec)
 
 
 class LocalTemplate(str):

@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from semref.core.evaluation.rates import Rate
+from semref.processing.exchange import palette
 from semref.processing.reports import charts, page
 from semref.processing.reports.charts import Series
 
@@ -128,3 +129,21 @@ def test_a_heat_map_has_room_for_the_names_of_its_classes(longest):
         room = float(x) if anchor == "end" else width - float(x)
         size = 6.5 * sum(2 if ord(character) > 0x2E80 else 1 for character in text)
         assert len(text) <= 24 and room >= (size if anchor == "end" else 0.71 * size)
+
+
+def test_a_page_has_the_colors_of_the_maps_in_the_light_in_the_dark_and_on_paper():
+    style = page.page("t", "s")
+    for color in (palette.FIX, palette.FLIGHT, palette.BAD, palette.WARNING):
+        assert style.count(color) >= 2
+        assert palette.DARK[color] in style
+    assert "prefers-color-scheme: dark" in style and "@page" in style
+
+
+def test_what_to_do_next_is_a_list_of_sentences_and_nothing_without_any():
+    assert page.next_steps("Next", []) == ""
+    assert page.next_steps("Next", ["Do <this>."]).count("<li>Do &lt;this&gt;.</li>") == 1
+
+
+def test_a_series_may_have_a_color_of_its_own_also_in_the_legend():
+    svg = charts.bar_chart(["a"], [Series("errors", [0], [1.0], color="var(--bad)")], "x", Y, "bars")
+    assert svg.count("fill:var(--bad)") == 2
