@@ -20,6 +20,7 @@ from .algorithms.georeference_images import GeoreferenceImages
 from .algorithms.localize_flight import LocalizeFlight
 from .algorithms.localize_images import LocalizeImages
 from .algorithms.make_class_table import MakeClassTable
+from .algorithms.make_route_sheet import MakeRouteSheet
 from .algorithms.make_sample import MakeSample
 from .algorithms.rasterize_annotation import RasterizeAnnotation
 from .algorithms.repair_annotation import RepairAnnotation
@@ -51,6 +52,7 @@ ALGORITHMS = (
     AssessDatabase,
     AssessRoute,
     MakeClassTable,
+    MakeRouteSheet,
 )
 
 

@@ -21,6 +21,9 @@ from . import map_tips
 from .output_style import Look
 from .palette import SUCCESS as COLORS
 
+_IN_LEGEND = "make_line(translate($geometry, -7, 0), translate($geometry, 7, 0))"
+"""Expression of the line in a legend, which has a point without columns."""
+
 CELL_OPACITY = 0.5
 """Of squares: forest, roads and roofs of a base map stay readable, and the steps of the ramp told apart."""
 
@@ -88,7 +91,7 @@ def _stretch(color: str) -> QgsMarkerSymbol:
     symbol = QgsMarkerSymbol.createSimple({})
     for n, (line_color, width) in enumerate((("#1c2126", "2.8"), ("#ffffff", "2.3"), (color, "1.6"))):
         layer = QgsGeometryGeneratorSymbolLayer.create(
-            {"SymbolType": "Line", "geometryModifier": 'coalesce(geom_from_wkt("stretch"), $geometry)'}
+            {"SymbolType": "Line", "geometryModifier": f'coalesce(geom_from_wkt("stretch"), {_IN_LEGEND})'}
         )
         line = QgsLineSymbol.createSimple({"line_color": line_color, "line_width": width, "capstyle": "round"})
         layer.setSubSymbol(line)

@@ -36,6 +36,7 @@ NAMES = (
     "assessdatabase",
     "assessroute",
     "classtable",
+    "routesheet",
 )
 
 

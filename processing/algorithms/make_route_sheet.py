@@ -1,0 +1,178 @@
+"""semref:routesheet – an assessed route as a PDF for the planner's folder."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import QgsProcessingAlgorithm, QgsProject
+
+from ...core.errors import ParameterError
+from ..compat import SOURCE_POINT, SOURCE_POLYGON, is_null
+from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.declarations import FileOutput, RasterLayer, Text, VectorSource
+from ..translation import tr
+from ..wording.numbers import Local, shown
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from qgis.core import QgsMapLayer, QgsProcessingFeedback, QgsVectorLayer
+
+    from ..framework.outputs import Outputs
+    from ..framework.values import Values
+
+NEEDED = ("route", "along", "success", "gap")
+"""Columns of an assessed route."""
+
+
+class MakeRouteSheet(SemRefAlgorithm):
+    ID = "routesheet"
+    GROUP = LOCALIZATION
+    TAGS = ("pdf", "print", "layout", "flight plan", "mission", "report", "paper")
+    PACKAGES = ()
+
+    ROUTE, ASSESSMENT, BASE_MAP, TITLE, OUTPUT = "ROUTE", "ASSESSMENT", "BASE_MAP", "TITLE", "OUTPUT"
+
+    def flags(self) -> Any:
+        # QGIS's layouts live in the main thread.
+        return super().flags() | QgsProcessingAlgorithm.FlagNoThreading
+
+    def title(self) -> str:
+        return tr("Make route sheet")
+
+    def summary(self) -> str:
+        return tr(
+            "Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key "
+            "figures, and a table of the stretches without an expected fix.\n\n"
+            "Layers are drawn as they are styled in the project."
+        )
+
+    def parameters(self) -> tuple[Declared, ...]:
+        return (
+            VectorSource(
+                self.ROUTE,
+                tr("Points along the route"),
+                tr("The points that “Assess route” wrote."),
+                kinds=(SOURCE_POINT,),
+            ),
+            VectorSource(
+                self.ASSESSMENT,
+                tr("Expected success"),
+                tr("The squares that “Assess reference database” wrote, drawn below the route."),
+                optional=True,
+                kinds=(SOURCE_POLYGON,),
+            ),
+            RasterLayer(
+                self.BASE_MAP,
+                tr("Base map"),
+                tr("An orthophoto, map tiles, or the overview of the database, drawn below everything."),
+                optional=True,
+            ),
+            Text(
+                self.TITLE, tr("Title"), tr("Heading of the sheet; the route layer’s name if left out."), optional=True
+            ),
+            FileOutput(
+                self.OUTPUT,
+                tr("Route sheet"),
+                tr("A PDF to print and to file."),
+                filter=tr("PDF files (*.pdf)"),
+            ),
+        )
+
+    def read_layers(self, values: Values) -> None:
+        self._route = _styled(values.vector(self.ROUTE))
+        if self._route is None:
+            raise ParameterError("algorithms.no_assessed_route", name=str(values.raw(self.ROUTE)), missing=NEEDED)
+        missing = [name for name in NEEDED if self._route.fields().lookupField(name) < 0]
+        if missing or not self._route.featureCount():
+            raise ParameterError("algorithms.no_assessed_route", name=self._route.name(), missing=missing or NEEDED)
+        squares = _styled(values.vector(self.ASSESSMENT)) if values.has(self.ASSESSMENT) else None
+        ground = values.raster(self.BASE_MAP) if values.has(self.BASE_MAP) else None
+        self._below: list[QgsMapLayer] = [layer for layer in (squares, ground) if layer is not None]
+
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
+        from ..exchange.route_sheet import RouteSheet
+
+        points = sorted(
+            ({field.name(): one[field.name()] for field in self._route.fields()} for one in self._route.getFeatures()),
+            key=lambda point: (point["route"], point["along"]),
+        )
+        check_canceled(feedback)
+        poor = stretches(points)
+        subtitle = tr("{count} points, {date}").format(count=shown(len(points), ","), date=_today())
+        sheet = RouteSheet(
+            values.text(self.TITLE) or self._route.name(),
+            subtitle,
+            self._route,
+            self._below,
+            key_figures(points),
+            [tr("Route"), tr("from (m)"), tr("to (m)"), tr("length (m)"), tr("reason"), tr("hint")],
+            [stretch_row(run) for run in poor],
+            tr("Stretches without an expected fix"),
+        )
+        with outputs.file(self.OUTPUT) as path:
+            sheet.write(path)
+
+
+def stretches(points: Sequence[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+    """Runs of neighboring points that lie in one stretch without an expected fix, the longest first."""
+    found: list[list[dict[str, Any]]] = []
+    before: dict[str, Any] = {}
+    for point in points:
+        if _number(point, "gap"):
+            if found and before is found[-1][-1] and all(before[name] == point[name] for name in ("route", "gap")):
+                found[-1].append(point)
+            else:
+                found.append([point])
+        before = point
+    return sorted(found, key=lambda run: -_number(run[0], "gap"))
+
+
+def key_figures(points: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
+    """(what, value) of the route as a whole."""
+    lengths = {point["route"]: _number(point, "along") for point in points}
+    good = sum(not _number(point, "gap") for point in points) / len(points)
+    longest = max(points, key=lambda point: _number(point, "gap"))
+    seconds = _number(longest, "gap_seconds")
+    told = f"{shown(_number(longest, 'gap'), ',.0f')} m" + (f", {shown(seconds, ',.0f')} s" if seconds else "")
+    return [
+        (tr("length"), f"{shown(sum(lengths.values()) / 1000, '.3g')} km"),
+        (tr("of the points good enough"), f"{shown(100 * good, '.0f')} %"),
+        (tr("without an expected fix"), told if _number(longest, "gap") else tr("nowhere")),
+    ]
+
+
+def stretch_row(run: Sequence[dict[str, Any]]) -> list[str]:
+    """Cells of a stretch."""
+    first, shift = run[0], _number(run[0], "shift")
+    text = tr("{shift:.0f} m to the left") if shift < 0 else tr("{shift:.0f} m to the right")
+    return [
+        str(first["route"]),
+        shown(_number(first, "along"), ",.0f"),
+        shown(_number(run[-1], "along"), ",.0f"),
+        shown(_number(first, "gap"), ",.0f"),
+        "" if is_null(first.get("reason")) else str(first["reason"]),
+        text.format(shift=Local(abs(shift))) if shift else "",
+    ]
+
+
+def _number(point: dict[str, Any], name: str) -> float:
+    """A column's number; 0 for NULL, for what is none and where the column is missing."""
+    value = point.get(name)
+    try:
+        return 0.0 if is_null(value) else float(value)
+    except (TypeError, ValueError):
+        return 0.0
+
+
+def _styled(layer: QgsVectorLayer | None) -> QgsVectorLayer | None:
+    """A layer with its own style: QGIS opens files for algorithms without theirs."""
+    if layer is not None and QgsProject.instance().mapLayer(layer.id()) is None:
+        layer.loadDefaultStyle()
+    return layer
+
+
+def _today() -> str:
+    from qgis.PyQt.QtCore import QDate, QLocale
+
+    return QLocale().toString(QDate.currentDate(), QLocale.FormatType.ShortFormat)

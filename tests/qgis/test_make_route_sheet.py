@@ -1,0 +1,77 @@
+"""semref:routesheet: an assessed route on paper."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsFeature, QgsGeometry, QgsProcessingException, QgsVectorLayer
+
+from semref.processing.algorithms.assess_route import FIELDS
+from semref.processing.algorithms.make_route_sheet import key_figures, stretch_row, stretches
+from semref.processing.exchange.assessment_styles import route_look
+from semref.processing.exchange.route_sheet import column_shares
+
+SHEET = "semref:routesheet"
+KINDS = {"integer": "int", "real": "double", "text": "string"}
+
+
+def point(n: int, gap: float, route: int = 1, **more) -> dict:
+    return {"route": route, "along": 100.0 * n, "success": 0.5, "gap": gap, "gap_seconds": gap / 20, **more}
+
+
+def layer_of(points: list[dict], fields=FIELDS) -> QgsVectorLayer:
+    columns = "&".join(f"field={name}:{KINDS[kind]}" for name, kind in fields)
+    layer = QgsVectorLayer(f"Point?crs=EPSG:32632&{columns}", "my route", "memory")
+    for n, values in enumerate(points):
+        feature = QgsFeature(layer.fields())
+        for name, value in values.items():
+            feature[name] = value
+        feature.setGeometry(QgsGeometry.fromWkt(f"POINT({500_000 + 100 * n} {5_400_000 + 40 * (n % 3)})"))
+        layer.dataProvider().addFeature(feature)
+    route_look(0.9).give(layer)
+    layer.updateExtents()
+    return layer
+
+
+def test_stretches_are_runs_of_one_gap_the_longest_first_and_end_with_their_route():
+    points = [point(0, 0), point(1, 200), point(2, 200), point(3, 0), point(4, 300), point(5, 300)]
+    points += [point(0, 300, route=2), point(1, 0, route=2)]
+    found = [[(one["route"], one["along"]) for one in run] for run in stretches(points)]
+    assert found == [[(1, 400), (1, 500)], [(2, 0)], [(1, 100), (1, 200)]]
+
+
+def test_the_key_figures_tell_length_good_points_and_the_longest_gap(qgis_app):
+    points = [point(0, 0), point(40, 1200.0), point(80, 0), point(20, 0, route=2)]
+    assert [value for _, value in key_figures(points)] == ["10 km", "75 %", "1,200 m, 60 s"]
+    assert [value for _, value in key_figures([point(10, 0)])][2] == "nowhere"
+
+
+def test_a_row_has_the_hint_to_the_side_it_is_on(qgis_app):
+    run = [point(3, 200, shift=-320.0, reason="Too few landmarks"), point(4, 200)]
+    assert stretch_row(run) == ["1", "300", "400", "200", "Too few landmarks", "320 m to the left"]
+    assert stretch_row([point(3, 200, shift=None, reason=None)])[4:] == ["", ""]
+
+
+def test_columns_share_the_width_by_their_longest_cells():
+    assert column_shares([["a", "b"], ["short", "x" * 60]]) == pytest.approx([6 / 46, 40 / 46])
+
+
+def test_a_sheet_is_a_pdf_with_a_page_for_the_map_and_one_for_each_part_of_the_table(run_algorithm, tmp_path):
+    layer = layer_of([point(n, 0.0 if n % 2 else 100.0 + n, reason="r") for n in range(60)])
+    output = tmp_path / "sheet.pdf"
+    assert run_algorithm(SHEET, {"ROUTE": layer, "TITLE": "Mission [% 1+1 %]", "OUTPUT": str(output)})["OUTPUT"]
+    content = output.read_bytes()
+    assert content.startswith(b"%PDF")
+    # The map, and 30 stretches at 26 a page.
+    assert content.count(b"/Type /Page\n") == 3
+    assert [path.name for path in tmp_path.iterdir()] == ["sheet.pdf"]
+
+
+def test_a_layer_that_is_no_assessed_route_is_refused(run_algorithm, tmp_path):
+    output = str(tmp_path / "sheet.pdf")
+    with pytest.raises(QgsProcessingException, match="“my route” is no assessed route.*gap"):
+        run_algorithm(SHEET, {"ROUTE": layer_of([{"route": 1}], FIELDS[:4]), "OUTPUT": output})
+    with pytest.raises(QgsProcessingException, match="is no assessed route"):
+        run_algorithm(SHEET, {"ROUTE": layer_of([]), "OUTPUT": output})
+    assert not Path(output).exists()
