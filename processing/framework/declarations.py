@@ -35,8 +35,9 @@ from ..compat import SOURCE_FILE, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 WIDGETS: dict[str, str] = {}
 """Classes of widgets by kind, as “package.module.Class”: filled where there are windows, empty elsewhere."""
 
-DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET = "database", "model", "open"
-"""Kinds of widgets: a file box that offers the databases, or the models, that are at hand; a box ticked in a dialog."""
+DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET, CLASS_TABLE_WIDGET = "database", "model", "open", "class table"
+"""Kinds of widgets: a file box that offers the databases, or the models, that are at hand; a box ticked in a dialog; a
+file box with a button that edits the class table."""
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..compat import SOURCE_POLYGON
 from ..translation import tr
 from .declarations import (
+    CLASS_TABLE_WIDGET,
     DATABASE_WIDGET,
     MODEL_WIDGET,
     OPEN_WIDGET,
@@ -46,7 +47,8 @@ def label_map(text: str) -> RasterLayer:
 
 def class_table(text: str, optional: bool = True, advanced: bool = False) -> File:
     """A class table."""
-    return File(CLASS_TABLE, tr("Class table"), text, optional, advanced, filter=tr("CSV files (*.csv)"))
+    csv = tr("CSV files (*.csv)")
+    return File(CLASS_TABLE, tr("Class table"), text, optional, advanced, filter=csv, widget=CLASS_TABLE_WIDGET)
 
 
 def model(text: str, optional: bool = False) -> File:

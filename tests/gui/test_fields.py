@@ -117,3 +117,10 @@ def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_
     dock.content.database.changed.connect(lambda: told.append(True))
     OPENED.database.emit(area.database)
     assert told == [True]
+
+
+def test_a_class_table_can_be_edited_where_it_is_asked_for(wrapper_in, plugin):
+    for dialog in ("AlgorithmDialog", "BatchAlgorithmDialog"):
+        wrapper = wrapper_in(dialog, "semref:rasterizeannotation", "CLASS_TABLE")
+        assert wrapper.known.objectName() == "SemRefEditClassTable"
+        assert wrapper.known.accessibleName() == "Edit class table"

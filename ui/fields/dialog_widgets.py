@@ -6,6 +6,9 @@ windows. It calls a class with (parameter, dialog, row, column) and takes what c
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Callable
+
 from qgis.core import QgsProcessingParameterDefinition
 from qgis.gui import (
     QgsAbstractProcessingParameterWidgetWrapper,
@@ -13,8 +16,16 @@ from qgis.gui import (
     QgsGui,
     QgsProcessingGui,
 )
+from qgis.PyQt.QtWidgets import QWidget
 
-from ...processing.framework.declarations import DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET, WIDGETS
+from ...processing.framework.declarations import (
+    CLASS_TABLE_WIDGET,
+    DATABASE_WIDGET,
+    MODEL_WIDGET,
+    OPEN_WIDGET,
+    WIDGETS,
+)
+from ..class_table.edit_button import EditButton
 from .known import DATABASE, MODEL, chosen
 from .known_button import KnownButton
 
@@ -29,6 +40,7 @@ def offer_widgets() -> None:
             DATABASE_WIDGET: f"{__name__}.DatabaseWidget",
             MODEL_WIDGET: f"{__name__}.ModelWidget",
             OPEN_WIDGET: f"{__name__}.OpenWidget",
+            CLASS_TABLE_WIDGET: f"{__name__}.ClassTableWidget",
         }
     )
 
@@ -51,7 +63,7 @@ class DatabaseWidget:
         else:
             if name != _BATCH and not parameter.flags() & QgsProcessingParameterDefinition.FlagOptional:
                 parameter.setGuiDefaultValueOverride(chosen(cls.KIND))
-            wrapper = _FileWrapper(parameter, _type_of(name), cls.KIND)
+            wrapper = _FileWrapper(parameter, _type_of(name), partial(KnownButton, kind=cls.KIND))
         wrapper.setDialog(dialog)
         return wrapper
 
@@ -60,6 +72,19 @@ class ModelWidget(DatabaseWidget):
     """A file box that offers the models at hand."""
 
     KIND = MODEL
+
+
+class ClassTableWidget:
+    """A file box with a button that shows the class table in a window, to be edited."""
+
+    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
+        name = type(dialog).__name__
+        if name == _MODELER:
+            wrapper = _of_designer(parameter, dialog)
+        else:
+            wrapper = _FileWrapper(parameter, _type_of(name), EditButton)
+        wrapper.setDialog(dialog)
+        return wrapper
 
 
 class OpenWidget:
@@ -80,9 +105,11 @@ class OpenWidget:
 class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
     """QGIS's file box with a button more."""
 
-    def __init__(self, parameter: QgsProcessingParameterDefinition, kind_of_dialog, kind: str) -> None:
+    def __init__(
+        self, parameter: QgsProcessingParameterDefinition, kind_of_dialog, button: Callable[[QgsFileWidget], QWidget]
+    ) -> None:
         super().__init__(parameter, kind_of_dialog)
-        self._kind = kind
+        self._button = button
 
     def createWidget(self):
         box = QgsFileWidget()
@@ -90,7 +117,7 @@ class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
         box.setDialogTitle(self.parameterDefinition().description())
         box.setFilter(self.parameterDefinition().createFileFilter())
         box.fileChanged.connect(self._tell)
-        self.known = KnownButton(box, self._kind)
+        self.known = self._button(box)
         # QGIS takes the box over without keeping Python's half of it, which its destructor looks for: the connection
         # keeps that half until the box is gone.
         box.destroyed.connect(lambda *_, half=box: None)

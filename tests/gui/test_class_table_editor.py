@@ -1,0 +1,124 @@
+"""The window of class tables, and the button that opens it where an algorithm asks for one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from dock_area import settle
+
+CSV = (
+    "value,name,color,role,draw_order,hsv_min,hsv_max\n"
+    "1,building,#c8372d,reference,3,1 2 3,4 5 6\n"
+    "4,forest,#1f7a3a,background,,,\n"
+)
+
+
+@pytest.fixture
+def file(tmp_path):
+    made = tmp_path / "classes.csv"
+    made.write_text(CSV, encoding="utf-8")
+    return made
+
+
+@pytest.fixture
+def editor(plugin, file):
+    from semref.processing.inspection.class_tables import read_rows
+    from semref.ui.class_table.editor import ClassTableEditor
+
+    window = ClassTableEditor(read_rows(str(file)))
+    window.show()
+    settle()
+    yield window
+    window.close()
+
+
+@pytest.fixture
+def accepted(editor):
+    """`accepted()`: the table that the window makes."""
+    from semref.core.labels.class_table import class_table_from_csv
+    from semref.processing.inspection.class_tables import require_table
+
+    def accept():
+        editor.accept()
+        assert not editor.isVisible()
+        return class_table_from_csv(require_table(editor.classes()))
+
+    return accept
+
+
+def test_what_is_not_touched_comes_back_as_it_was(accepted):
+    assert accepted().to_csv() == CSV
+
+
+def test_every_column_can_be_edited(editor, accepted):
+    from qgis.PyQt.QtGui import QColor
+
+    from semref.ui.class_table.editor import COLOR, NAME, ORDER, ROLE
+
+    editor.rows.item(1, NAME).setText('wood, "old"')
+    editor.rows.item(1, ORDER).setText("2.5")
+    editor.rows.cellWidget(1, COLOR).setColor(QColor("#123456"))
+    editor.rows.cellWidget(1, ROLE).setCurrentIndex(0)
+    one = accepted().by_value(4)
+    assert (one.name, one.color, one.role, one.draw_order) == ('wood, "old"', "#123456", "reference", 2.5)
+
+
+def test_classes_are_added_with_the_next_free_value_and_removed(editor, accepted):
+    editor.add_class()
+    editor.rows.selectRow(0)
+    editor.remove_classes()
+    assert [c.value for c in accepted()] == [2, 4]
+
+
+def test_classes_that_make_no_table_are_told_and_the_window_stays(editor):
+    from semref.ui.class_table.editor import VALUE
+
+    editor.rows.item(1, VALUE).setText("1")
+    editor.accept()
+    assert editor.isVisible() and editor.fault.isVisible()
+    assert "1" in editor.fault.text()
+
+
+def test_a_nomenclature_fills_the_table(editor, accepted):
+    action = next(one for one in editor.preset_button.menu().actions() if one.text() == "CORINE Land Cover")
+    action.trigger()
+    assert editor.rows.rowCount() == 44
+    assert accepted().find("311").color == "#80ff00"
+
+
+def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_path, monkeypatch):
+    from qgis.gui import QgsFileWidget
+
+    from semref.ui.class_table import edit_button
+    from semref.ui.class_table.editor import NAME
+
+    box = QgsFileWidget()
+    button = edit_button.EditButton(box)
+    box.setFilePath(str(file))
+
+    def edited(window):
+        window.rows.item(1, NAME).setText("wood")
+        window.accept()
+        return window.result()
+
+    monkeypatch.setattr(edit_button.ClassTableEditor, "exec", edited)
+    button.click()
+    assert "4,wood,#1f7a3a" in Path(file).read_text(encoding="utf-8")
+    assert [path.name for path in tmp_path.iterdir()] == ["classes.csv"]
+
+
+def test_a_table_that_cannot_be_read_is_told_and_left_alone(plugin, file, monkeypatch):
+    from qgis.gui import QgsFileWidget
+
+    from semref.ui.class_table import edit_button
+
+    file.write_text("no table", encoding="utf-8")
+    said = []
+    monkeypatch.setattr(edit_button.QMessageBox, "warning", lambda *arguments: said.append(arguments[2]))
+    box = QgsFileWidget()
+    button = edit_button.EditButton(box)
+    box.setFilePath(str(file))
+    button.click()
+    assert len(said) == 1 and "classes.csv" in said[0]
+    assert file.read_text(encoding="utf-8") == "no table"

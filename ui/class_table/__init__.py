@@ -1,0 +1,1 @@
+"""Class tables in a window: looked through and edited where an algorithm asks for one."""

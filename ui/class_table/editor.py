@@ -1,0 +1,146 @@
+"""A class table in a window: value, name, color, role and order of each class, to be edited and saved."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from qgis.gui import QgsColorButton
+from qgis.PyQt.QtCore import Qt
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QMenu,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from ...core.errors import ClassTableError
+from ...processing.inspection.class_tables import ClassRow, new_row, preset_rows, preset_titles, require_table
+from ...processing.translation import tr
+from ...processing.wording.sentences import worded
+
+VALUE, NAME, COLOR, ROLE, ORDER = range(5)
+"""Columns."""
+
+
+class ClassTableEditor(QDialog):
+    """Edits the classes of a table; ``classes()`` are what they are now, and make a table when it was accepted."""
+
+    def __init__(self, classes: Sequence[ClassRow] = (), parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Class table"))
+        self.resize(620, 460)
+        self.rows = QTableWidget(0, 5, self)
+        self.fault = QLabel(self)
+        self.add_button, self.remove_button = QPushButton(tr("Add class")), QPushButton(tr("Remove class"))
+        self.preset_button = QPushButton(tr("Fill from nomenclature"))
+        save = QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        self.buttons = QDialogButtonBox(save, Qt.Orientation.Horizontal, self)
+        self._hsv: dict[str, tuple[str, str]] = {}
+        self._lay_out()
+        self._connect()
+        self.show_classes(classes)
+
+    def _lay_out(self) -> None:
+        titles = [tr("Value"), tr("Class"), tr("Color"), tr("Role"), tr("Draw order")]
+        self.rows.setHorizontalHeaderLabels(titles)
+        self.rows.verticalHeader().hide()
+        self.rows.setAccessibleName(tr("Class table"))
+        self.rows.setSelectionBehavior(QTableWidget.SelectionBehavior.SelectRows)
+        # Tab leaves the table: arrows go through its cells.
+        self.rows.setTabKeyNavigation(False)
+        self.rows.horizontalHeader().setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        self.fault.setWordWrap(True)
+        self.fault.setVisible(False)
+        menu = QMenu(self.preset_button)
+        for number, title in enumerate(preset_titles()):
+            menu.addAction(title).triggered.connect(partial(self._show_preset, number))
+        self.preset_button.setMenu(menu)
+        beside = QHBoxLayout()
+        for button in (self.add_button, self.remove_button, self.preset_button):
+            beside.addWidget(button)
+        beside.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.rows, 1)
+        layout.addLayout(beside)
+        layout.addWidget(self.fault)
+        layout.addWidget(self.buttons)
+
+    def _connect(self) -> None:
+        self.add_button.clicked.connect(self.add_class)
+        self.remove_button.clicked.connect(self.remove_classes)
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+
+    def show_classes(self, classes: Sequence[ClassRow]) -> None:
+        """Shows these classes instead of those shown before."""
+        self.rows.setRowCount(0)
+        self._hsv = {one.value: one.hsv for one in classes}
+        for one in classes:
+            self._add_row(one)
+
+    def add_class(self) -> None:
+        """A class more, with the next free value; its name is to be typed."""
+        self._add_row(new_row(self._text(row, VALUE) for row in range(self.rows.rowCount())))
+        self.rows.setCurrentCell(self.rows.rowCount() - 1, NAME)
+        self.rows.editItem(self.rows.currentItem())
+
+    def remove_classes(self) -> None:
+        """Takes the selected classes out."""
+        for row in sorted({index.row() for index in self.rows.selectedIndexes()}, reverse=True):
+            self.rows.removeRow(row)
+
+    def accept(self) -> None:
+        """Closes the window when the classes make a table, else says why they don't."""
+        try:
+            require_table(self.classes())
+        except ClassTableError as error:
+            self.fault.setText(worded(error))
+            self.fault.setVisible(True)
+            return
+        super().accept()
+
+    def classes(self) -> list[ClassRow]:
+        """The classes as they are shown."""
+        return [self._class(row) for row in range(self.rows.rowCount())]
+
+    def _class(self, row: int) -> ClassRow:
+        value = self._text(row, VALUE)
+        return ClassRow(
+            value,
+            self._text(row, NAME),
+            self.rows.cellWidget(row, COLOR).color().name(),
+            self.rows.cellWidget(row, ROLE).currentIndex() == 0,
+            self._text(row, ORDER),
+            self._hsv.get(value, ("", "")),
+        )
+
+    def _text(self, row: int, column: int) -> str:
+        item = self.rows.item(row, column)
+        return item.text().strip() if item is not None else ""
+
+    def _add_row(self, one: ClassRow) -> None:
+        row = self.rows.rowCount()
+        self.rows.insertRow(row)
+        for column, text in ((VALUE, one.value), (NAME, one.name), (ORDER, one.order)):
+            self.rows.setItem(row, column, QTableWidgetItem(text))
+        color, role = QgsColorButton(self.rows), QComboBox(self.rows)
+        color.setColor(QColor(one.color))
+        color.setAccessibleName(tr("Color"))
+        role.addItems([tr("landmarks"), tr("background")])
+        role.setCurrentIndex(0 if one.is_landmark else 1)
+        role.setAccessibleName(tr("Role"))
+        self.rows.setCellWidget(row, COLOR, color)
+        self.rows.setCellWidget(row, ROLE, role)
+
+    def _show_preset(self, number: int, *_checked) -> None:
+        self.show_classes(preset_rows(number))
