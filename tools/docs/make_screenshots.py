@@ -2,6 +2,7 @@
 
     .venv/bin/python tools/docs/make_screenshots.py                       # all of them, into docs/images
     .venv/bin/python tools/docs/make_screenshots.py dark first_fix        # only these
+    .venv/bin/python tools/docs/make_screenshots.py films                 # the two that move
     .venv/bin/python tools/docs/make_screenshots.py --language fr --output DIR   # all tabs in a language, to look at
 
 Each session starts QGIS with a fresh profile and the packaged plugin. Needs what tools/setup.sh installs and, for
@@ -24,6 +25,7 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from moving_webp import films, join
 from palette_png import shrink
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -31,7 +33,7 @@ SESSION = Path(__file__).with_name("screenshot_session.py")
 IMAGES = ROOT / "docs" / "images"
 SCREEN_PX = 2800, 2600
 LIMIT_S, TIME_TO_QUIT_S = 900, 20
-LARGEST_BYTES = 250_000
+LARGEST_BYTES, LARGEST_FILM_BYTES = 250_000, 900_000
 SAMPLE = "semref_sample"
 CHINESE_FONT = "fonts-wqy-microhei"
 
@@ -61,9 +63,11 @@ LIGHT = (
     "options",
     "narrow",
 )
+FILMS = ("moving_fix", "moving_flight")
 
 VARIANTS: dict[str, Variant] = {
     "light": Variant(tuple((scene, "") for scene in LIGHT)),
+    "films": Variant(tuple((scene, "") for scene in FILMS)),
     "dark": Variant((("whole_window", "_dark"),), theme="Night Mapping"),
     "chinese": Variant((("whole_window", "_chinese"),), language="zh-Hans"),
     "scale_200": Variant((("dock_localize", "_scale_200"),), scale=2),
@@ -89,10 +93,20 @@ def main() -> None:
         )
         for number, variant in enumerate(variants):
             sample = sample_folder(arguments.samples or work / "samples", variant.language)
-            for picture in take(variant, package, sample, work / str(number), arguments.models):
-                target = arguments.output / picture.name
-                shrink(picture, target, LARGEST_BYTES)
-                print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
+            keep(take(variant, package, sample, work / str(number), arguments.models), arguments.output)
+
+
+def keep(pictures: list[Path], folder: Path) -> None:
+    """Writes them there, small; frames as the moving picture that they make."""
+    moving = films(pictures)
+    for name, frames in moving.items():
+        target = folder / f"{name}.webp"
+        join(frames, target, LARGEST_FILM_BYTES)
+        print(f"{target} ({target.stat().st_size / 1000:.0f} kB, {len(frames)} frames)", flush=True)
+    for picture in sorted(set(pictures) - {frame for frames in moving.values() for frame in frames}):
+        target = folder / picture.name
+        shrink(picture, target, LARGEST_BYTES)
+        print(f"{target} ({target.stat().st_size / 1000:.0f} kB)", flush=True)
 
 
 def sample_folder(samples: Path, language: str) -> Path:
@@ -110,11 +124,11 @@ def chosen(only: list[str], languages: list[str]) -> list[Variant]:
         return [Variant((("all_tabs", f"_{language}"),), language=language) for language in languages]
     if not only:
         return list(VARIANTS.values())
-    unknown = set(only) - set(VARIANTS) - set(LIGHT)
+    unknown = set(only) - set(VARIANTS) - set(LIGHT) - set(FILMS)
     if unknown:
-        sys.exit(f"There is no {', '.join(sorted(unknown))}; there are {', '.join((*VARIANTS, *LIGHT))}.")
+        sys.exit(f"There is no {', '.join(sorted(unknown))}; there are {', '.join((*VARIANTS, *LIGHT, *FILMS))}.")
     variants = [VARIANTS[name] for name in only if name in VARIANTS]
-    scenes = tuple((name, "") for name in only if name in LIGHT)
+    scenes = tuple((name, "") for name in only if name in (*LIGHT, *FILMS))
     return [*variants, Variant(scenes)] if scenes else variants
 
 

@@ -6,6 +6,7 @@ Each may come after any other.
 from __future__ import annotations
 
 import traceback
+from contextlib import contextmanager
 from pathlib import Path
 
 import qgis.utils
@@ -23,7 +24,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QApplication, QTreeView
-from screenshot_window import DOCK_WIDTH, WINDOW, Session, wait_until
+from screenshot_window import DOCK_WIDTH, WINDOW, Session, settle, wait_until
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 NARROW = 100
@@ -31,6 +32,12 @@ NARROW = 100
 
 TALL = 1250
 """Height of the window for pictures of the dock alone, so that nothing in it has to be scrolled."""
+
+FILMED = 1120, 760
+"""Size of the window in moving pictures, which are shown as they are."""
+
+STEPS, WHILE_RUNNING = (0, 1, 2, 3, 5, 8), 4
+"""Results that are stepped through; most frames while the run is going."""
 
 SHOWN_PHOTO, INSPECTED_WINDOW = "photo_02.jpg", "1600_800"
 
@@ -69,6 +76,15 @@ def with_results_in_view(session: Session, name: str) -> None:
 
 def flight(session: Session) -> None:
     """The sample's flight on the map, one of its photos chosen."""
+    with localized_flight(session) as tab:
+        tab.results.table.selectRow(tab.results.table.model().rowCount() // 2)
+        wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+        session.take("flight")
+
+
+@contextmanager
+def localized_flight(session: Session):
+    """The tab with the flight's results and the whole track on the map; as before behind it."""
     session.show_tab(LOCALIZE)
     content = session.dock.content
     tab = content.localize
@@ -84,14 +100,51 @@ def flight(session: Session) -> None:
     session.show_everything()
     zooms = tab.results.zoom.isChecked()
     tab.results.zoom.setChecked(False)
-    tab.results.table.selectRow(tab.results.table.model().rowCount() // 2)
-    wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
-    session.take("flight")
+    yield tab
     tab.results.zoom.setChecked(zooms)
     for box in boxes:
         box.setCollapsed(False)
     tab.images.flight.setChecked(False)
     tab.images.list.show_only(listed)
+
+
+def moving_fix(session: Session) -> None:
+    """From photos to positions: press Localize, and step through what comes."""
+    session.resize(*FILMED)
+    session.show_tab(LOCALIZE)
+    session.show_everything()
+    content = session.dock.content
+    tab = content.localize
+    session.frame("first_fix", 1800)
+    tab.localize_button.click()
+    for _ in range(WHILE_RUNNING):
+        settle(0.8)
+        if tab.run.running:
+            session.frame("first_fix", 500, settled=False)
+    wait_until(lambda: not tab.run.running, "the localization")
+    session.localized = True
+    boxes = content.database, tab.images
+    for box in boxes:
+        box.setCollapsed(True)
+    session.frame("first_fix", 1200)
+    for row in STEPS:
+        tab.results.table.selectRow(row)
+        wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+        session.frame("first_fix", 1600)
+    for box in boxes:
+        box.setCollapsed(False)
+    session.resize(*WINDOW)
+
+
+def moving_flight(session: Session) -> None:
+    """The sample's flight, image by image along its track."""
+    session.resize(*FILMED)
+    with localized_flight(session) as tab:
+        for row in range(tab.results.table.model().rowCount()):
+            tab.results.table.selectRow(row)
+            wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+            session.frame("flight", 700)
+    session.resize(*WINDOW)
 
 
 def dock_localize(session: Session) -> None:

@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 import qgis.utils
+from moving_webp import frame_name
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt
 from qgis.PyQt.QtGui import QGuiApplication
@@ -84,17 +85,29 @@ class Session:
 
     def take(self, name: str, *widgets) -> None:
         """A picture of the screen where these widgets are; of the whole window without any."""
+        self.settle_map()
+        self._grab(f"{name}{self.suffix}.png", widgets)
+
+    def frame(self, name: str, shown_ms: int, settled: bool = True) -> None:
+        """A frame of a moving picture of the window; not settled: as it is just now, while something runs."""
+        if settled:
+            self.settle_map()
+        self._grab(frame_name(f"{name}{self.suffix}", len(self.taken), shown_ms), ())
+
+    def settle_map(self) -> None:
         self.iface.mapCanvas().waitWhileRendering()
         settle(1.0)
         # QGIS tells of every task that took a while.
         self.iface.messageBar().clearWidgets()
         settle(0.5)
+
+    def _grab(self, file_name: str, widgets: tuple) -> None:
         area = QRect()
         for widget in widgets or (self.window,):
             area = area.united(QRect(widget.mapToGlobal(QPoint(0, 0)), widget.size()))
         screen = QGuiApplication.primaryScreen()
         picture = screen.grabWindow(0, area.x(), area.y(), area.width(), area.height())
-        file = Path(self.job["pictures"]) / f"{name}{self.suffix}.png"
+        file = Path(self.job["pictures"]) / file_name
         if picture.isNull() or not picture.save(str(file)):
             raise RuntimeError(f"{file} could not be written")
         self.taken.append(file.name)

@@ -1,0 +1,42 @@
+"""The page of messages has every sentence that SemRef says, and what is added to it belongs to sentences that exist."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools" / "docs"))
+
+import troubleshooting  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def sentences() -> dict[str, str]:
+    return troubleshooting.sentences()
+
+
+def test_the_page_is_up_to_date(sentences):
+    written = troubleshooting.PAGE.read_text(encoding="utf-8")
+    assert written == troubleshooting.page(sentences), "run tools/docs/troubleshooting.py"
+
+
+def test_every_note_belongs_to_a_sentence_that_is_said(sentences):
+    assert set(troubleshooting.notes()) - set(sentences) == set()
+
+
+def test_every_room_of_sentences_has_a_section(sentences):
+    rooms = {room for rooms in troubleshooting.SECTIONS.values() for room in rooms}
+    assert {code.partition(".")[0] for code in sentences} - rooms == set()
+
+
+def test_every_reason_that_an_image_has_no_position_is_explained(sentences):
+    reasons = {code for code in sentences if code.startswith("localization.")}
+    assert reasons - set(troubleshooting.notes()) == set()
+
+
+def test_values_are_shown_by_what_they_are_and_what_to_do_stands_by_itself():
+    template = "{path} has {size_mb:.1f} MB; choose another."
+    assert troubleshooting.page({"storage.x": template}).count("| *path* has *size mb* MB. | Choose another. |") == 1

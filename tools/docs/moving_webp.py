@@ -1,0 +1,43 @@
+"""Frames from the screen as one small moving picture (animated WebP), of lower quality until it fits."""
+
+from __future__ import annotations
+
+import io
+import re
+import sys
+from pathlib import Path
+
+from PIL import Image
+
+QUALITIES = (80, 70, 60, 50, 40, 30)
+_FRAME = re.compile(r"(?P<name>.+)\.(?P<number>\d+)\.(?P<shown_ms>\d+)\.png")
+
+
+def frame_name(name: str, number: int, shown_ms: int) -> str:
+    """The file of one frame."""
+    return f"{name}.{number:03d}.{shown_ms}.png"
+
+
+def films(pictures: list[Path]) -> dict[str, list[Path]]:
+    """The frames of each moving picture, in order, by its name; other pictures are left out."""
+    found: dict[str, list[Path]] = {}
+    for path in sorted(pictures):
+        frame = _FRAME.fullmatch(path.name)
+        if frame:
+            found.setdefault(frame["name"], []).append(path)
+    return found
+
+
+def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
+    """Writes the frames as one picture that begins again when it is through."""
+    pictures = [Image.open(path).convert("RGB") for path in frames]
+    shown_ms = [int(_FRAME.fullmatch(path.name)["shown_ms"]) for path in frames]
+    for quality in QUALITIES:
+        content = io.BytesIO()
+        options = {"save_all": True, "append_images": pictures[1:], "duration": shown_ms, "loop": 0, "method": 6}
+        pictures[0].save(content, "WEBP", quality=quality, **options)
+        if content.tell() <= largest_bytes:
+            break
+    else:
+        print(f"{target} has {content.tell() / 1000:.0f} kB, more than {largest_bytes / 1000:.0f}", file=sys.stderr)
+    target.write_bytes(content.getvalue())
