@@ -22,9 +22,9 @@ def tracker_url() -> str:
 def guide_url(page: str = "user_guide.md", root: Path = _ROOT) -> str:
     """Address of a page of docs/: in the plugin's folder where the pages come with it, else on the web, or its text."""
     made = _made("index" if page == "README.md" else page[: -len(".md")], root)
-    homepage = plugin_metadata()["homepage"]
-    if made or PLACEHOLDER in homepage:
-        return made or (root / "docs" / page).as_uri()
+    homepage, text = plugin_metadata()["homepage"], root / "docs" / page
+    if made or (PLACEHOLDER in homepage and text.is_file()):
+        return made or text.as_uri()
     return f"{homepage}/blob/main/docs/{page}"
 
 

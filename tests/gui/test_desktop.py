@@ -2,54 +2,23 @@
 
 from __future__ import annotations
 
-import json
-import os
-import shutil
-import signal
 import subprocess
 import sys
-import sysconfig
 import zipfile
 from pathlib import Path
 
 import pytest
+from desktop_qgis import TIMEOUT_S, run_desktop
 
 pytestmark = pytest.mark.slow  # a QGIS of its own is started
-
-TIMEOUT_S = 600
 
 
 @pytest.fixture(scope="module")
 def desktop(repository, display, tmp_path_factory) -> dict:
     """What desktop_session.py saw in QGIS, with `exit_status` and `output` of the process."""
-    program = shutil.which("qgis")
-    if program is None:
-        pytest.skip("desktop QGIS is not installed")
     home = tmp_path_factory.mktemp("desktop")
     install_package(repository, home / "profiles" / "default" / "python" / "plugins")
-    result = home / "result.json"
-    output = home / "output.txt"
-    environment = {
-        "PATH": os.environ["PATH"],
-        "LANG": "C.UTF-8",
-        "DISPLAY": display,
-        "HOME": str(home),
-        "XDG_RUNTIME_DIR": str(tmp_path_factory.mktemp("runtime")),
-        # OpenCV, where a virtual environment has it: QGIS runs the system's Python.
-        "PYTHONPATH": sysconfig.get_path("purelib"),
-        "SEMREF_DESKTOP_RESULT": str(result),
-    }
-    if "XAUTHORITY" in os.environ:
-        environment["XAUTHORITY"] = os.environ["XAUTHORITY"]
-    script = Path(__file__).with_name("desktop_session.py")
-    command = [program, "--nologo", "--noversioncheck", "--profiles-path", str(home), "--code", str(script)]
-    with output.open("wb") as stream:
-        status = run_with_limit(command, environment, stream)
-    said = output.read_text(encoding="utf-8", errors="replace")
-    assert result.exists(), f"desktop QGIS (exit status {status}) wrote no result; it said:\n{said}"
-    seen = json.loads(result.read_text(encoding="utf-8"))
-    assert "error" not in seen, seen["error"]
-    return {**seen, "exit_status": status, "output": said}
+    return run_desktop(home, display, Path(__file__).with_name("desktop_session.py"), {})
 
 
 def install_package(repository: Path, plugins: Path) -> None:
@@ -59,19 +28,6 @@ def install_package(repository: Path, plugins: Path) -> None:
     subprocess.run(command, check=True, timeout=TIMEOUT_S)
     with zipfile.ZipFile(package) as archive:
         archive.extractall(plugins)
-
-
-def run_with_limit(command: list[str], environment: dict, output) -> int | None:
-    """Exit status of the command; None when it had to be killed, with all that it started."""
-    process = subprocess.Popen(
-        command, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=output, start_new_session=True
-    )
-    try:
-        return process.wait(TIMEOUT_S)
-    except subprocess.TimeoutExpired:
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
-        return None
 
 
 def test_no_python_error_is_logged(desktop):

@@ -56,7 +56,10 @@ def test_help_opens_pages_that_come_with_the_plugin_and_needs_no_network(provide
 def test_where_no_pages_were_made_help_opens_their_text_while_nobody_has_said_where_the_web_has_them(tmp_path):
     from semref.processing import version
 
-    assert version.guide_url(root=tmp_path) == (tmp_path / "docs" / "user_guide.md").as_uri()
+    text = tmp_path / "docs" / "user_guide.md"
+    text.parent.mkdir()
+    text.write_text("", encoding="utf-8")
+    assert version.guide_url(root=tmp_path) == text.as_uri()
 
 
 def test_where_no_pages_were_made_help_opens_the_web_when_there_is_one(tmp_path, monkeypatch):

@@ -1,0 +1,68 @@
+"""Desktop QGIS, as a user starts it, with a script that writes what it saw."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sysconfig
+from pathlib import Path
+
+import pytest
+
+TIMEOUT_S = 600
+
+
+def run_desktop(
+    home: Path, display: str, script: Path, variables: dict[str, str], before: tuple[str, ...] = ()
+) -> dict:
+    """What the script saw, with ``exit_status`` and ``output`` of the process; skips where there is no desktop QGIS.
+
+    Args:
+        home: Folder of the user, with ``profiles``; made where it is missing.
+        display: Of X.
+        script: Writes JSON to the file that SEMREF_DESKTOP_RESULT names.
+        variables: Of its environment, beside the usual ones.
+        before: Command that runs QGIS.
+    """
+    program = shutil.which("qgis")
+    if program is None:
+        pytest.skip("desktop QGIS is not installed")
+    runtime, result, output = home / "runtime", home / "result.json", home / "output.txt"
+    runtime.mkdir(parents=True, mode=0o700)
+    environment = {
+        "PATH": os.environ["PATH"],
+        "LANG": "C.UTF-8",
+        "DISPLAY": display,
+        "HOME": str(home),
+        "XDG_RUNTIME_DIR": str(runtime),
+        # OpenCV, where a virtual environment has it: QGIS runs the system's Python.
+        "PYTHONPATH": sysconfig.get_path("purelib"),
+        "SEMREF_DESKTOP_RESULT": str(result),
+        **variables,
+    }
+    if "XAUTHORITY" in os.environ:
+        environment["XAUTHORITY"] = os.environ["XAUTHORITY"]
+    command = [*before, program, "--nologo", "--noversioncheck", "--profiles-path", str(home), "--code", str(script)]
+    with output.open("wb") as stream:
+        status = run_with_limit(command, environment, stream)
+    said = output.read_text(encoding="utf-8", errors="replace")
+    assert result.exists(), f"desktop QGIS (exit status {status}) wrote no result; it said:\n{said}"
+    seen = json.loads(result.read_text(encoding="utf-8"))
+    assert "error" not in seen, seen["error"]
+    return {**seen, "exit_status": status, "output": said}
+
+
+def run_with_limit(command: list[str], environment: dict, output) -> int | None:
+    """Exit status of the command; None when it had to be killed, with all that it started."""
+    process = subprocess.Popen(
+        command, env=environment, stdin=subprocess.DEVNULL, stdout=output, stderr=output, start_new_session=True
+    )
+    try:
+        return process.wait(TIMEOUT_S)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return None
