@@ -64,6 +64,7 @@ def build(target: Path, environment: Path, root: Path = ROOT) -> None:
     python = ready_environment(environment)
     with tempfile.TemporaryDirectory(prefix="semref-site-") as temporary:
         work = Path(temporary)
+        write_messages(root)
         stage(root, work)
         command = [str(python), "-m", "mkdocs", "build", "--quiet", "--config-file", str(work / "mkdocs.yml")]
         # Same sources, same pages.
@@ -75,6 +76,13 @@ def build(target: Path, environment: Path, root: Path = ROOT) -> None:
         (work / "site" / STATE).write_text(source_state(root), encoding="ascii")
         shutil.rmtree(target, ignore_errors=True)
         shutil.copytree(work / "site", target)
+
+
+def write_messages(root: Path) -> None:
+    """The page of messages anew, so that the guide has the sentences of this very plugin."""
+    made = subprocess.run([sys.executable, str(root / "tools" / "docs" / "troubleshooting.py")], check=False)
+    if made.returncode:
+        print("The page of messages stays as it is: this Python lacks what the sentences need.", file=sys.stderr)
 
 
 def strip(site: Path) -> None:
