@@ -78,6 +78,15 @@ def test_diagnostics_tell_versions_packages_devices_and_messages_without_names(q
     assert not [private for private in (str(tmp_path), "jane", "Hideout") if private in text]
 
 
+def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch):
+    from semref.processing import version
+
+    monkeypatch.setattr(version, "_general", lambda: {"tracker": "https://example.org/semref/issues"})
+    assert version.tracker_url() == ""
+    monkeypatch.setattr(version, "_general", lambda: {"tracker": "https://forge.net/semref/issues"})
+    assert version.tracker_url() == "https://forge.net/semref/issues"
+
+
 def test_diagnostics_without_messages_say_so(qgis_app):
     from semref.processing.packages.diagnostics import diagnostics
 

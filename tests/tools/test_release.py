@@ -128,6 +128,24 @@ def test_a_zip_of_another_version_than_the_tag_is_refused(faults):
     assert faults("9.9.9") == [f"metadata.txt says version {metadata.plugin_version()}, not 9.9.9."]
 
 
+HABITS = [*(ROOT / ".github").rglob("*.yml"), ROOT / "CITATION.cff"]
+
+
+@pytest.mark.parametrize("path", HABITS, ids=[path.name for path in HABITS])
+def test_files_that_a_forge_reads_can_be_read(path):
+    yaml = pytest.importorskip("yaml")
+    assert isinstance(yaml.safe_load(path.read_text(encoding="utf-8")), dict)
+
+
+def test_every_form_for_faults_asks_for_the_diagnostics():
+    yaml = pytest.importorskip("yaml")
+    for name in ("bug", "position"):
+        form = yaml.safe_load((ROOT / ".github" / "ISSUE_TEMPLATE" / f"{name}.yml").read_text(encoding="utf-8"))
+        asked = {part["id"]: part for part in form["body"] if "id" in part}
+        assert asked["diagnostics"]["validations"]["required"] is True
+        assert "Copy diagnostics" in asked["diagnostics"]["attributes"]["description"]
+
+
 def test_a_release_of_a_tag_that_does_not_exist_says_how_to_make_it(tmp_path):
     subprocess.run(["git", "init", "--quiet", str(tmp_path)], check=True)
     with pytest.raises(SystemExit, match="git tag -a v9.9.9"):

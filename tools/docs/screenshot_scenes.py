@@ -111,6 +111,7 @@ def localized_flight(session: Session):
 def moving_fix(session: Session) -> None:
     """From photos to positions: press Localize, and step through what comes."""
     session.resize(*FILMED)
+    session.show_layers(False)
     session.show_tab(LOCALIZE)
     session.show_everything()
     content = session.dock.content
@@ -133,17 +134,20 @@ def moving_fix(session: Session) -> None:
         session.frame("first_fix", 1600)
     for box in boxes:
         box.setCollapsed(False)
+    session.show_layers(True)
     session.resize(*WINDOW)
 
 
 def moving_flight(session: Session) -> None:
     """The sample's flight, image by image along its track."""
     session.resize(*FILMED)
+    session.show_layers(False)
     with localized_flight(session) as tab:
         for row in range(tab.results.table.model().rowCount()):
             tab.results.table.selectRow(row)
             wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
             session.frame("flight", 700)
+    session.show_layers(True)
     session.resize(*WINDOW)
 
 

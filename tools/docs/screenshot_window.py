@@ -65,6 +65,11 @@ class Session:
         self.window.resizeDocks([layers], [190], Qt.Orientation.Horizontal)
         settle(0.3)
 
+    def show_layers(self, shown: bool) -> None:
+        """Moving pictures are small; without the list of layers the map has more of them."""
+        self.window.findChild(QDockWidget, "Layers").setVisible(shown)
+        settle(0.3)
+
     def show_tab(self, tab: int) -> None:
         self.toolbox.hide()
         self.dock.setUserVisible(True)
