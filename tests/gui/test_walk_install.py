@@ -80,6 +80,10 @@ def test_all_photos_of_the_sample_are_localized(walk):
     assert walk["rows"] == 12
 
 
+def test_qgis_quits_at_once_though_the_dock_still_reads(walk):
+    assert walk["exit_status"] == 0, walk["output"]
+
+
 def test_a_browser_without_a_network_finds_words_in_the_installed_pages(package, comes_with_pages, tmp_path):
     browser = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
     if browser is None or not can_go_offline():

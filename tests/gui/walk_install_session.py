@@ -76,6 +76,7 @@ def told_by_the_plugin_manager(language):
     QgsSettings().setValue("locale/overrideFlag", True)
     QgsSettings().setValue("locale/userLocale", language)
     plugins.getAllInstalled()
+    plugins.rebuild()
     QgsSettings().setValue("locale/overrideFlag", False)
     return {key: plugins.all()["semref"][key] for key in ("description", "about", "changelog", "version_installed")}
 

@@ -83,7 +83,8 @@ class _Task(QgsTask):
     done = pyqtSignal()
 
     def __init__(self, title: str, function: Callable, arguments: tuple) -> None:
-        super().__init__(title, QgsTask.Flag.CanCancel | _hidden())
+        # Whoever quits QGIS is not asked about them.
+        super().__init__(title, QgsTask.Flag.CanCancel | QgsTask.Flag.CancelWithoutPrompt | _hidden())
         self._function, self._arguments = function, arguments
         self.answer = None
         self.sentence = self.report = ""
