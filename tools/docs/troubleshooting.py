@@ -43,6 +43,9 @@ SECTIONS = {
 }
 """Headings and the rooms of the codes below them."""
 
+OTHERS = "Everything else"
+"""Heading of rooms that no other one has."""
+
 _NO_MESSAGE = re.compile(
     r"localization\.(status|method|cause|part_of|radius_of|searched|all_headings|headings_near|whole_map|ground_near"
     r"|shows_|more_needed|neither_road).*|.*\.(and_more|line|at_line|unknown_reason|unknown_format|the_database)"
@@ -92,18 +95,21 @@ def sentences() -> dict[str, str]:
 def page(templates: dict[str, str]) -> str:
     """The whole page."""
     parts, added = [HEAD], notes()
-    for heading, rooms in SECTIONS.items():
+    named = {room for rooms in SECTIONS.values() for room in rooms}
+    others = tuple(sorted({code.split(".")[0] for code in templates} - named))
+    for heading, rooms in {**SECTIONS, OTHERS: others}.items():
         codes = [code for code in templates if code.split(".")[0] in rooms]
         explained = [code for code in codes if code in added]
-        others = sorted((code for code in codes if code not in added), key=lambda code: shown(templates[code]).lower())
-        parts.append(f"## {heading}\n")
+        plain = sorted((code for code in codes if code not in added), key=lambda code: shown(templates[code]).lower())
+        if codes:
+            parts.append(f"## {heading}\n")
         if explained:
             parts.append("| message | why | what to do |\n|---|---|---|")
             parts += [_row(shown(templates[code]), *added[code]) for code in explained]
             parts.append("")
-        if others:
+        if plain:
             parts.append("| message | what to do |\n|---|---|")
-            parts += [_row(*_parted(shown(templates[code]))) for code in others]
+            parts += [_row(*_parted(shown(templates[code]))) for code in plain]
             parts.append("")
     return "\n".join(parts)
 
