@@ -44,6 +44,14 @@ def test_the_picture_has_all_frames_for_their_times(frames, tmp_path):
     assert seen == [(0, 100), (1, 200), (2, 300)]
 
 
+def test_frames_of_a_window_that_grew_are_cut_to_the_first_one(frames, tmp_path):
+    first, *others = moving_webp.films(frames)["film"]
+    Image.new("RGB", (44, 30)).save(others[0])
+    target = tmp_path / "film.webp"
+    moving_webp.join([first, *others], target, 100_000)
+    assert Image.open(target).size == (40, 30)
+
+
 def test_a_picture_that_does_not_get_small_enough_is_told(frames, tmp_path, capsys):
     moving_webp.join(moving_webp.films(frames)["film"], tmp_path / "film.webp", 10)
     assert "more than" in capsys.readouterr().err

@@ -31,6 +31,8 @@ def films(pictures: list[Path]) -> dict[str, list[Path]]:
 def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
     """Writes the frames as one picture that begins again when it is through."""
     pictures = [Image.open(path).convert("RGB") for path in frames]
+    # A window may grow by what it has to show.
+    pictures = [picture.crop((0, 0, *pictures[0].size)) for picture in pictures]
     shown_ms = [int(_FRAME.fullmatch(path.name)["shown_ms"]) for path in frames]
     for quality in QUALITIES:
         content = io.BytesIO()
