@@ -118,6 +118,7 @@ class AssessRoute(AssessAlgorithm):
                 self.TRIALS,
                 tr("Simulated images a point"),
                 tr("More make the intervals narrower; points near each other learn from each other."),
+                advanced=True,
                 default=10,
                 minimum=1,
                 maximum=1000,
@@ -164,7 +165,8 @@ class AssessRoute(AssessAlgorithm):
                 ),
             ),
         )
-        return tuple(Number(*what, optional=True, minimum=0.0) for what in lengths)
+        rare = self.SPACING, self.SHIFT
+        return tuple(Number(*what, optional=True, advanced=what[0] in rare, minimum=0.0) for what in lengths)
 
     def read_layers(self, values: Values) -> None:
         from ..exchange.routes import read_route, route_of_source

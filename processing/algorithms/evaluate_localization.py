@@ -95,6 +95,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             *self._numbers(),
             *self._ranges_offered(),
             *self._judging(),
+            offers.network(),
             PointOutput(
                 self.OUTPUT,
                 tr("Trials"),
@@ -201,7 +202,15 @@ class EvaluateLocalization(SemRefAlgorithm):
         """Raises ParameterError for ranges that can't be."""
         from ...core.evaluation.evaluation import TrialRanges
 
-        return TrialRanges(**{one.key.lower(): values.range(one.key) for one in self._ranges_offered()})
+        factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
+
+        def limits(one: NumberRange) -> tuple[float, float]:
+            if factor is None or one.key not in offers.OF_NETWORKS:
+                return values.range(one.key)
+            low, high = (factor * float(part) for part in one.default.split(","))
+            return low, high
+
+        return TrialRanges(**{one.key.lower(): limits(one) for one in self._ranges_offered()})
 
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.LABELS)

@@ -32,6 +32,26 @@ CORRELATED_SHARE = 8
 """Map correlation, which takes about a second an image, is tried on at most this part of the trials."""
 
 
+_USUAL: dict[str, tuple[float, float | None]] = {
+    offers.MISSED: (20.0, 100.0),
+    offers.INVENTED: (20.0, 100.0),
+    offers.MISNAMED: (5.0, 100.0),
+    offers.RAGGED: (1.0, None),
+    offers.BACKGROUND: (100 * ASSUMED.noise.background, 100.0),
+    offers.DISPLACED: (1.1, None),
+    offers.SHIFTED: (ASSUMED.class_shift, None),
+    offers.LEANING: (100 * ASSUMED.noise.leaning, 100.0),
+    offers.LENS: (100 * ASSUMED.lens, LARGEST_LENS),
+    offers.TILT: (ASSUMED.tilt_deg, LARGEST_TILT_DEG),
+}
+"""What is assumed unless somebody says otherwise, and the most that may be said, by key."""
+
+
+def _noise(key: str, title: str, text: str) -> Number:
+    usual, most = _USUAL[key]
+    return Number(key, title, text, advanced=True, default=usual, minimum=0.0, maximum=most)
+
+
 class AssessAlgorithm(SemRefAlgorithm):
     """An algorithm that simulates images of a database."""
 
@@ -44,18 +64,12 @@ class AssessAlgorithm(SemRefAlgorithm):
 
     def noise_parameters(self) -> tuple[Parameter, ...]:
         """What is good enough, how images are localized, and how poor their labels are."""
-        limits = {self.MISSED: (20.0, 100.0), self.INVENTED: (20.0, 100.0), self.MISNAMED: (5.0, 100.0)}
-        limits[self.RAGGED] = 1.0, None
-        usual = ASSUMED
-        limits[self.BACKGROUND] = 100 * usual.noise.background, 100.0
-        limits[self.DISPLACED], limits[self.SHIFTED] = (1.1, None), (usual.class_shift, None)
-        limits[self.LEANING], limits[self.LENS] = (100 * usual.noise.leaning, 100.0), (100 * usual.lens, LARGEST_LENS)
-        limits[self.TILT] = usual.tilt_deg, LARGEST_TILT_DEG
         return (
             Number(
                 self.THRESHOLD,
                 tr("Good enough from (%)"),
                 tr("Expected success from which a place counts as one where localization works."),
+                advanced=True,
                 default=90.0,
                 minimum=1.0,
                 maximum=99.9,
@@ -69,17 +83,13 @@ class AssessAlgorithm(SemRefAlgorithm):
                     "tried on an eighth of the images at most. Without it the constellation of landmarks alone is "
                     "assessed."
                 ),
+                advanced=True,
                 default=True,
             ),
-            *(
-                Number(key, title, text, default=limits[key][0], minimum=0.0, maximum=limits[key][1])
-                for key, title, text in offers.noises()
-            ),
+            *(_noise(*what) for what in offers.noises()),
             offers.seed(),
-            *(
-                Number(key, title, text, advanced=True, default=limits[key][0], minimum=0.0, maximum=limits[key][1])
-                for key, title, text in offers.shared_errors()
-            ),
+            *(_noise(*what) for what in offers.shared_errors()),
+            offers.network(),
         )
 
     def check(self, values: Values) -> None:
@@ -90,15 +100,21 @@ class AssessAlgorithm(SemRefAlgorithm):
         from ...core.simulation.conditions import Conditions
         from ...core.simulation.noise import LabelNoise
 
-        shares = [values.number(key) / 100 for key in (self.MISSED, self.INVENTED, self.MISNAMED)]
+        factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
+
+        def number(key: str) -> float:
+            is_given = factor is None or key not in offers.OF_NETWORKS
+            return values.number(key) if is_given else factor * _USUAL[key][0]
+
+        shares = [number(key) / 100 for key in (self.MISSED, self.INVENTED, self.MISNAMED)]
         noise = LabelNoise(
             *shares,
-            values.number(self.RAGGED),
-            background=values.number(self.BACKGROUND) / 100,
-            displaced=values.number(self.DISPLACED),
-            leaning=values.number(self.LEANING) / 100,
+            number(self.RAGGED),
+            background=number(self.BACKGROUND) / 100,
+            displaced=number(self.DISPLACED),
+            leaning=number(self.LEANING) / 100,
         )
-        return Conditions(noise, values.number(self.SHIFTED), values.number(self.LENS) / 100, values.number(self.TILT))
+        return Conditions(noise, number(self.SHIFTED), number(self.LENS) / 100, number(self.TILT))
 
     def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
         """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""

@@ -9,6 +9,7 @@ from .declarations import (
     DATABASE_WIDGET,
     MODEL_WIDGET,
     OPEN_WIDGET,
+    Choice,
     FieldOf,
     File,
     FileOutput,
@@ -31,6 +32,13 @@ MISSED, INVENTED, MISNAMED, RAGGED = "MISSED", "INVENTED", "MISNAMED", "RAGGED"
 BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", "LEANING"
 LENS, TILT = "LENS", "TILT"
 OPEN_OUTPUT = "OPEN_OUTPUT"
+NETWORK = "NETWORK"
+
+NETWORK_FACTORS = (None, 0.5, 1.0, 2.0)
+"""By option of NETWORK: multiplies what is assumed of a network; None leaves it to the numbers that are given."""
+
+OF_NETWORKS = (MISSED, INVENTED, MISNAMED, RAGGED, BACKGROUND, SHIFTED)
+"""The errors that are a network's; the others are the map's and the camera's."""
 
 
 def database(text: str = "", optional: bool = False) -> File:
@@ -145,6 +153,17 @@ def annotation() -> tuple[Parameter, ...]:
             )
         ),
     )
+
+
+def network() -> Choice:
+    """How poor labels are, in a word."""
+    options = (tr("as the numbers say"), tr("good"), tr("usable"), tr("poor"))
+    text = tr(
+        "How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the "
+        "start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, "
+        "poor twice as much. Errors of map and camera stay as the numbers say."
+    )
+    return Choice(NETWORK, tr("Network"), text, optional=True, default=0, options=options)
 
 
 def noises() -> tuple[tuple[str, str, str], ...]:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from qgis.core import QgsApplication, QgsFeature, QgsFeatureRequest, QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QLocale, Qt
-from qgis.PyQt.QtGui import QPaintEvent
+from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from ....core.annotation.findings import ERROR, INFORMATION, WARNING
@@ -28,6 +28,8 @@ _ICONS = {ERROR: "/mIconCritical.svg", WARNING: "/mIconWarning.svg", INFORMATION
 _LINES = 2
 """Of a message, before it is cut: most have no more in a dock of the usual width."""
 _MARGIN_PX = 6
+_WIDE_LETTERS = 70
+"""From this width on there is room for areas beside messages."""
 
 
 class Place(NamedTuple):
@@ -103,10 +105,20 @@ class PlacesTable(QTableWidget):
             item.setFont(font)
 
     def fit_columns(self) -> None:
-        """As wide as kinds and areas need, but no wider than a third: the message matters more."""
-        for column in (KIND_COLUMN, AREA_COLUMN):
-            self.resizeColumnToContents(column)
-            self.setColumnWidth(column, min(self.columnWidth(column), self.viewport().width() // 3))
+        """As wide as kinds need, but no wider than a third: the message matters more."""
+        self.resizeColumnToContents(KIND_COLUMN)
+        self.resizeColumnToContents(AREA_COLUMN)
+        self._fit_width()
+
+    def _fit_width(self) -> None:
+        width = self.viewport().width()
+        self.setColumnWidth(KIND_COLUMN, min(max(self.columnWidth(KIND_COLUMN), 1), width // 3))
+        # The line below the list tells the area as well.
+        self.setColumnHidden(AREA_COLUMN, width < _WIDE_LETTERS * self.fontMetrics().averageCharWidth())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_width()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

@@ -78,6 +78,9 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.annotation.setExceptedLayerList([layer for layer in layers if is_places(layer) or database_file(layer)])
         if self.annotation.currentLayer() is None:
             self._choose_annotation()
+        # The box goes to another layer without a word when the one that it showed is left out.
+        if self.annotation.currentLayer() is not self.class_field.layer():
+            self._use_annotation(self.annotation.currentLayer())
 
     def show_running(self, running: bool, text: str = "") -> None:
         """Whether an update works; ``text`` is what is to be read about it."""
@@ -98,6 +101,8 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.button.setEnabled(self._running or ready)
         if not self._running and not self._database:
             self.state.show_text(tr("Choose a database."))
+        elif self.state.text_shown == tr("Choose a database."):
+            self.state.show_text("")
         possible = not self._running and can_undo(self._database)
         self.undo.setVisible(possible)
         if possible:
