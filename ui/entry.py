@@ -9,10 +9,9 @@ from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ..processing.framework.base import ICON_PATH
-from ..processing.packages.components import OPENCV, SHAPELY, how_to_install, missing
+from ..processing.packages.components import OPENCV, SHAPELY, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
-from ..processing.wording.sentences import worded
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
@@ -84,7 +83,9 @@ class DockEntry:
     def _open_sample(self) -> None:
         lacking = missing((OPENCV, SHAPELY))
         if lacking:
-            Messages(self._iface.messageBar()).error(worded(how_to_install(lacking)))
+            names = ", ".join(package.title for package in lacking)
+            sentence = tr("The sample project needs {packages}.").format(packages=names)
+            Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
             return
         self._sample_project().ask()
 

@@ -13,6 +13,7 @@ from ..processing.compat import is_null
 from ..processing.framework.localized_image import ERROR, fixes_per_error, label_image_names
 from ..processing.translation import tr
 from ..processing.wording.sentences import worded
+from .widgets.numbers import number_text
 
 Point = tuple[float, float]
 
@@ -170,6 +171,13 @@ def _read_matches(layer: QgsVectorLayer | None) -> dict[str, Matches]:
         pixel, seen = (feature["image_column"], feature["image_row"]), (feature["seen_x"], feature["seen_y"])
         found.setdefault(feature["image"], []).append((pixel, seen, (place.x(), place.y())))
     return {image: Matches(*zip(*rows)) for image, rows in found.items()}
+
+
+def odds_text(finding: Finding) -> str:
+    """“1 in 10,000”: one of so many fixes as sure as this one is wrong; empty where that is not known."""
+    if finding.fixes_per_error is None:
+        return ""
+    return tr("1 in {count}").format(count=number_text(finding.fixes_per_error))
 
 
 def status_text(finding: Finding) -> str:

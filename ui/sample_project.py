@@ -7,7 +7,7 @@ from pathlib import Path
 
 from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsSettings, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
-from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton
+from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
 
 from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.exchange.styles import annotation_renderer
@@ -27,6 +27,7 @@ from ..storage.sample_files import (
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.messages import TAG, Messages
+from .widgets.remaining_bar import RemainingBar
 
 FOLDER = "semref_sample"
 """Made in the folder that the user picks, unless that one is empty."""
@@ -127,11 +128,12 @@ class SampleProject(QObject):
         """What is being done, how far, and a way to stop it; the user may close it and let the work go on."""
         bar = self._iface.messageBar()
         item = bar.createMessage(TAG, tr("Making the sample project"))
-        progress, cancel = QProgressBar(), QPushButton(tr("Cancel"))
+        progress, cancel = RemainingBar(), QPushButton(tr("Cancel"))
+        progress.begin()
         for widget in (progress, cancel):
             item.layout().addWidget(widget)
         self.said.connect(item.setText)
-        self.percent.connect(progress.setValue)
+        self.percent.connect(progress.show_percent)
         cancel.clicked.connect(self.run.cancel)
         self.ended.connect(item.dismiss)
         bar.pushWidget(item, Qgis.MessageLevel.Info)

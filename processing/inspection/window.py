@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import hypot
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,6 +23,7 @@ class Ray:
         length: Distance from the center over the largest distance, 0–1.
         step: Angle to the next landmark over the largest angle, 0–1.
         turn: Radians clockwise from the first, farthest landmark.
+        angle_deg: To the next landmark, degrees.
     """
 
     class_name: str
@@ -29,6 +31,7 @@ class Ray:
     length: float
     step: float
     turn: float
+    angle_deg: float
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,12 @@ class InspectedWindow:
     rays: tuple[Ray, ...]
     ends_xy: tuple[tuple[float, float], ...]
     look_alikes: tuple[LookAlike, ...]
+
+    @property
+    def distances(self) -> tuple[float, ...]:
+        """Of the rays' landmarks from the center, map units."""
+        x, y = self.center_xy
+        return tuple(hypot(end_x - x, end_y - y) for end_x, end_y in self.ends_xy)
 
 
 @dataclass(frozen=True)
@@ -147,7 +156,7 @@ def rays_of(vector: np.ndarray, table: ClassTable) -> tuple[Ray, ...]:
     rays = []
     for length, step, turn, rank in zip(lengths.tolist(), steps.tolist(), turns.tolist(), ranks.tolist()):
         entry = classes[min(max(round(rank * len(classes)), 1), len(classes)) - 1]
-        rays.append(Ray(entry.name, entry.color, length, step, turn))
+        rays.append(Ray(entry.name, entry.color, length, step, turn, 360 * step / total))
     return tuple(rays)
 
 

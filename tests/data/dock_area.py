@@ -105,10 +105,9 @@ def localize(dock, database: str, images: list[str]) -> None:
 
 
 def table(dock) -> list[list[str]]:
+    """Image, odds, error, heading, status, window and distance of each result."""
     model = dock.content.localize.results.table.model()
-    return [
-        [model.index(row, column).data() for column in range(model.columnCount())] for row in range(model.rowCount())
-    ]
+    return [[model.index(row, column).data() for column in range(7)] for row in range(model.rowCount())]
 
 
 def messages(iface) -> list[str]:

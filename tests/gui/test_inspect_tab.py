@@ -12,7 +12,8 @@ def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock,
     dock.content.inspect.name.returnPressed.emit()
     wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
     assert dock.content.inspect.numbers.rowCount() == 10
-    assert dock.content.inspect.numbers.item(0, 1).text() == "1.000"
+    assert dock.content.inspect.numbers.item(0, 1).text() == "49 m (1.000)"
+    assert "° (" in dock.content.inspect.numbers.item(0, 2).text()
     assert dock.content.inspect.look_alikes.rowCount() > 0
     extents = [corners(band.boundingBox()) for band in rubber_bands(iface, "Polygon")]
     assert any(extent == pytest.approx(corners(cut_extent())) for extent in extents)

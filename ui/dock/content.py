@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
@@ -118,6 +118,8 @@ def _scrolling(page: QWidget) -> QScrollArea:
     """The dock can be made lower than a page's content, but not narrower."""
     area = QScrollArea()
     area.setFrameShape(QFrame.Shape.NoFrame)
+    # The Tab key stops at what is in it, not at it.
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     area.setWidgetResizable(True)
     area.setWidget(page)
     area.setMinimumWidth(page.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width())

@@ -13,7 +13,7 @@ from ..fields.known import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
 from .buttons import tool_button
-from .layouts import narrow, row_of
+from .layouts import name_fold, narrow, row_of
 
 
 class DatabaseBox(QgsCollapsibleGroupBox):
@@ -33,15 +33,18 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         self.file.setFilter(tr("GeoPackage (*.gpkg)"))
         self.file.setDialogTitle(tr("Choose a reference database"))
         self.file.lineEdit().setPlaceholderText(tr("Choose a GeoPackage"))
+        self.file.lineEdit().setAccessibleName(tr("Reference database"))
         self.file.setFilePath(remembered_database())
         self.in_project = QComboBox()
         self.in_project.setToolTip(tr("Databases whose layers are in the project"))
+        self.in_project.setAccessibleName(tr("Databases whose layers are in the project"))
         self.in_project.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.in_project.setMinimumContentsLength(8)
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
         layout = narrow(QVBoxLayout(self))
         layout.addLayout(row_of((self.file, 1), self.add_to_map))
         layout.addWidget(self.in_project)
+        name_fold(self)
         self.chosen = self.path()
         self.file.fileChanged.connect(self._remember)
         self.in_project.activated.connect(self._choose_in_project)
@@ -95,6 +98,7 @@ class DatabaseBox(QgsCollapsibleGroupBox):
             self.file.setFilePath(self.in_project.itemData(row))
 
     def _remember(self) -> None:
+        name_fold(self)
         self.chosen = self.path()
         if self.chosen:
             # A project that is cleared takes its database along, but not what the next session begins with.

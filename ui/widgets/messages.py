@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from html import escape
 
 from qgis.core import Qgis, QgsMessageLog
 from qgis.gui import QgsMessageBar
+from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
 
@@ -37,6 +39,16 @@ class Messages:
     def error(self, sentence: str) -> None:
         """Something that could not be done."""
         self._bar.pushCritical(TAG, _shown(sentence))
+
+    def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
+        """Something that could not be done, and a button that mends it; the whole sentence is in its tool tip."""
+        item = self._bar.createMessage(TAG, _shown(sentence))
+        mend = QPushButton(button)
+        mend.clicked.connect(pressed)
+        mend.clicked.connect(item.dismiss)
+        item.setToolTip(sentence)
+        item.layout().addWidget(mend)
+        self._bar.pushWidget(item, Qgis.MessageLevel.Critical)
 
     def bug(self, report: str) -> None:
         """One sentence in the bar, the traceback in the log panel."""

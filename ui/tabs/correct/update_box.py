@@ -5,13 +5,14 @@ from __future__ import annotations
 from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
 from qgis.gui import QgsCollapsibleGroupBox, QgsFieldComboBox, QgsMapLayerComboBox
 from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import QFormLayout, QProgressBar, QPushButton
+from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
 
 from ....processing.exchange.database_layers import database_file
 from ....processing.translation import tr
 from ....storage.database.undo import can_undo, file_before
 from ...running.correction_run import Correction
-from ...widgets.layouts import narrow
+from ...widgets.layouts import name_fold, narrow
+from ...widgets.remaining_bar import RemainingBar
 from ...widgets.status_line import StatusLine
 from ...widgets.tips import plain_tip
 from .places_table import is_places
@@ -42,7 +43,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.class_field, self.priority_field = QgsFieldComboBox(), QgsFieldComboBox()
         self.priority_field.setAllowEmptyFieldName(True)
         self.button = QPushButton()
-        self.progress = QProgressBar()
+        self.progress = RemainingBar()
         self.state = StatusLine()
         self.undo = QPushButton(tr("Undo the last update"))
         layout = narrow(QFormLayout(self))
@@ -54,9 +55,11 @@ class UpdateBox(QgsCollapsibleGroupBox):
             (tr("Priority field"), self.priority_field),
         ):
             widget.setMinimumWidth(1)
+            widget.setAccessibleName(title)
             layout.addRow(title, widget)
         for widget in (self.button, self.progress, self.state, self.undo):
             layout.addRow(widget)
+        name_fold(self)
         self._connect()
         self.list_layers()
         self.show_running(False)
@@ -88,7 +91,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         for part in (self.annotation, self.class_field, self.priority_field):
             part.setEnabled(not running)
         self.progress.setVisible(running)
-        self.progress.setValue(0)
+        self.progress.begin()
         self.button.setText(tr("Cancel") if running else tr("Rasterize and update the database"))
         self.button.setToolTip(
             tr("Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept")

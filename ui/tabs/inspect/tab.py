@@ -38,6 +38,7 @@ from ...canvas.window_marks import WindowMarks
 from ...canvas.window_tool import WindowTool
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
+from ...widgets.numbers import number_text
 from .vector_plot import VectorPlot
 
 if TYPE_CHECKING:
@@ -76,10 +77,10 @@ class InspectTab(QWidget):
             "/mActionIdentify.svg", tr("Click on the map to inspect the window there"), checkable=True
         )
         self.pick.setText(tr("Pick on map"))
-        self.pick.setAccessibleName("")
         self.pick.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.name = QLineEdit()
         self.name.setPlaceholderText(tr("Window name"))
+        self.name.setAccessibleName(tr("Window name"))
         self.name.setClearButtonEnabled(True)
         self.before = tool_button("/mActionArrowLeft.svg", tr("Window before"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next window"))
@@ -91,15 +92,28 @@ class InspectTab(QWidget):
         self.numbers.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.numbers.verticalHeader().hide()
         self.numbers.setHorizontalHeaderLabels([tr("Class"), tr("Distance"), tr("Angle"), tr("Image")])
-        self.numbers.horizontalHeaderItem(1).setToolTip(tr("Distance from the center over the largest distance"))
-        self.numbers.horizontalHeaderItem(2).setToolTip(tr("Angle to the next landmark over the largest angle"))
+        self.numbers.horizontalHeaderItem(1).setToolTip(
+            tr("Distance from the center, in map units; in brackets over the largest distance, as the vector has it")
+        )
+        self.numbers.horizontalHeaderItem(2).setToolTip(
+            tr("Angle to the next landmark; in brackets over the largest angle, as the vector has it")
+        )
         self.numbers.horizontalHeaderItem(3).setToolTip(tr("How far the compared image’s vector differs here"))
         self.look_alikes = QTableWidget(0, 2)
         self.look_alikes.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.look_alikes.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.look_alikes.verticalHeader().hide()
         self.look_alikes.setHorizontalHeaderLabels([tr("Looks like"), tr("Distance")])
-        for table in (self.numbers, self.look_alikes):
+        self.look_alikes.horizontalHeaderItem(1).setToolTip(
+            tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none")
+        )
+        for table, name in (
+            (self.numbers, tr("The vector, landmark by landmark")),
+            (self.look_alikes, tr("Looks like")),
+        ):
+            table.setAccessibleName(name)
+            # Else the walk by the Tab key would end in the table.
+            table.setTabKeyNavigation(False)
             table.horizontalHeader().setStretchLastSection(True)
             table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
         self.look_alikes.setToolTip(tr("Windows elsewhere with the nearest vectors; double-click to inspect one"))
@@ -136,6 +150,7 @@ class InspectTab(QWidget):
     def use(self, database: ReferenceDatabase | None) -> None:
         """Takes another database; the wish that made it be read is fulfilled."""
         self._database = database
+        self.name.clear()
         self._show_nothing()
         if database is None:
             return
@@ -242,7 +257,9 @@ class InspectTab(QWidget):
         self.numbers.setRowCount(len(window.rays))
         for number, ray in enumerate(window.rays):
             apart = None if compared is None else compared.apart[number]
-            texts = [ray.class_name, f"{ray.length:.3f}", f"{ray.step:.3f}", "" if apart is None else f"{apart:.3f}"]
+            distance = f"{number_text(window.distances[number])} m ({number_text(ray.length, 3)})"
+            angle = f"{number_text(ray.angle_deg, 1)}° ({number_text(ray.step, 3)})"
+            texts = [ray.class_name, distance, angle, "" if apart is None else number_text(apart, 3)]
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
                 if apart is not None and apart > _DIFFERS:
@@ -257,7 +274,7 @@ class InspectTab(QWidget):
         self.look_alikes.setRowCount(len(window.look_alikes))
         for number, other in enumerate(window.look_alikes):
             self.look_alikes.setItem(number, 0, QTableWidgetItem(other.name))
-            self.look_alikes.setItem(number, 1, QTableWidgetItem(f"{other.distance:.3f}"))
+            self.look_alikes.setItem(number, 1, QTableWidgetItem(number_text(other.distance, 3)))
         self.look_alikes.resizeColumnsToContents()
 
 

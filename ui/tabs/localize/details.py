@@ -12,10 +12,10 @@ from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
 from ....processing.inspection.image import RunnerUp
 from ....processing.translation import tr
-from ...findings import Finding, status_text
+from ...findings import Finding, odds_text, status_text
 from .position_formats import DATABASE, DEGREES, position_text
 
-_LINES, _LEAST_LINES = 6, 4
+_LINES, _LEAST_LINES = 5, 2
 
 
 class Details(QTextEdit):
@@ -27,6 +27,9 @@ class Details(QTextEdit):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.viewport().setAutoFillBackground(False)
         self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
+        # Else the walk by the Tab key would end here.
+        self.setTabChangesFocus(True)
+        self.setAccessibleName(tr("Details of the selected result"))
         self.setPlaceholderText(tr("Select a result to see its hit on the map."))
         self._lines: list[str] = []
 
@@ -53,7 +56,7 @@ def _lines(finding: Finding) -> list[str]:
     """Lines of HTML."""
     how_sure = _joined(
         (finding.confidence if finding.is_by_vector else None, tr("confidence {value:.2f}")),
-        (finding.fixes_per_error, tr("wrong once in {value:,.0f}")),
+        (odds_text(finding) or None, tr("{value} wrong")),
         (finding.error_95, tr("within {value:.2f} m (95 %)")),
     )
     head = f"<b>{escape(finding.name)}</b>: {escape(status_text(finding))}"

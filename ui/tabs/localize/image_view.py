@@ -6,7 +6,17 @@ from collections.abc import Sequence
 
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QEvent, QRectF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QImage, QMouseEvent, QPainter, QPaintEvent, QPixmap, QResizeEvent, QTransform, QWheelEvent
+from qgis.PyQt.QtGui import (
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPixmap,
+    QResizeEvent,
+    QTransform,
+    QWheelEvent,
+)
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
     QGraphicsItem,
@@ -103,6 +113,7 @@ class _Canvas(QGraphicsView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMouseTracking(True)
+        self.setAccessibleName(tr("The selected image; plus, minus and 0 zoom"))
         self._text = ""
         self._labels: QGraphicsItem | None = None
         self._landmarks: LandmarkDots | None = None
@@ -177,9 +188,20 @@ class _Canvas(QGraphicsView):
         self.fit()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
+        self._zoom(_ZOOM_STEP if event.angleDelta().y() > 0 else 1 / _ZOOM_STEP)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        factors = {"+": _ZOOM_STEP, "-": 1 / _ZOOM_STEP}
+        if event.text() in factors:
+            self._zoom(factors[event.text()])
+        elif event.text() == "0":
+            self.fit()
+        else:
+            super().keyPressEvent(event)
+
+    def _zoom(self, factor: float) -> None:
         if self._labels is None:
             return
-        factor = _ZOOM_STEP if event.angleDelta().y() > 0 else 1 / _ZOOM_STEP
         fitted = min(self.width() / self.sceneRect().width(), self.height() / self.sceneRect().height())
         if fitted / 2 < self.transform().m11() * factor < _MOST_ZOOM:
             self.scale(factor, factor)

@@ -29,7 +29,7 @@ from ...models.model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...running.background import Reader
 from ...widgets.buttons import tool_button
-from ...widgets.layouts import narrow, row_of
+from ...widgets.layouts import name_fold, narrow, row_of
 from .image_list import ImageList
 
 _METHOD_SETTING = "semref/dock/method"
@@ -52,6 +52,8 @@ class ImageBox(QgsCollapsibleGroupBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Images"), parent)
         self.setObjectName("SemRefImages")
+        # Folded away after a run, not for ever.
+        self.setSaveCollapsedState(False)
         self.list = ImageList()
         self.add_files = QPushButton(tr("Add files…"))
         self.add_folder = QPushButton(tr("Add folder…"))
@@ -73,6 +75,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.model.setFilter(tr("ONNX models (*.onnx)"))
         self.model.setDialogTitle(tr("Choose a segmentation model"))
         self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
+        self.model.lineEdit().setAccessibleName(tr("Model, for photos"))
         self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
         self.model.setFilePath(QgsSettings().value(MODEL_SETTING, "", type=str))
         self.models = tool_button("/mActionOpenTable.svg", tr("Models at hand, and what they are good for…"))
@@ -84,6 +87,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
         layout.addWidget(self.flight)
         layout.addLayout(row_of((self.model, 1), self.models, self.train))
+        name_fold(self)
         self.models.clicked.connect(self._choose_model)
         self.train.clicked.connect(self._train_model)
         self.model.fileChanged.connect(self._remember_model)
@@ -93,6 +97,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         self.remove.clicked.connect(self.list.remove_selected)
         self.remove.setEnabled(False)
         self.list.itemSelectionChanged.connect(self._enable_remove)
+        self.list.changed.connect(self._show_count)
         self.list.changed.connect(self.changed)
         self.list.changed.connect(self._look_for_flight)
         self._reader = Reader(self)
@@ -107,6 +112,12 @@ class ImageBox(QgsCollapsibleGroupBox):
     def is_flight(self) -> bool:
         """Whether the images are of one flight, as the user says."""
         return self.flight.isChecked()
+
+    def _show_count(self) -> None:
+        count = self.list.count()
+        self.setTitle(tr("Images ({count})").format(count=count) if count else tr("Images"))
+        if not count:
+            self.setCollapsed(False)
 
     def shut_down(self) -> None:
         """Waits for what is being read."""

@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QVBoxLayout, QWid
 from ....processing.translation import tr
 from ...findings import Finding
 from ...widgets.buttons import shortcut, split_button, tool_button
-from ...widgets.layouts import narrow, row_of
+from ...widgets.layouts import name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
 from .position_formats import DATABASE, FORMATS, format_title, position_text, possible_formats
@@ -20,7 +20,10 @@ from .results_table import ResultsTable
 
 _ZOOM_SETTING = "semref/dock/zoom_to_hit"
 _FORMAT_SETTING = "semref/dock/position_format"
-_PARTS_SETTING = "semref/dock/results_parts"
+_PARTS_SETTING = "semref/dock/results_parts_2"
+_SHARES = 1, 5, 0
+"""How table, image and details share what room is left."""
+
 _PLAY_EVERY_MS = 700
 """Long enough to see where an image lies, short enough for a hundred of them."""
 
@@ -86,13 +89,16 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.parts.setChildrenCollapsible(False)
         for part in (self.table, self.image, self.details):
             self.parts.addWidget(part)
-        self.parts.setStretchFactor(1, 1)
+        # The image is what one wants to look at.
+        for number, share in enumerate(_SHARES):
+            self.parts.setStretchFactor(number, share)
         self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
         self.parts.splitterMoved.connect(self._remember_parts)
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.parts, 1)
         layout.addLayout(row_of(self.before, self.after, self.play, self.zoom, (self.copy, 1)))
         layout.addLayout(row_of(self.drape, self.keep))
+        name_fold(self)
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Shows these instead of those before, the first one selected."""

@@ -10,14 +10,21 @@ from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
 
 from ....core.localization import Status
 from ....processing.translation import tr
-from ...findings import Finding, status_text
+from ...findings import Finding, odds_text, status_text
+from ...widgets.numbers import number_text
 from ...widgets.tips import plain_tip
 
-IMAGE, CONFIDENCE, ERROR, HEADING, STATUS, WINDOW, DISTANCE = range(7)
-COLUMN_COUNT = 7
-_DECIMALS = {CONFIDENCE: 2, ERROR: 1, HEADING: 1, DISTANCE: 3}
+IMAGE, ODDS, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
+COLUMN_COUNT = 9
+ORDER = (SUMMARY, IMAGE, STATUS, POSITION, ERROR, ODDS, HEADING, WINDOW, DISTANCE)
+"""From left to right. SUMMARY has two lines with what matters of a result, for where there is no room for columns."""
+
+_DECIMALS = {ERROR: 1, HEADING: 1, DISTANCE: 3}
+_DEGREE_DECIMALS = 5
+"""About a meter."""
+
 SORT_ROLE = Qt.ItemDataRole.UserRole
-NUMBER_COLUMNS = (CONFIDENCE, ERROR, HEADING, DISTANCE)
+NUMBER_COLUMNS = (ODDS, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
 _ICONS = {Status.FIX.key: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
@@ -43,8 +50,13 @@ class ResultsModel(QStandardItemModel):
         icons = {name: QgsApplication.getThemeIcon(name) for name in {_icon(finding) for finding in findings}}
         for finding in self._findings:
             row = [_item(finding, column) for column in range(COLUMN_COUNT)]
-            row[IMAGE].setIcon(icons[_icon(finding)])
+            for column in (IMAGE, SUMMARY):
+                row[column].setIcon(icons[_icon(finding)])
             self.appendRow(row)
+
+    def is_empty(self, column: int) -> bool:
+        """Whether no row has anything there."""
+        return not any(self.item(row, column).text() for row in range(self.rowCount()))
 
     def finding(self, row: int) -> Finding:
         """The one that a row shows, whatever the view's order."""
@@ -79,24 +91,28 @@ def _icon(finding: Finding) -> str:
 def _headers() -> list[str]:
     return [
         tr("Image"),
-        tr("Confidence"),
+        tr("Wrong"),
         tr("Error (m)"),
         tr("Heading"),
         tr("Status"),
         tr("Window"),
         tr("Distance"),
+        tr("Longitude, latitude"),
+        tr("Image"),
     ]
 
 
 def _header_help() -> list[str]:
     return [
         tr("File name of the image"),
-        tr("Probability that the position is right; for the published method, how near the vectors are"),
+        tr("In how many fixes as sure as this one is wrong"),
         tr("Radius that holds the true position in 95 % of fixes, in meters"),
         tr("Where the image’s top points to, in degrees clockwise from grid north"),
         tr("Whether a position was found"),
         tr("Name of the matched window: its first column and row on the map"),
         tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
+        tr("Of the image’s center, in degrees (WGS 84)"),
+        tr("File name, status, position with its radius, and in how many such fixes one is wrong"),
     ]
 
 
@@ -107,20 +123,41 @@ def _text(finding: Finding, column: int) -> str:
         return status_text(finding)
     if column == WINDOW:
         return finding.window or ""
-    if column == CONFIDENCE and finding.fixes_per_error is not None:
-        return f"{finding.fixes_per_error:,.0f} : 1"
+    if column == ODDS:
+        return odds_text(finding)
+    if column == POSITION:
+        return _position(finding)
+    if column == SUMMARY:
+        return _summary(finding)
     return _number(_figure(finding, column), _DECIMALS[column])
 
 
 def _figure(finding: Finding, column: int) -> float | None:
     """What a number column shows."""
-    if column == CONFIDENCE:
-        return finding.confidence if finding.status == Status.FIX else None
+    if column == ODDS:
+        return finding.fixes_per_error
     return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
 
 
 def _number(value: float | None, decimals: int) -> str:
-    return "" if value is None else f"{value:.{decimals}f}"
+    return "" if value is None else number_text(value, decimals)
+
+
+def _position(finding: Finding) -> str:
+    """Longitude and latitude; a dot whatever the language, as maps and programs write them."""
+    if finding.longitude is None or finding.latitude is None:
+        return ""
+    return f"{finding.longitude:.{_DEGREE_DECIMALS}f}, {finding.latitude:.{_DEGREE_DECIMALS}f}"
+
+
+def _summary(finding: Finding) -> str:
+    """Name and status, below them where it is, how exactly and how surely; the reason where it is nowhere."""
+    position, odds = _position(finding), odds_text(finding)
+    if position and finding.error_95 is not None:
+        position = f"{position} ± {number_text(finding.error_95, 1)} m"
+    sure = tr("{odds} wrong").format(odds=odds) if odds else ""
+    below = " · ".join(filter(None, (position, sure))) or (finding.reason or "")
+    return f"{finding.name} · {status_text(finding)}\n{below}"
 
 
 def _sort_value(finding: Finding, column: int) -> float | str:

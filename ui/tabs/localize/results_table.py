@@ -9,15 +9,19 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QTableView, QWidget
 from ....processing.translation import tr
 from ...findings import Finding
 from ...widgets.placeholder import paint_placeholder
-from .results_model import COLUMN_COUNT, CONFIDENCE, IMAGE, SORT_ROLE, ResultsModel
+from .results_model import COLUMN_COUNT, IMAGE, ORDER, SORT_ROLE, SUMMARY, ResultsModel
 
-_IMAGE_COLUMN_MINIMUM_PX = 150
+_IMAGE_COLUMN_MINIMUM_PX = 120
 _ROW_MARGIN_PX = 4
-_ROWS, _LEAST_ROWS = 6, 3
+_ROWS, _LEAST_ROWS = 6, 4
+"""Of text; a result takes two of them where there is no room for columns."""
 
 
 class ResultsTable(QTableView):
-    """Emits ``findingSelected`` with a Finding, or None when no row is selected."""
+    """Emits ``findingSelected`` with a Finding, or None when no row is selected.
+
+    All columns where they fit, else two lines a row.
+    """
 
     findingSelected = pyqtSignal(object)
 
@@ -28,6 +32,8 @@ class ResultsTable(QTableView):
         self._sorted.setSourceModel(self._model)
         self._sorted.setSortRole(SORT_ROLE)
         self.setModel(self._sorted)
+        self.setAccessibleName(tr("Results"))
+        self._used = [column for column in ORDER if column != SUMMARY]
         # Unsorted, in the order of the images, until a header is clicked.
         self.horizontalHeader().setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
@@ -41,18 +47,20 @@ class ResultsTable(QTableView):
         self.setAlternatingRowColors(True)
         self.setTabKeyNavigation(False)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 2 * _ROW_MARGIN_PX)
         self.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.horizontalHeader().setHighlightSections(False)
-        self._fit_columns()
+        self._order_columns()
+        self._arrange()
         self.selectionModel().selectionChanged.connect(self._tell_selected)
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Shows them in their order and selects the first."""
         # Resetting the model drops the selection without a signal.
         self._model.show(findings)
+        self._order_columns()
         self.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
-        self._fit_columns()
+        self._used = [c for c in ORDER if c != SUMMARY and not (findings and self._model.is_empty(c))]
+        self._arrange()
         self.findingSelected.emit(None)
         if findings:
             self.selectRow(0)
@@ -69,7 +77,7 @@ class ResultsTable(QTableView):
             rows = self.selectionModel().selectedRows()
             row = rows[0].row() + step if rows else 0
             self.selectRow(row % count)
-            self.scrollTo(self.model().index(row % count, 0))
+            self.scrollTo(self.model().index(row % count, SUMMARY if self.is_narrow else IMAGE))
 
     def step_on(self) -> bool:
         """Selects the next row; False where there is none."""
@@ -85,12 +93,12 @@ class ResultsTable(QTableView):
     def minimumSizeHint(self) -> QSize:
         return QSize(120, self._height_of(_LEAST_ROWS))
 
-    def _height_of(self, rows: int) -> int:
-        return self.horizontalHeader().sizeHint().height() + rows * self.verticalHeader().defaultSectionSize()
+    def _height_of(self, lines: int) -> int:
+        return lines * (self.fontMetrics().height() + _ROW_MARGIN_PX)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_image_column()
+        self._arrange()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -100,15 +108,32 @@ class ResultsTable(QTableView):
     def _tell_selected(self, *_selection) -> None:
         self.findingSelected.emit(self.selected())
 
-    def _fit_columns(self) -> None:
-        for column in range(COLUMN_COUNT):
-            self.resizeColumnToContents(column)
-        self._fit_image_column()
+    def _order_columns(self) -> None:
+        """Once more for each list: a model that is cleared takes its columns along."""
+        header = self.horizontalHeader()
+        for place, column in enumerate(ORDER):
+            header.moveSection(header.visualIndex(column), place)
 
-    def _fit_image_column(self) -> None:
-        """Fills the view: with all columns where they fit, else with image and confidence, the rest by scrolling."""
-        width = self.viewport().width()
-        others = sum(self.columnWidth(column) for column in range(COLUMN_COUNT) if column != IMAGE)
-        if width - others < _IMAGE_COLUMN_MINIMUM_PX:
-            others = self.columnWidth(CONFIDENCE)
-        self.setColumnWidth(IMAGE, max(width - others, _IMAGE_COLUMN_MINIMUM_PX))
+    @property
+    def is_narrow(self) -> bool:
+        """Whether rows have two lines instead of columns."""
+        return not self.isColumnHidden(SUMMARY)
+
+    def _arrange(self) -> None:
+        """Columns where all that say something fit, with the image's filling the rest; else two lines a row."""
+        header, width = self.horizontalHeader(), self.viewport().width()
+        wanted = {c: max(self.sizeHintForColumn(c), header.sectionSizeHint(c)) + 1 for c in self._used}
+        wanted[IMAGE] = max(wanted[IMAGE], _IMAGE_COLUMN_MINIMUM_PX)
+        narrow = sum(wanted.values()) > width
+        for column in range(COLUMN_COUNT):
+            self.setColumnHidden(column, column != SUMMARY if narrow else column not in self._used)
+        header.setVisible(not narrow)
+        lines = 2 if narrow else 1
+        self.verticalHeader().setDefaultSectionSize(lines * self.fontMetrics().height() + 2 * _ROW_MARGIN_PX)
+        self.setTextElideMode(Qt.TextElideMode.ElideRight if narrow else Qt.TextElideMode.ElideMiddle)
+        if narrow:
+            self.setColumnWidth(SUMMARY, width)
+            return
+        for column, size in wanted.items():
+            self.setColumnWidth(column, size)
+        self.setColumnWidth(IMAGE, width - sum(wanted.values()) + wanted[IMAGE])

@@ -7,7 +7,7 @@ import os
 from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import QFileDialog, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
 from ....core.localization import Status
@@ -22,6 +22,7 @@ from ...running.localization_run import LocalizationRun
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages
+from ...widgets.remaining_bar import RemainingBar
 from ...widgets.status_line import StatusLine
 from .inputs import ImageBox, MethodRow
 from .map_image import MapImage
@@ -45,14 +46,14 @@ class LocalizeTab(QWidget):
         super().__init__()
         self._database, self._messages = database, messages
         self._layers = ResultLayers()
-        self._results_file = self._model_used = ""
+        self._results_file = self._model_used = self._database_used = ""
         self.run = LocalizationRun(self)
         self.images = ImageBox()
         self.map_image = MapImage(canvas, self)
         self.method = MethodRow()
         self.prior = PriorRow(canvas)
         self.localize_button = QPushButton()
-        self.progress = QProgressBar()
+        self.progress = RemainingBar()
         self.state = StatusLine()
         self.results = ResultsBox()
         self.hit = ShownHit(canvas, self.results, messages, shelf)
@@ -147,7 +148,7 @@ class LocalizeTab(QWidget):
         if self.run.start(
             self._database.path(), self.images.paths(), self.method.method(), settings, self.images.is_flight()
         ):
-            self._model_used = self.images.model_path()
+            self._model_used, self._database_used = self.images.model_path(), self._database.path()
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
 
@@ -155,7 +156,7 @@ class LocalizeTab(QWidget):
         for part in (self._database, self.images, self.method, self.prior):
             part.setEnabled(not running)
         self.progress.setVisible(running)
-        self.progress.setValue(0)
+        self.progress.begin()
         self.localize_button.setText(tr("Cancel") if running else tr("Localize"))
         self.localize_button.setEnabled(running or self._is_ready())
 
@@ -175,7 +176,7 @@ class LocalizeTab(QWidget):
             self.state.show_text(tr("Choose a database and add images."))
 
     def _show_progress(self, percent: float) -> None:
-        self.progress.setValue(round(percent))
+        self.progress.show_percent(percent)
 
     def _show_canceled(self) -> None:
         self.state.show_text(tr("Canceled."))
@@ -184,12 +185,14 @@ class LocalizeTab(QWidget):
 
     def _show_found(self, layers: ResultLayers, labels: str) -> None:
         self._set_running(False)
-        self._show_layers(layers, "", self._model_used, labels)
+        self._show_layers(layers, "", self._model_used, labels, self._database_used)
+        # What one wants to look at now is below.
+        self.images.setCollapsed(True)
         if self.run.pace:
             self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
 
-    def _show_layers(self, layers: ResultLayers, file: str, model: str, labels: str = "") -> None:
+    def _show_layers(self, layers: ResultLayers, file: str, model: str, labels: str = "", database: str = "") -> None:
         """Shows the results of a run.
 
         Args:
@@ -197,9 +200,10 @@ class LocalizeTab(QWidget):
             file: That holds them; empty for layers in memory.
             model: That made labels of the photos; empty for label images.
             labels: Folder of the photos' label images; empty where they were not kept.
+            database: That they were found in; empty for the chosen one.
         """
         self._layers, self._results_file, self._model_used = layers, file, model
-        self.hit.use(self._database.path(), model)
+        self.hit.use(database or self._database.path(), model)
         findings = read_findings(layers, labels)
         if findings:
             fixes = sum(1 for finding in findings if finding.status == Status.FIX)

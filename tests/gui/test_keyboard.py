@@ -1,0 +1,81 @@
+"""The dock by keyboard and by ear: Tab reaches everything, and everything has a name."""
+
+from __future__ import annotations
+
+import pytest
+from dock_area import CONSTELLATION, choose_method, localize, settle
+
+MOST_STEPS = 80
+
+
+def reachable(page) -> list:
+    """What a mouse could use now, and keys should."""
+    from qgis.PyQt.QtCore import Qt
+    from qgis.PyQt.QtWidgets import QWidget
+
+    widgets = [w for w in page.findChildren(QWidget) if w.isVisible() and w.isEnabled()]
+    return [w for w in widgets if w.focusPolicy() & Qt.FocusPolicy.TabFocus and w.focusProxy() is None]
+
+
+def walked(dock, first) -> list:
+    """Widgets that have the focus one after the other while Tab is pressed, from the first until it comes again."""
+    from qgis.PyQt.QtCore import Qt
+    from qgis.PyQt.QtTest import QTest
+    from qgis.PyQt.QtWidgets import QApplication
+
+    dock.window().activateWindow()
+    first.setFocus()
+    settle()
+    seen = []
+    for _ in range(MOST_STEPS):
+        focused = QApplication.focusWidget()
+        if focused in seen:
+            break
+        seen.append(focused)
+        QTest.keyClick(focused, Qt.Key.Key_Tab)
+    return seen
+
+
+def name_of(widget) -> str:
+    """What a screen reader says: Qt takes a widget's own name, else its text or title, else the label beside it."""
+    from qgis.PyQt.QtWidgets import QLabel
+
+    own = [widget.accessibleName()] + [getattr(widget, part)() for part in ("text", "title") if hasattr(widget, part)]
+    labels = [label.text() for label in widget.window().findChildren(QLabel) if label.buddy() is widget]
+    # A tab bar has its tabs, a scroll area what it shows.
+    inner = [widget.tabText(0)] if hasattr(widget, "tabText") else []
+    return next(filter(None, [*own, *labels, *inner]), "")
+
+
+@pytest.fixture(params=["localize", "inspect", "correct"])
+def filled(request, dock, area, issues, tab):
+    """The dock with something in each tab, and one of them on top."""
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    dock.content.inspect.show_window("150_250")
+    dock.content.tabs.setCurrentIndex(["localize", "inspect", "correct"].index(request.param))
+    settle()
+    return dock
+
+
+def test_tab_walks_through_everything(filled):
+    expected = reachable(filled.content)
+    seen = walked(filled, filled.content.database.file.lineEdit())
+    assert [f"{type(w).__name__} {name_of(w)}" for w in expected if w not in seen] == []
+
+
+def test_everything_has_a_name(filled):
+    nameless = [w for w in reachable(filled.content) if not name_of(w)]
+    assert [f"{type(w).__name__} {w.objectName()} in {type(w.parent()).__name__}" for w in nameless] == []
+
+
+def test_a_mirrored_dock_shows_everything(filled, qgis_app):
+    from qgis.PyQt.QtCore import Qt
+
+    filled.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
+    settle()
+    inside = filled.content.rect()
+    for widget in reachable(filled.content.tabs.currentWidget()):
+        left = widget.mapTo(filled.content, widget.rect().topLeft()).x()
+        assert inside.left() <= left and left + widget.width() <= inside.right() + 1
+    filled.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
