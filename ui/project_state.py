@@ -118,9 +118,18 @@ class ProjectState(QObject):
         project.writeProject.connect(self._write)
         project.cleared.connect(self.cleared)
 
+    def now(self) -> DockState | None:
+        """Of the project that is open: where the plugin is loaded anew while one is."""
+        return read_state(QgsProject.instance())
+
     def shut_down(self) -> None:
-        """Stops following."""
+        """Stops following; what is there stays with the open project, for a plugin that is loaded anew."""
         project = QgsProject.instance()
+        state, is_dirty = self._state_now(), project.isDirty()
+        if state is not None and state != (read_state(project) or DockState(opacity=state.opacity)):
+            write_state(project, state)
+            # Nothing that a user would have to save.
+            project.setDirty(is_dirty)
         project.readProject.disconnect(self._read)
         project.writeProject.disconnect(self._write)
         project.cleared.disconnect(self.cleared)

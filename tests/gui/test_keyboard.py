@@ -60,7 +60,7 @@ def filled(request, dock, area, issues, tab):
 
 def test_tab_walks_through_everything(filled):
     expected = reachable(filled.content)
-    seen = walked(filled, filled.content.database.file.lineEdit())
+    seen = walked(filled, expected[0])
     assert [f"{type(w).__name__} {name_of(w)}" for w in expected if w not in seen] == []
 
 

@@ -177,8 +177,9 @@ def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow, tab):
 def test_results_can_be_kept_as_a_layer(dock, area, tab):
     from qgis.core import QgsProject
 
-    assert not tab.results.keep.isEnabled()
+    assert tab.results.keep.text() == "Earlier results"
     localize(dock, area.database, [area.image, area.unreadable])
+    assert tab.results.keep.text() == "Keep results as layer"
     tab.results.keep.click()
     (layer,) = QgsProject.instance().mapLayers().values()
     assert [feature["status"] for feature in layer.getFeatures()] == ["fix", "error"]

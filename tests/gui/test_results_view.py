@@ -54,12 +54,16 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_odds(dock, i
 
 def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, iface, found):
     assert found.images.isCollapsed() and found.images.title() == "Images (2)"
+    assert dock.content.database.isCollapsed() and dock.content.database.title() == "Reference database: area"
+    assert not found.method.isVisibleTo(dock)
     iface.window.resize(1000, 900)
     settle()
     table, image, details = found.results.parts.sizes()
     assert image > max(table, details) and found.results.image.canvas.height() > 200
     found.images.list.show_only([])
-    assert not found.images.isCollapsed() and found.images.title() == "Images"
+    assert not found.images.isCollapsed() and found.images.title() == "Images" and found.method.isVisibleTo(dock)
+    dock.content.database.file.setFilePath("")
+    assert not dock.content.database.isCollapsed() and dock.content.database.title() == "Reference database"
 
 
 def test_stepping_works_in_both_looks(dock, iface, found):

@@ -18,7 +18,7 @@ from ..tabs.inspect.tab import InspectTab
 from ..tabs.localize.tab import LocalizeTab
 from ..widgets.buttons import tool_button
 from ..widgets.database_box import DatabaseBox
-from ..widgets.layouts import narrow
+from ..widgets.layouts import narrow, row_of
 from ..widgets.messages import Messages
 
 LOCALIZE, INSPECT, CORRECT = range(3)
@@ -31,6 +31,7 @@ class DockContent(QWidget):
     """Joins the tabs with the database and with each other. ``shut_down`` before it is deleted."""
 
     helpAsked = pyqtSignal()
+    resetAsked = pyqtSignal()
 
     def __init__(self, canvas: QgsMapCanvas, messages: Messages, shelf: DatabaseShelf) -> None:
         super().__init__()
@@ -55,7 +56,11 @@ class DockContent(QWidget):
             self.tabs.addTab(_scrolling(page), title)
         self.help = tool_button("/mActionHelpContents.svg", tr("User guide"))
         self.help.setAutoRaise(True)
-        self.tabs.setCornerWidget(self.help)
+        self.reset = tool_button("/mActionRefresh.svg", tr("Reset SemRef: empty the dock, forget its settings…"))
+        self.reset.setAutoRaise(True)
+        corner = QWidget()
+        corner.setLayout(narrow(row_of(self.reset, self.help), 0))
+        self.tabs.setCornerWidget(corner)
         self.tabs.setCurrentIndex(QgsSettings().value(_TAB_SETTING, LOCALIZE, type=int))
         layout = narrow(QVBoxLayout(self))
         layout.addWidget(self.notice)
@@ -67,6 +72,7 @@ class DockContent(QWidget):
         self.database.addToMapAsked.connect(self._add_database_to_map)
         self.tabs.currentChanged.connect(self._remember_tab)
         self.help.clicked.connect(self.helpAsked)
+        self.reset.clicked.connect(self.resetAsked)
         self.localize.modelChosen.connect(self.notice.use_model)
         self.localize.hit.described.connect(self.inspect.compare_with)
         self.inspect.databaseWanted.connect(self._read_database)

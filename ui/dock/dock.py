@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
-from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtCore import QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
-from qgis.PyQt.QtWidgets import QWidget
+from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
 from ...core.localization import Method
 from ...processing.exchange.database_layers import OPENED
+from ...processing.translation import tr
 from ..project_state import DATABASE_SETTING, DockState, ProjectState, remembered_database
 from ..running.background import DatabaseShelf
 from ..widgets.messages import Messages
@@ -20,6 +21,10 @@ from ..widgets.messages import Messages
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from .content import DockContent
+
+
+SETTINGS = "semref"
+"""All of SemRef's settings lie below it."""
 
 
 class SemRefDock(QgsDockWidget):
@@ -42,6 +47,7 @@ class SemRefDock(QgsDockWidget):
         self._opens = False
         self._wanted_state: DockState | None = None
         self._state = ProjectState(self._state_now, self)
+        self._wanted_state = self._state.now()
         self._state.opened.connect(self._restore)
         self._state.cleared.connect(self._forget)
         OPENED.database.connect(self.choose_database)
@@ -64,11 +70,22 @@ class SemRefDock(QgsDockWidget):
         content = DockContent(self._canvas, self.messages, self._shelf)
         content.helpAsked.connect(self.helpAsked)
         content.notice.installAsked.connect(self.installAsked)
+        content.resetAsked.connect(self._ask_to_reset)
         content.localize.found.connect(self._tell_found)
         self.setWidget(content)
         if self._wanted_state is not None:
             content.localize.show_state(self._wanted_state)
         return content
+
+    def reset(self) -> None:
+        """As new: nothing chosen, everything where it was at first, all of SemRef's settings forgotten."""
+        QgsSettings().remove(SETTINGS)
+        self._wanted_state = None
+        if self._content is not None:
+            before, self._content = self._content, None
+            before.shut_down()
+            before.deleteLater()
+            self.content.show()
 
     def shut_down(self) -> None:
         """Cancels what runs and clears the canvas."""
@@ -154,6 +171,15 @@ class SemRefDock(QgsDockWidget):
         # A dock behind another one's tab is not hidden: its hit stays.
         if self._content is not None:
             self._content.localize.hit.set_visible(not self.isHidden())
+
+    def _ask_to_reset(self) -> None:
+        text = tr(
+            "Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are."
+        )
+        buttons = QMessageBox.StandardButton
+        if QMessageBox.question(self, "SemRef", text, buttons.Reset | buttons.Cancel) == buttons.Reset:
+            # Not in the midst of a click on what is taken away.
+            QTimer.singleShot(0, self.reset)
 
     def _tell_found(self, sentence: str) -> None:
         # Whoever has the dock open sees it there.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
@@ -28,6 +30,9 @@ class DatabaseBox(QgsCollapsibleGroupBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Reference database"), parent)
         self.setObjectName("SemRefDatabase")
+        # Folded away after a run, not for ever.
+        self.setSaveCollapsedState(False)
+        self.collapsedStateChanged.connect(self._show_title)
         self.setAcceptDrops(True)
         self.file = QgsFileWidget()
         self.file.setFilter(tr("GeoPackage (*.gpkg)"))
@@ -106,7 +111,15 @@ class DatabaseBox(QgsCollapsibleGroupBox):
             note_used(DATABASE, self.chosen)
         self.add_to_map.setEnabled(bool(self.path()))
         self._show_in_project()
+        if not self.chosen:
+            self.setCollapsed(False)
+        self._show_title()
         self.changed.emit()
+
+    def _show_title(self, *_) -> None:
+        """With the file's name while the box that shows it is folded away."""
+        title, name = tr("Reference database"), Path(self.path()).stem
+        self.setTitle(f"{title}: {name}" if self.isCollapsed() and name else title)
 
     # --- QWidget ---
 

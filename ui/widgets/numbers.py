@@ -7,4 +7,7 @@ from qgis.PyQt.QtCore import QLocale
 
 def number_text(value: float, decimals: int = 0) -> str:
     """With the language's decimal sign and groups of digits."""
-    return QLocale().toString(float(value), "f", decimals)
+    locale = QLocale()
+    # QGIS leaves groups out unless its user wants them everywhere; a million can't be read without them.
+    locale.setNumberOptions(locale.numberOptions() & ~QLocale.NumberOption.OmitGroupSeparator)
+    return locale.toString(float(value), "f", decimals)

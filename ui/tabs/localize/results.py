@@ -7,7 +7,7 @@ from functools import partial
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from ....processing.translation import tr
 from ...findings import Finding
@@ -52,13 +52,13 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.zoom.toggled.connect(self._remember_zoom)
         self.before.clicked.connect(lambda: self.table.step(-1))
         self.after.clicked.connect(lambda: self.table.step(1))
-        self.keep.clicked.connect(self.keepAsked)
+        self.keep.clicked.connect(self._ask_to_keep)
         self.save.triggered.connect(self.saveAsked)
         self.drape.clicked.connect(self._drape)
         self.copy.clicked.connect(self._copy_as_before)
         self.formats.aboutToShow.connect(self._list_formats)
         self._select(None)
-        self.keep.setEnabled(False)
+        self._allow_keeping(False)
         self.play.setVisible(False)
 
     def _make_buttons(self) -> None:
@@ -80,6 +80,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         more = QMenu(self.keep)
         self.save = more.addAction(tr("Save results to a file…"))
         self.save.setToolTip(tr("Positions, footprints and possible places as one GeoPackage, opened with the project"))
+        self.earlier = more.addMenu(tr("Earlier results"))
         self.keep.setMenu(more)
         self.drape = QPushButton(tr("Lay image on map"))
         self.drape.setToolTip(tr("Adds the image to the project as a half-transparent layer, placed by its fix"))
@@ -103,9 +104,16 @@ class ResultsBox(QgsCollapsibleGroupBox):
     def show_findings(self, findings: list[Finding]) -> None:
         """Shows these instead of those before, the first one selected."""
         self.table.show_findings(findings)
-        self.keep.setEnabled(bool(findings))
+        self._allow_keeping(bool(findings))
         self.play.setChecked(False)
         self.play.setVisible(any(finding.track for finding in findings))
+
+    def _allow_keeping(self, on: bool) -> None:
+        """Earlier results are there also before there are any; the button then opens its menu."""
+        self.save.setEnabled(on)
+        mode = QToolButton.ToolButtonPopupMode
+        self.keep.setPopupMode(mode.MenuButtonPopup if on else mode.InstantPopup)
+        self.keep.setText(tr("Keep results as layer") if on else tr("Earlier results"))
 
     def _play(self, checked: bool) -> None:
         if checked:
@@ -126,6 +134,10 @@ class ResultsBox(QgsCollapsibleGroupBox):
         for button in (self.before, self.after):
             button.setEnabled(finding is not None)
         self.findingSelected.emit(finding)
+
+    def _ask_to_keep(self) -> None:
+        if self.save.isEnabled():
+            self.keepAsked.emit()
 
     def _remember_zoom(self, checked: bool) -> None:
         QgsSettings().setValue(_ZOOM_SETTING, checked)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
+from qgis.core import QgsFeatureRequest, QgsMapLayerStyle, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
@@ -17,8 +18,9 @@ from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...findings import ResultLayers, read_findings
 from ...project_state import DockState
-from ...running.background import DatabaseShelf
-from ...running.localization_run import LocalizationRun
+from ...running.background import DatabaseShelf, Reader
+from ...running.kept_runs import KeptRun, forget_old_runs, kept_runs, labels_of
+from ...running.localization_run import LocalizationRun, named_results
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages
@@ -48,6 +50,7 @@ class LocalizeTab(QWidget):
         self._layers = ResultLayers()
         self._results_file = self._model_used = self._database_used = ""
         self.run = LocalizationRun(self)
+        self._reader = Reader(self)
         self.images = ImageBox()
         self.map_image = MapImage(canvas, self)
         self.method = MethodRow()
@@ -71,6 +74,7 @@ class LocalizeTab(QWidget):
     def _connect(self) -> None:
         self._database.changed.connect(self._show_idle)
         self.images.changed.connect(self._show_idle)
+        self.images.collapsedStateChanged.connect(self._show_choices)
         self.images.refused.connect(self._refuse_layers)
         self.images.drawAsked.connect(self._draw)
         self.map_image.made.connect(self._add_drawn)
@@ -81,6 +85,7 @@ class LocalizeTab(QWidget):
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.keepAsked.connect(self._keep_results)
         self.results.saveAsked.connect(self._save_results)
+        self.results.earlier.aboutToShow.connect(self._list_earlier)
         self.results.copied.connect(self._show_copied)
         self.run.progressed.connect(self._show_progress)
         self.run.said.connect(self.state.show_text)
@@ -95,6 +100,7 @@ class LocalizeTab(QWidget):
     def shut_down(self) -> None:
         """Cancels what runs and clears the canvas."""
         self.run.abandon()
+        self._reader.shut_down()
         self.map_image.shut_down()
         self.images.shut_down()
         self.hit.shut_down()
@@ -130,7 +136,9 @@ class LocalizeTab(QWidget):
         if not state.results:
             return
         try:
-            self._show_layers(ResultLayers(*open_results(state.results)), state.results, state.model)
+            layers = ResultLayers(*named_results(state.results))
+            self._show_layers(layers, state.results, state.model, labels_of(state.results))
+            self._fold()
         except ParameterError as error:
             self._messages.warning(worded(error))
 
@@ -185,9 +193,9 @@ class LocalizeTab(QWidget):
 
     def _show_found(self, layers: ResultLayers, labels: str) -> None:
         self._set_running(False)
-        self._show_layers(layers, "", self._model_used, labels, self._database_used)
-        # What one wants to look at now is below.
-        self.images.setCollapsed(True)
+        self._show_layers(layers, self.run.file, self._model_used, labels, self._database_used)
+        self._reader.read(tr("Removing old results"), forget_old_runs)
+        self._fold()
         if self.run.pace:
             self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
@@ -211,12 +219,22 @@ class LocalizeTab(QWidget):
         self.hit.track.show(findings)
         self.results.show_findings(findings)
 
+    def _fold(self) -> None:
+        """What one wants to look at now is below."""
+        for box in (self._database, self.images):
+            box.setCollapsed(True)
+
+    def _show_choices(self, folded: bool) -> None:
+        """How to search goes with what to search."""
+        for row in (self.method, self.prior):
+            row.setVisible(not folded)
+
     def _keep_results(self) -> None:
         # A copy: the user may remove the layer and keep the results again.
-        positions, track = self._layers.positions.clone(), self._layers.track
+        positions, track = _copy_of(self._layers.positions), self._layers.track
         if track is not None:
             flight_look(positions).give(positions)
-            track = track.clone()
+            track = _copy_of(track)
             track_look().give(track)
             QgsProject.instance().addMapLayer(track)
         QgsProject.instance().addMapLayer(positions)
@@ -240,6 +258,22 @@ class LocalizeTab(QWidget):
         QgsProject.instance().addMapLayer(positions)
         self._messages.info(tr("Saved; the dock shows these results again when this project is opened."))
 
+    def _list_earlier(self) -> None:
+        self.results.earlier.clear()
+        for kept in kept_runs():
+            self.results.earlier.addAction(kept.title).triggered.connect(partial(self._show_earlier, kept))
+        if self.results.earlier.isEmpty():
+            self.results.earlier.addAction(tr("No results yet")).setEnabled(False)
+
+    def _show_earlier(self, kept: KeptRun, *_checked) -> None:
+        try:
+            layers = ResultLayers(*named_results(kept.file))
+        except ParameterError as error:
+            self._messages.error(worded(error))
+            return
+        self._show_layers(layers, kept.file, kept.model, labels_of(kept.file), kept.database)
+        self._fold()
+
     def _show_copied(self, text: str) -> None:
         self.state.show_text(tr("Copied: {command}").format(command=text))
 
@@ -256,3 +290,12 @@ class LocalizeTab(QWidget):
             "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
         )
         self._messages.warning(sentence.format(layers=", ".join(names)))
+
+
+def _copy_of(layer: QgsVectorLayer) -> QgsVectorLayer:
+    """In memory, with the look of the other: the file of a run is not kept for ever."""
+    copy, style = layer.materialize(QgsFeatureRequest()), QgsMapLayerStyle()
+    style.readFromLayer(layer)
+    style.writeToLayer(copy)
+    copy.setName(layer.name())
+    return copy

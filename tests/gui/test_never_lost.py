@@ -1,0 +1,118 @@
+"""Nothing that took long is lost: results are found again, the dock is as it was, and new where one wants it."""
+
+from __future__ import annotations
+
+from dock_area import CONSTELLATION, choose_method, localize, settle, table, wait_until
+
+
+def reloaded(plugin, iface):
+    """The dock of the plugin that was taken away and loaded again, as QGIS does when it is updated."""
+    plugin.unload()
+    settle()
+    plugin.initGui()
+    dock = iface.docks[-1]
+    dock.setUserVisible(True)
+    settle()
+    return dock
+
+
+def test_results_come_back_with_the_project_without_anybody_saving_them(dock, area, tab, tmp_path):
+    from qgis.core import QgsProject
+
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image, area.unreadable])
+    shown, project = table(dock), QgsProject.instance()
+    assert project.write(str(tmp_path / "one.qgs"))
+    project.clear()
+    assert table(dock) == []
+    assert project.read(str(tmp_path / "one.qgs"))
+    assert table(dock) == shown and dock.content.database.path() == area.database
+    wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
+
+
+def test_two_projects_in_turn_have_each_their_own(dock, area, tab, tmp_path):
+    from qgis.core import QgsProject
+
+    project, states = QgsProject.instance(), []
+    for number, images in enumerate(([area.image], [area.image, area.unreadable])):
+        project.clear()
+        localize(dock, area.database, images)
+        project.write(str(tmp_path / f"{number}.qgs"))
+        states.append((tab.state_now(), table(dock)))
+    for number in (0, 1, 0):
+        project.read(str(tmp_path / f"{number}.qgs"))
+        assert (tab.state_now(), table(dock)) == states[number]
+
+
+def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(plugin, dock, iface, area, tab):
+    from qgis.core import QgsProject
+
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    shown = table(dock)
+    QgsProject.instance().clear()
+    again = reloaded(plugin, iface)
+    results = again.content.localize.results
+    assert table(again) == [] and results.keep.text() == "Earlier results"
+    results.earlier.aboutToShow.emit()
+    first = results.earlier.actions()[0]
+    assert first.text().endswith(" · area (1)")
+    first.trigger()
+    assert table(again) == shown and results.keep.text() == "Keep results as layer"
+    wait_until(lambda: results.image.canvas.scene().items(), "the picture")
+
+
+def test_only_the_last_runs_are_kept(qgis_app):
+    from pathlib import Path
+
+    from semref.ui.running import kept_runs
+
+    made = [kept_runs.begin_run("/area.gpkg", "", 1) for _ in range(25)]
+    for run in made:
+        Path(run.file).write_bytes(b"results")
+    kept_runs.forget_old_runs()
+    kept = kept_runs.kept_runs()
+    assert [run.folder for run in kept] == [run.folder for run in reversed(made[-20:])]
+    for run in kept:
+        Path(run.file).unlink()
+
+
+def test_a_plugin_that_is_loaded_anew_has_the_open_projects_dock(plugin, dock, iface, area, tab):
+    from qgis.core import QgsProject
+
+    choose_method(dock, CONSTELLATION)
+    localize(dock, area.database, [area.image])
+    QgsProject.instance().setDirty(False)
+    shown, state = table(dock), tab.state_now()
+    again = reloaded(plugin, iface)
+    assert (table(again), again.content.localize.state_now()) == (shown, state)
+    assert not QgsProject.instance().isDirty()
+
+
+def test_a_reset_makes_the_dock_new_and_forgets_settings(dock, iface, area, tab, monkeypatch):
+    from qgis.core import QgsSettings
+    from qgis.PyQt.QtWidgets import QMessageBox
+
+    localize(dock, area.database, [area.image])
+    tab.results.image.opacity.setValue(11)
+    answers = [QMessageBox.StandardButton.Cancel, QMessageBox.StandardButton.Reset]
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: answers.pop(0))
+    dock.content.reset.click()
+    settle()
+    assert table(dock) != []
+    dock.content.reset.click()
+    settle()
+    state = dock.content.localize.state_now()
+    assert (table(dock), state.database, state.images, state.method, state.opacity) == ([], "", [], 0, 60)
+    assert QgsSettings().value("semref/dock/database") in (None, "")
+    localize(dock, area.database, [area.image])
+    assert len(table(dock)) == 1
+
+
+def test_a_run_says_how_long_it_still_takes(qgis_app):
+    from semref.ui.widgets.remaining_bar import remaining_text
+
+    assert remaining_text(1.0, 50) == "" and remaining_text(100, 1) == "" and remaining_text(100, 100) == ""
+    assert remaining_text(10, 50) == "about 10 s left"
+    assert remaining_text(60, 10) == "about 9 min left"
+    assert remaining_text(3600, 20) == "about 4.0 h left"
