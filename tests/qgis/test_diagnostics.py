@@ -72,7 +72,8 @@ def test_diagnostics_tell_versions_packages_devices_and_messages_without_names(q
     QgsProject.instance().addMapLayer(layer)
     text = diagnostics([f"SemRef: {tmp_path}/x.gpkg of jane on janes-pc, layer “Hideout”, can't be read."])
     QgsProject.instance().removeMapLayer(layer.id())
-    for told in (f"SemRef {plugin_version()}", f"QGIS {Qgis.QGIS_VERSION}", f"numpy {numpy.__version__}", "OpenCV: ", "ONNX Runtime: "):
+    versions = f"SemRef {plugin_version()}", f"QGIS {Qgis.QGIS_VERSION}", f"numpy {numpy.__version__}"
+    for told in (*versions, "OpenCV: ", "ONNX Runtime: "):
         assert told in text
     assert "Device: auto chosen" in text and "can't be read." in text
     assert not [private for private in (str(tmp_path), "jane", "Hideout") if private in text]
@@ -81,9 +82,9 @@ def test_diagnostics_tell_versions_packages_devices_and_messages_without_names(q
 def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch):
     from semref.processing import version
 
-    monkeypatch.setattr(version, "_general", lambda: {"tracker": "https://example.org/semref/issues"})
+    monkeypatch.setattr(version, "plugin_metadata", lambda: {"tracker": "https://example.org/semref/issues"})
     assert version.tracker_url() == ""
-    monkeypatch.setattr(version, "_general", lambda: {"tracker": "https://forge.net/semref/issues"})
+    monkeypatch.setattr(version, "plugin_metadata", lambda: {"tracker": "https://forge.net/semref/issues"})
     assert version.tracker_url() == "https://forge.net/semref/issues"
 
 

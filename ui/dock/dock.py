@@ -16,7 +16,7 @@ from ...processing.exchange.database_layers import OPENED
 from ...processing.translation import tr
 from ..project_state import DATABASE_SETTING, DockState, ProjectState, remembered_database
 from ..running.background import DatabaseShelf
-from ..widgets.messages import Messages
+from ..widgets.messages import TAG, Messages
 
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
@@ -177,7 +177,7 @@ class SemRefDock(QgsDockWidget):
             "Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are."
         )
         buttons = QMessageBox.StandardButton
-        if QMessageBox.question(self, "SemRef", text, buttons.Reset | buttons.Cancel) == buttons.Reset:
+        if QMessageBox.question(self, TAG, text, buttons.Reset | buttons.Cancel) == buttons.Reset:
             # Not in the midst of a click on what is taken away.
             QTimer.singleShot(0, self.reset)
 

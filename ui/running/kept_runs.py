@@ -63,16 +63,16 @@ def forget_old_runs() -> None:
 
 def kept_runs() -> list[KeptRun]:
     """Those that have results, the last one first."""
-    found = []
-    for folder in _folders():
-        try:
-            about = json.loads((folder / _ABOUT).read_text(encoding="utf-8"))
-            run = KeptRun(str(folder), str(about["database"]), str(about["model"]), int(about["images"]))
-        except (OSError, ValueError, KeyError, TypeError):
-            continue
-        if os.path.isfile(run.file):
-            found.append(run)
-    return found
+    return [run for run in map(_kept, _folders()) if run is not None and os.path.isfile(run.file)]
+
+
+def _kept(folder: Path) -> KeptRun | None:
+    """The run that a folder tells about; None for one that does not tell, as of a run that was ended from outside."""
+    try:
+        about = json.loads((folder / _ABOUT).read_text(encoding="utf-8"))
+        return KeptRun(str(folder), str(about["database"]), str(about["model"]), int(about["images"]))
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
 
 
 def destination(run: KeptRun, table: str) -> str:
