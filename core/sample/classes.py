@@ -25,13 +25,13 @@ class SampleClass:
         return red, green, blue
 
 
-# Red, purple, blue, green and deep blue are the colors of Figure 5 in Remote Sens. 2025, 17, 1671;
-# black is what is in no class. Grass has none there and gets its own, so that it can be told from black.
+# Red, purple, blue and green are the colors of Figure 5 in Remote Sens. 2025, 17, 1671; black is what is in no class.
+# Cultivated land is deep blue there, which over photos is taken for water: it is yellow here. Grass has no color there.
 CLASSES = (
     SampleClass(BUILDING, "building", "#e3211c", "reference", (172, 120, 120), (8, 255, 255)),
     SampleClass(BARE_LAND, "bare_land", "#a032b4", "reference", (138, 100, 90), (160, 255, 255)),
     SampleClass(WATER, "water", "#2896ff", "reference", (96, 120, 180), (111, 255, 255)),
     SampleClass(FOREST, "forest", "#1e8c32", "background", (50, 120, 70), (80, 255, 220)),
-    SampleClass(CULTIVATED, "cultivated", "#141e96", "background", (113, 150, 80), (128, 255, 175)),
+    SampleClass(CULTIVATED, "cultivated", "#e4c65a", "background", (18, 90, 160), (27, 255, 255)),
     SampleClass(GRASS, "grass", "#b4dc46", "background", (28, 90, 140), (46, 255, 255)),
 )

@@ -21,7 +21,7 @@ def pose_kinds() -> tuple[tuple[str, str, str, str], ...]:
     return (
         ("\"source\" = 'own'", FIX, FILLED, tr("Fix of the image itself")),
         (
-            '"source" = \'flight\' AND coalesce("outvoted", 0) = 0',
+            '"source" = \'flight\' AND NOT coalesce("outvoted", false)',
             FLIGHT,
             HOLLOW,
             tr("Placed by the flight"),

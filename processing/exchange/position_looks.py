@@ -57,8 +57,8 @@ def position_tip(*more: tuple[str, str]) -> str:
 def positions_look(is_timed: bool = False) -> Look:
     """Arrows in blue; discs where the method tells no heading; crosses where an image can't have been in time."""
     shown = (
-        ('coalesce("jump", 0) = 0 AND "heading" IS NOT NULL', FIX, FILLED, tr("Fix, with its heading")),
-        ('coalesce("jump", 0) = 0 AND "heading" IS NULL', FIX, DISC, tr("Fix without a heading")),
+        ('NOT coalesce("jump", false) AND "heading" IS NOT NULL', FIX, FILLED, tr("Fix, with its heading")),
+        ('NOT coalesce("jump", false) AND "heading" IS NULL', FIX, DISC, tr("Fix without a heading")),
         ('"jump"', BAD, CROSS, tr("Out of reach in time")),
     )
     return Look(

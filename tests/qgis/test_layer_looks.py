@@ -21,6 +21,7 @@ from semref.processing.exchange.assessment_styles import cells_look, route_look
 from semref.processing.exchange.flight_styles import poses_look, track_look
 from semref.processing.exchange.layer_looks import changes_look, disagreements_look, issues_look, trials_look
 from semref.processing.exchange.position_looks import footprints_look, matches_look, places_look, positions_look
+from semref.processing.framework.flight_layers import FLIGHT_FIELDS
 from semref.processing.framework.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT_FIELDS, MATCH_FIELDS
 from semref.processing.framework.localized_layers import POSITION_FIELDS
 from semref.processing.reports.evaluation_json import FIELDS as TRIAL_FIELDS
@@ -125,6 +126,30 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
     assert [page.name() for page in form.tabs()] == ["Image", "Position", "How exactly", "How it was found"]
     shown = [child.name() for page in form.tabs() for child in page.children()]
     assert sorted(shown) == sorted(field.name() for field in positions.fields())
+
+
+@pytest.mark.parametrize(
+    ("look", "values", "rule"),
+    [
+        (lambda: positions_look(True), {"heading": 10.0, "jump": False}, "Fix, with its heading"),
+        (lambda: positions_look(True), {"heading": 10.0}, "Fix, with its heading"),
+        (lambda: positions_look(True), {"jump": False}, "Fix without a heading"),
+        (lambda: positions_look(True), {"heading": 10.0, "jump": True}, "Out of reach in time"),
+        (lambda: poses_look(True), {"source": "own", "outvoted": False}, "Fix of the image itself"),
+        (lambda: poses_look(True), {"source": "flight", "outvoted": False}, "Placed by the flight"),
+        (lambda: poses_look(True), {"source": "flight"}, "Placed by the flight"),
+        (lambda: poses_look(True), {"source": "flight", "outvoted": True}, "Its own fix was outvoted"),
+    ],
+)
+def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, look, values, rule):
+    layer = layer_of("Point", FLIGHT_FIELDS)
+    feature = feature_of(layer, **values)
+    context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
+    context.setFeature(feature)
+    renderer = look().renderer
+    rules = renderer.rootRule().children()
+    drawn = [one.label() for one in rules if QgsExpression(one.filterExpression()).evaluate(context)]
+    assert drawn == [rule]
 
 
 def test_keys_have_words_in_the_attribute_table(positions):
