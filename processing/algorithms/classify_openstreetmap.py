@@ -98,6 +98,7 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...storage.rasters import read_rules
+        from ..exchange.layer_looks import land_cover_look
 
         rules = read_rules(values.file(self.RULES) or str(RULES_PATH))
         other = values.text(self.OTHER_CLASS).strip()
@@ -105,7 +106,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
             raise ParameterError("labels.name_too_long", key=self.OTHER_CLASS, most=LONGEST_NAME)
         counts: Counter[str] = Counter()
         left_out = 0
-        with outputs.layer(self.OUTPUT, FIELDS, MULTI_POLYGON, self._source.sourceCrs()) as sink:
+        names = (*rules.classes, other) if other and other not in rules.classes else rules.classes
+        look = land_cover_look(names, "class", "priority")
+        with outputs.layer(self.OUTPUT, FIELDS, MULTI_POLYGON, self._source.sourceCrs(), look) as sink:
             for geometry, columns in self._features(feedback):
                 row = row_of(columns, rules, other)
                 if geometry is None or row is None:

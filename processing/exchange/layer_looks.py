@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsFillSymbol,
@@ -11,7 +13,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QColor
 
-from ...core.labels.class_table import ClassTable
+from ...core.labels.class_table import ClassTable, class_table_from_names
 from ..translation import tr
 from ..wording.annotation_messages import kind_titles, severity_words
 from ..wording.columns import method_words, status_words
@@ -57,6 +59,11 @@ def repaired_look(lookup: ClassLookup, source: AnnotationSource) -> Look:
             categories.append(QgsRendererCategory(raw, symbol.clone(), one.name))
     name = source.features.fields().at(source.class_index).name()
     return Look(QgsCategorizedSymbolRenderer(name, categories), is_own=False)
+
+
+def land_cover_look(names: Sequence[str], class_field: str, priority_field: str) -> Look:
+    """Land cover in the colors that classes are known by, higher priorities on top."""
+    return Look(annotation_renderer(class_table_from_names(names), class_field, priority_field), is_own=False)
 
 
 def disagreements_look() -> Look:

@@ -157,3 +157,13 @@ def test_an_extract_that_is_cut_short_is_refused(run_algorithm, tmp_path, extrac
     with pytest.raises(QgsProcessingException, match="can't be read to its end"):
         run_algorithm(CLASSIFY, {"INPUT": str(cut), "OUTPUT": str(tmp_path / "cover.gpkg")})
     assert not (tmp_path / "cover.gpkg").exists()
+
+
+def test_the_layer_is_drawn_in_the_colors_that_classes_are_known_by(run_algorithm, tmp_path):
+    output = str(tmp_path / "landcover.gpkg")
+    run_algorithm(CLASSIFY, {"INPUT": layer_of("field=building:string", ("yes",)), "OUTPUT": output})
+    layer = QgsVectorLayer(output, "landcover", "ogr")
+    layer.loadDefaultStyle()
+    colors = {one.value(): one.symbol().color().name() for one in layer.renderer().categories()}
+    assert (colors["water"], colors["forest"], colors["building"]) == ("#3a87c8", "#1f7a3a", "#c8372d")
+    assert layer.renderer().orderByEnabled()
