@@ -163,9 +163,10 @@ def _table(run: inputs.Run, ground: Ground, is_alone: bool) -> list[list[str]]:
     for name, sizes, measured in _rows(run, ground, run.how_many(COUNT, QUICK_COUNT)):
         if name.startswith(Method.CONSTELLATION.key) != is_alone:
             continue
-        # What finds no place alone has no part in a row of the constellation, but for photos.
-        own = is_alone and not any(kind in name for kind in (coverage_sources.RENDERED, coverage_sources.REAL))
-        packages = (*kept.OF_CONSTELLATION, "localizer") if own else kept.OF_ALL
+        # What finds no place alone has no part in a row of the constellation.
+        packages = (*kept.OF_CONSTELLATION, "localizer") if is_alone else kept.OF_AREAS
+        if any(kind in name for kind in (coverage_sources.RENDERED, coverage_sources.REAL)):
+            packages = kept.OF_ALL
         told = [Told(**one) for one in kept.row(run, "coverage", name, sizes, measured, packages)]
         if not told:
             continue

@@ -18,7 +18,8 @@ SIMULATING = ("simulation", "labels", "landmarks", "geometry", "database")
 """Packages of core that make the images of all roads."""
 
 OF_CONSTELLATION = (*SIMULATING, "constellation")
-OF_ALL = (*OF_CONSTELLATION, "correlation", "segmentation", "sample", "windows", "localizer")
+OF_AREAS = (*OF_CONSTELLATION, "correlation", "windows", "localizer")
+OF_ALL = (*OF_AREAS, "segmentation", "sample")
 
 SERVING = ("labels", "geometry")
 """Packages for everybody: of these, only what the others import counts."""
@@ -151,7 +152,7 @@ def trials(
     name: str,
     count: int,
     measured: Callable[[int, int], list],
-    packages: Sequence[str] = OF_ALL,
+    packages: Sequence[str] = OF_AREAS,
 ) -> list:
     """Whole trials, or whatever a list may hold, of all parts of a row; arguments as above.
 
