@@ -7,7 +7,9 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 import sysconfig
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -53,6 +55,16 @@ def run_desktop(
     seen = json.loads(result.read_text(encoding="utf-8"))
     assert "error" not in seen, seen["error"]
     return {**seen, "exit_status": status, "output": said}
+
+
+def install_package(repository: Path, plugins: Path) -> None:
+    """Unzips the packaged plugin into a new folder of plugins."""
+    plugins.mkdir(parents=True)
+    package = plugins.parent / "semref.zip"
+    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
+    subprocess.run(command, check=True, timeout=TIMEOUT_S)
+    with zipfile.ZipFile(package) as archive:
+        archive.extractall(plugins)
 
 
 def run_with_limit(command: list[str], environment: dict, output) -> int | None:

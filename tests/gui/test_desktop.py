@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-import zipfile
 from pathlib import Path
 
 import pytest
-from desktop_qgis import TIMEOUT_S, run_desktop
+from desktop_qgis import install_package, run_desktop
 
 pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
@@ -19,15 +16,6 @@ def desktop(repository, display, tmp_path_factory) -> dict:
     home = tmp_path_factory.mktemp("desktop")
     install_package(repository, home / "profiles" / "default" / "python" / "plugins")
     return run_desktop(home, display, Path(__file__).with_name("desktop_session.py"), {})
-
-
-def install_package(repository: Path, plugins: Path) -> None:
-    plugins.mkdir(parents=True)
-    package = plugins.parent / "semref.zip"
-    command = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
-    subprocess.run(command, check=True, timeout=TIMEOUT_S)
-    with zipfile.ZipFile(package) as archive:
-        archive.extractall(plugins)
 
 
 def test_no_python_error_is_logged(desktop):

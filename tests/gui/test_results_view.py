@@ -100,3 +100,17 @@ def test_the_image_is_zoomed_by_keys(dock, iface, area, tab, qgis_app):
     assert canvas.transform().m11() > 1.4 * fitted
     QTest.keyClicks(canvas, "0")
     assert canvas.transform().m11() == pytest.approx(fitted)
+
+
+@pytest.mark.parametrize(
+    "titles", [("Lokalisieren", "Untersuchen", "Korrigieren"), ("Localizar", "Inspeccionar", "Corregir")]
+)
+def test_all_tabs_are_seen_in_a_narrow_dock_in_other_languages(dock, iface, titles):
+    tabs = dock.content.tabs
+    for number, title in enumerate(titles):
+        tabs.setTabText(number, title)
+    as_wide_as(dock, iface, 320)
+    right = tabs.mapFromGlobal(tabs.cornerWidget().mapToGlobal(tabs.cornerWidget().rect().topLeft())).x()
+    places = [tabs.tabBar().tabRect(number) for number in range(3)]
+    assert all(place.width() > 50 for place in places) and places[-1].right() <= right
+    assert tabs.tabToolTip(0) == "Localize"

@@ -48,12 +48,15 @@ class DockContent(QWidget):
 
     def _lay_out(self) -> None:
         self.tabs.setDocumentMode(True)
+        # All three are seen however long their names are: shortened rather than behind an arrow.
+        self.tabs.setUsesScrollButtons(False)
+        self.tabs.setElideMode(Qt.TextElideMode.ElideRight)
         for page, title in (
             (self.localize, tr("Localize")),
             (self.inspect, tr("Inspect")),
             (self.correct, tr("Correct")),
         ):
-            self.tabs.addTab(_scrolling(page), title)
+            self.tabs.setTabToolTip(self.tabs.addTab(_scrolling(page), title), title)
         self.help = tool_button("/mActionHelpContents.svg", tr("User guide"))
         self.help.setAutoRaise(True)
         self.reset = tool_button("/mActionRefresh.svg", tr("Reset SemRef: empty the dock, forget its settings…"))

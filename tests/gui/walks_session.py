@@ -1,0 +1,215 @@
+"""Runs inside desktop QGIS (--code): goes the ways of a newcomer with mouse and keys, and writes what came of it."""
+
+import json
+import os
+import tempfile
+import time
+import traceback
+from pathlib import Path
+
+import qgis.utils
+from dock_area import CRS, label_map, write_raster
+from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsProject, QgsVectorLayer
+from qgis.PyQt.QtCore import QCoreApplication, Qt, QTimer
+from qgis.PyQt.QtTest import QTest
+from qgis.PyQt.QtWidgets import QDialogButtonBox, QDockWidget
+
+LIMIT_S = 200
+messages = []
+clicks = 0
+
+
+def settle(seconds: float = 0.3) -> None:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QCoreApplication.processEvents()
+        time.sleep(0.01)
+
+
+def wait_until(condition, what: str) -> None:
+    end = time.monotonic() + LIMIT_S
+    while not condition():
+        if time.monotonic() > end:
+            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
+        settle(0.05)
+
+
+def click(widget) -> None:
+    """As a mouse does it; counted."""
+    global clicks
+    clicks += 1
+    QTest.mouseClick(widget, Qt.MouseButton.LeftButton)
+    settle()
+
+
+def type_on(widget) -> None:
+    """As the space bar does it once Tab has brought the focus there; counted."""
+    global clicks
+    clicks += 1
+    widget.setFocus()
+    QTest.keyClick(widget, Qt.Key.Key_Space)
+    settle()
+
+
+def dock():
+    return qgis.utils.iface.mainWindow().findChild(QDockWidget, "SemRefDock")
+
+
+def run_button(dialog):
+    buttons = dialog.buttonBox()
+    return buttons.button(QDialogButtonBox.StandardButton.Ok) or dialog.runButton()
+
+
+def groups() -> list:
+    root = QgsProject.instance().layerTreeRoot()
+    return [[node.name(), [layer.name() for layer in node.children()]] for node in root.children()]
+
+
+def built_from_the_toolbox(folder: Path, press) -> dict:
+    """The dialog of *Build reference database* is filled; then its button, and the dock's."""
+    global clicks
+    import processing
+
+    QgsProject.instance().clear()
+    database, clicks = str(folder / "built.gpkg"), 0
+    sizes = {"WINDOW_SIZE": 200, "STRIDE": 50, "MINIMUM_AREA": 20, "REFERENCE_CLASSES": "1;2;3"}
+    labels = write_raster(folder / "labels.tif", label_map(), True)
+    dialog = processing.createAlgorithmDialog("semref:builddatabase", {"LABELS": labels, **sizes, "DATABASE": database})
+    ended = []
+    dialog.algorithmFinished.connect(lambda succeeded, results: ended.append(succeeded))
+    dialog.show()
+    settle(1.0)
+    press(run_button(dialog))
+    wait_until(lambda: ended, "the database")
+    settle(1.0)
+    dialog.close()
+    dock().setUserVisible(True)
+    settle()
+    assess = processing.createAlgorithmDialog("semref:assessdatabase")
+    assess.show()
+    settle()
+    offered = assess.mainWidget().wrappers["DATABASE"].parameterValue()
+    assess.close()
+    return {
+        "clicks": clicks,
+        "succeeded": ended,
+        "groups": groups(),
+        "in_the_dock": dock().content.database.path() == database,
+        "in_a_dialog": offered == database,
+    }
+
+
+def batch_and_model(folder: Path) -> dict:
+    """What the same parameters look like in a batch and in the model designer."""
+    from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
+    from processing.modeler.ModelerDialog import ModelerDialog
+    from processing.modeler.ModelerParametersDialog import ModelerParametersDialog
+
+    from semref.ui.fields.known_button import KnownButton
+
+    registry = QgsApplication.processingRegistry()
+    batch = BatchAlgorithmDialog(registry.createAlgorithmById("semref:assessdatabase"), qgis.utils.iface.mainWindow())
+    batch.show()
+    settle()
+    in_batch = len(batch.findChildren(KnownButton))
+    batch.close()
+    designer = ModelerDialog()
+    designer.loadModel(str(Path(qgis.utils.pluginDirectory("semref")) / "models" / "annotation_to_database.model3"))
+    child = ModelerParametersDialog(registry.createAlgorithmById("semref:assessdatabase"), designer.model())
+    child.show()
+    settle()
+    in_designer = len(child.findChildren(KnownButton))
+    child.close()
+    designer.close()
+    return {"in_batch": in_batch, "in_designer": in_designer}
+
+
+def corrected(folder: Path, press) -> dict:
+    """Checked, gone through, mended and brought into the database, from the check's layer on."""
+    global clicks
+    import processing
+
+    QgsProject.instance().clear()
+    cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "cover", "memory")
+    squares = [(x, y, "building") for x in range(0, 240, 20) for y in range(0, 240, 20)]
+    for x, y, name in [*squares, (3, 3, "water")]:
+        left, bottom = 400_000 + x, 5_400_000 + y
+        size = 5 + (x + 3 * y) / 20 % 7
+        feature = QgsFeature(cover.fields())
+        wkt = f"POLYGON(({left} {bottom}, {left + size} {bottom}, {left + size} {bottom + size}, {left} {bottom}))"
+        feature.setGeometry(QgsGeometry.fromWkt(wkt))
+        feature["class"] = name
+        cover.dataProvider().addFeature(feature)
+    cover.updateExtents()
+    QgsProject.instance().addMapLayer(cover)
+    table = folder / "classes.csv"
+    table.write_text("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,reference\n")
+    same = {"INPUT": cover, "CLASS_FIELD": "class", "CLASS_TABLE": str(table)}
+    labels, database = str(folder / "cover.tif"), str(folder / "cover.gpkg")
+    processing.run("semref:rasterizeannotation", {**same, "PIXEL_SIZE": 0.5, "OUTPUT": labels})
+    sizes = {"WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 5, "DATABASE": database}
+    processing.run("semref:builddatabase", {"LABELS": labels, **sizes})
+    dock().choose_database(database)
+    dock().content.tabs.setCurrentIndex(2)
+    clicks = 0
+    issues = processing.run("semref:checkannotation", {**same, "MINIMUM_AREA": 5, "ISSUES": "memory:issues"})["ISSUES"]
+    QgsProject.instance().addMapLayer(issues)
+    settle(0.5)
+    tab = dock().content.correct
+    is_chosen = tab.layer.currentLayer() is issues
+    places = tab.places.rowCount()
+    press(tab.after)
+    cover.startEditing()
+    cover.deleteFeature(len(squares) + 1)
+    while tab.places.rowCount():
+        press(tab.done)
+    press(tab.updating.button)
+    wait_until(lambda: not tab.run.running, "the update")
+    settle(0.5)
+    cover.commitChanges()
+    has_undo, state = tab.updating.undo.isVisibleTo(tab), tab.updating.state.text_shown
+    return {
+        "clicks": clicks,
+        "places": places,
+        "is_chosen": is_chosen,
+        "has_undo": has_undo,
+        "state": state,
+        "left": tab.places.rowCount(),
+    }
+
+
+def session() -> dict:
+    folder = Path(tempfile.mkdtemp(prefix="walks", dir=os.environ["HOME"]))
+    places = {}
+    for name in ("mouse", "keys", "corrected_mouse", "corrected_keys"):
+        places[name] = folder / name
+        places[name].mkdir()
+    return {
+        "build_mouse": built_from_the_toolbox(places["mouse"], click),
+        "build_keys": built_from_the_toolbox(places["keys"], type_on),
+        "forms": batch_and_model(folder),
+        "correct_mouse": corrected(places["corrected_mouse"], click),
+        "correct_keys": corrected(places["corrected_keys"], type_on),
+    }
+
+
+def run() -> None:
+    try:
+        result = session()
+    except Exception:
+        result = {"error": traceback.format_exc()}
+    result["messages"] = messages
+    Path(os.environ["SEMREF_DESKTOP_RESULT"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
+    # QGIS asks about layers that lie in memory before it quits.
+    QgsProject.instance().clear()
+    qgis.utils.iface.actionExit().trigger()
+
+
+def note_exception(kind, value, trace, text, *arguments, **options) -> None:
+    """In place of QGIS's dialog, which would wait for a click."""
+    messages.append("".join(traceback.format_exception(kind, value, trace)))
+
+
+qgis.utils.showException = note_exception
+# The window is complete only when its event loop runs.
+QTimer.singleShot(2500, run)
