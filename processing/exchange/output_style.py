@@ -29,6 +29,9 @@ from ...storage.vector_files import leave_wal
 from ..wording.columns import column_titles, column_words
 from .layer_notes import Note, keep_in_file
 
+STYLE_OF_SEMREF = "Style of SemRef"
+"""Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
+
 _KEPT: list[_Styler] = []
 _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
@@ -103,7 +106,7 @@ def style_in_file(destination: str, look: Look) -> bool:
     try:
         if layer.isValid():
             look.give(layer)
-            layer.saveStyleToDatabase("SemRef", "", True, "")
+            layer.saveStyleToDatabase("SemRef", STYLE_OF_SEMREF, True, "")
             noted = look.note is None or keep_in_file(destination, layer, look.note)
         del layer
         leave_wal(path)

@@ -8,6 +8,7 @@ from qgis.core import QgsCoordinateTransformContext, QgsMapLayerStyle, QgsVector
 from ...core.errors import ParameterError
 from ...storage.files import written_beside
 from ...storage.vector_files import leave_wal
+from .output_style import STYLE_OF_SEMREF
 
 TABLES = ("positions", "footprints", "possible_places", "matches", "track")
 
@@ -44,7 +45,7 @@ def _keep_style(destination: str, layer: QgsVectorLayer) -> None:
     written, style = QgsVectorLayer(destination, "written", "ogr"), QgsMapLayerStyle()
     style.readFromLayer(layer)
     style.writeToLayer(written)
-    written.saveStyleToDatabase("SemRef", "", True, "")
+    written.saveStyleToDatabase("SemRef", STYLE_OF_SEMREF, True, "")
 
 
 def open_results(path: str) -> tuple[QgsVectorLayer | None, ...]:

@@ -103,9 +103,15 @@ def tables(path: str) -> dict:
 
 
 def canonical(cell):
-    """Styles with their XML attributes in order and without ids: Qt and QGIS write those anew every time."""
-    if isinstance(cell, str) and cell.startswith("<!DOCTYPE qgis"):
-        return re.sub(r'id="\{[0-9a-f-]+\}"', "", ElementTree.canonicalize(cell))
+    """Styles and what layers tell of themselves, with their XML attributes in order and without what is new every time.
+
+    That is ids and keys of rules, which Qt and QGIS make up, and the call with its time and paths, which made a layer.
+    """
+    if isinstance(cell, str) and cell.startswith(("<!DOCTYPE qgis", "<?xml")):
+        text = re.sub(r'(id|key)="\{[0-9a-f-]+\}"', "", ElementTree.canonicalize(cell))
+        # A callout's line is XML in an attribute of its own, again in any order.
+        text = re.sub(r'value="&lt;symbol[^"]*"', "", text)
+        return re.sub("<history>.*?</history>", "", text, flags=re.DOTALL)
     return cell
 
 
