@@ -195,7 +195,7 @@ def test_diagnostics_are_copied_from_the_menu_with_the_last_messages_of_semref(p
     action = next(action for action in iface.menu_actions if action.objectName() == "SemRefDiagnosticsAction")
     action.trigger()
     text = QgsApplication.clipboard().text()
-    assert text.startswith("SemRef ") and "OpenCV: missing" in text
+    assert text.startswith("SemRef ") and "\nOpenCV: " in text
     assert "SemRef: <path.gpkg> is damaged." in text
     assert "another plugin" not in text and "jane" not in text
     assert "on the clipboard" in iface.bar.currentItem().text()

@@ -29,8 +29,8 @@ if not os.environ.get("SEMREF_FUZZ"):
 INPUTS = {
     **dict.fromkeys(("classes", "cameras", "plans", "waypoints", "parameters", "keys", "metadata"), 150),
     **dict.fromkeys(("labels_on_board", "photos_on_board", "label_maps", "label_images", "photos", "route_layers"), 60),
-    **dict.fromkeys(("onboard", "command_line"), 25),
-    **dict.fromkeys(("databases", "flipped_bits", "watched"), 10),
+    **dict.fromkeys(("onboard", "command_line", "odometry", "logs"), 25),
+    **dict.fromkeys(("databases", "flipped_bits", "watched", "flight_state"), 10),
 }
 IN_QGIS = {"layers": 4, "algorithms": 4, "projects": 30}
 NATIVE = {"networks"}

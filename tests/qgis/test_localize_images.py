@@ -10,10 +10,12 @@ from made_inputs import METRIC_CRS, NORTH, WEST, scattered_objects, spatial_refe
 from osgeo import gdal, ogr, osr
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
+from semref.core.labels.class_table import class_table_from_names
+
 LOCALIZE = "semref:localizeimages"
 SIZE, STRIDE = 120, 40
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
-COLORS = {0: (0, 0, 0), 1: (204, 102, 119), 2: (51, 34, 136), 3: (221, 204, 119), 4: (17, 119, 51)}
+COLORS = {0: (0, 0, 0), **{c.value: c.rgb for c in class_table_from_names(NAMES[1:])}}
 """Colors (red, green, blue) that the class names above are given."""
 
 FIELDS = (

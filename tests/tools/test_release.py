@@ -146,6 +146,7 @@ def test_every_form_for_faults_asks_for_the_diagnostics():
         assert "Copy diagnostics" in asked["diagnostics"]["attributes"]["description"]
 
 
+@pytest.mark.skipif(shutil.which("git") is None, reason="git is not installed")
 def test_a_release_of_a_tag_that_does_not_exist_says_how_to_make_it(tmp_path):
     subprocess.run(["git", "init", "--quiet", str(tmp_path)], check=True)
     with pytest.raises(SystemExit, match="git tag -a v9.9.9"):

@@ -14,10 +14,12 @@ _VOLATILE = ("last_change", "update_time", "timestamp")
 _MOMENT = re.compile(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|\+00:00)?|\b\d+(\.\d+)? ?(s|ms)\b")
 """Dates and durations in reports."""
 
-_STYLED = re.compile(r"\w{3} \w{3} +\d+ \d\d:\d\d:\d\d \d{4}")
-"""When QGIS put a style into a GeoPackage."""
+_MADE_UP = re.compile(
+    r"\w{3} \w{3} +\d+ \d\d:\d\d:\d\d \d{4}|\{[0-9a-f]{8}-[0-9a-f-]{27}\}|<history>.*?</history>", re.DOTALL
+)
+"""When QGIS put a style into a GeoPackage, its keys of rules, and the call, with its time, that made a layer."""
 
-_TEXTS = (".html", ".json", ".qml", ".csv", ".txt")
+_TEXTS = (".html", ".json", ".qml", ".qmd", ".csv", ".txt")
 
 State = dict[str, str]
 """Digest of each file by its path."""
@@ -39,6 +41,8 @@ def digest(path: Path) -> str:
     if path.suffix == ".gpkg":
         return _database_digest(path)
     data = path.read_bytes()
+    if path.suffix == ".qmd":
+        data = _MADE_UP.sub("", data.decode("utf-8")).encode()
     return hashlib.sha256(_MOMENT.sub(b"", data) if path.suffix in _TEXTS else data).hexdigest()
 
 
@@ -58,5 +62,5 @@ def _database_digest(path: Path) -> str:
             cursor = connection.execute(f'SELECT * FROM "{table}"')
             kept = [n for n, column in enumerate(cursor.description) if column[0] not in _VOLATILE]
             for row in cursor:
-                found.update(_STYLED.sub("", repr([table, *(row[n] for n in kept)])).encode())
+                found.update(_MADE_UP.sub("", repr([table, *(row[n] for n in kept)])).encode())
     return found.hexdigest()
