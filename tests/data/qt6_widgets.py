@@ -37,8 +37,8 @@ def module(name: str):
 def vector_plot():
     ray = module("processing.inspection.window").Ray
     plot = module("ui.tabs.inspect.vector_plot").VectorPlot()
-    rays = [ray("building", "#e3211c", length, 0.5, turn) for turn, length in ((0, 1.0), (1.4, 0.7), (3.9, 0.4))]
-    plot.show_rays(rays, [ray("water", "#1f6fd6", 0.8, 0.5, turn + 0.2) for turn in (0, 1.4, 3.9)])
+    rays = [ray("building", "#e3211c", length, 0.5, turn, 90.0) for turn, length in ((0, 1.0), (1.4, 0.7), (3.9, 0.4))]
+    plot.show_rays(rays, [ray("water", "#1f6fd6", 0.8, 0.5, turn + 0.2, 90.0) for turn in (0, 1.4, 3.9)])
     return plot
 
 
