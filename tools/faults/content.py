@@ -15,9 +15,15 @@ _MOMENT = re.compile(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|\+00:00)?
 """Dates and durations in reports."""
 
 _MADE_UP = re.compile(
-    r"\w{3} \w{3} +\d+ \d\d:\d\d:\d\d \d{4}|\{[0-9a-f]{8}-[0-9a-f-]{27}\}|<history>.*?</history>", re.DOTALL
+    r"\w{3} \w{3} +\d+ \d\d:\d\d:\d\d \d{4}|\{[0-9a-f]{8}-[0-9a-f-]{27}\}"
+    r"|<history>.*?</history>|<elevation.*?</elevation>",
+    re.DOTALL,
 )
-"""When QGIS put a style into a GeoPackage, its keys of rules, and the call, with its time, that made a layer."""
+"""When QGIS put a style into a GeoPackage, its keys of rules and colors of profiles, and the call, with its
+time, that made a layer."""
+
+_NOTES = ("gpkg_metadata", "gpkg_metadata_reference", "gpkg_extensions")
+"""Tables of what a layer tells of itself, which is kept where QGIS can open the file for it."""
 
 _TEXTS = (".html", ".json", ".qml", ".qmd", ".csv", ".txt")
 
@@ -57,7 +63,7 @@ def _database_digest(path: Path) -> str:
             raise sqlite3.DatabaseError(f"{path} is damaged")
         tables = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name").fetchall()
         for (table,) in tables:
-            if table.startswith("rtree_"):
+            if table.startswith("rtree_") or table in _NOTES:
                 continue
             cursor = connection.execute(f'SELECT * FROM "{table}"')
             kept = [n for n, column in enumerate(cursor.description) if column[0] not in _VOLATILE]
