@@ -184,8 +184,10 @@ def _plan(staged: _Staged) -> Plan:
 
 def _workplace(final: Path) -> tuple[Path, IO[bytes] | None]:
     """A new folder beside a place and its lock; raises OSError, and TakenError where others take it each time."""
+    # Neither the name nor what is made up stands behind a dot: QGIS takes “.target…” and “.x.gz…” for archives.
+    name = final.stem[:40].replace(".", "_")
     for _ in range(_TRIES):
-        made = Path(tempfile.mkdtemp(prefix=f".{final.stem[:40]}.", suffix=SUFFIX, dir=final.parent))
+        made = Path(tempfile.mkdtemp(prefix=f".semref-{name}-", suffix=SUFFIX, dir=final.parent))
         try:
             with contextlib.suppress(TakenError):
                 return made, held(made / LOCK)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
-import time
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
@@ -28,8 +27,6 @@ from qgis.core import (
 
 LONGEST_COMMAND = 20_000
 """Characters of a lineage: a run of thousands of images names each."""
-
-_ATTEMPTS, _PAUSE_S = 4, 0.1
 
 _SQLITE_STANDARD = "http://mrcc.com/qgis.dtd"
 """What QGIS calls the standard of its own metadata in a GeoPackage."""
@@ -109,25 +106,18 @@ def keep_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:
         # A file of one layer is named by its path alone, of which QGIS would find no layer to write about.
         table = connection.execute("SELECT table_name FROM gpkg_contents WHERE data_type = 'features'").fetchone()
     whole = destination if "layername=" in destination or table is None else f"{path}|layername={table[0]}"
-    if not _saved(whole, note.metadata(layer)):
-        # The layer is worth more than what it tells of itself.
+    if not _holds_notes(whole, path):
         return True
+    QgsProviderRegistry.instance().saveLayerMetadata("ogr", whole, note.metadata(layer))
     with contextlib.closing(sqlite3.connect(path)) as connection:
         query = "SELECT metadata FROM gpkg_metadata WHERE md_standard_uri = ? ORDER BY id DESC LIMIT 1"
         row = connection.execute(query, (_SQLITE_STANDARD,)).fetchone()
     return row is not None and str(row[0]).rstrip().endswith("</qgis>")
 
 
-def _saved(destination: str, metadata: QgsLayerMetadata) -> bool:
-    """Whether QGIS could open the file to write into it; another connection may hold it for a moment."""
-    for attempt in range(_ATTEMPTS):
-        try:
-            QgsProviderRegistry.instance().saveLayerMetadata("ogr", destination, metadata)
-            return True
-        except Exception:
-            # QgsNotSupportedException or what providers raise, by version.
-            time.sleep(_PAUSE_S * attempt)
-    return False
+def _holds_notes(destination: str, path: str) -> bool:
+    """Whether QGIS finds the file to write a note into; in a folder such as “maps.tar” it looks for an archive."""
+    return QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") == path
 
 
 def keep_beside(path: str, layer: QgsMapLayer, note: Note) -> None:

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
+import itertools
+import sqlite3
+import tempfile
+
 import pytest
 from made_inputs import square, write_layer
 from qgis.core import (
@@ -195,6 +200,27 @@ def test_a_layer_tells_what_it_is_what_made_it_and_the_license_of_its_source(ann
     assert (told.licenses(), told.rights()) == (["CC BY 4.0"], ["© a surveyor"])
     (line,) = told.history()
     assert 'processing.run("semref:checkannotation"' in line and "'CLASS_FIELD':'class'" in line
+
+
+@pytest.mark.parametrize("name", ["target", "zipcodes"])
+def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorithm, tmp_path, name, monkeypatch):
+    """QGIS looks for an archive where a dot stands before zip, tar or gz: outputs lie beside such names for a while."""
+    monkeypatch.setattr(tempfile, "_get_candidate_names", lambda: (f"gz{n}" for n in itertools.count()))
+    out = str(tmp_path / f"{name}.gpkg")
+    run_algorithm("semref:repairannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": out})
+    with contextlib.closing(sqlite3.connect(out)) as connection:
+        assert len(connection.execute("SELECT * FROM layer_styles").fetchall()) == 1
+        noted = connection.execute("SELECT metadata FROM gpkg_metadata").fetchall()
+    assert any("<history>" in text for (text,) in noted)
+
+
+def test_in_a_folder_that_reads_like_an_archive_a_layer_comes_without_its_note(annotation, run_algorithm, tmp_path):
+    (tmp_path / "maps.tar").mkdir()
+    out = str(tmp_path / "maps.tar" / "clean.gpkg")
+    told = run_algorithm("semref:repairannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": out})
+    assert told["OUTPUT"] == out
+    with contextlib.closing(sqlite3.connect(out)) as connection:
+        assert connection.execute("SELECT count(*) FROM layer_styles").fetchone() == (1,)
 
 
 def test_a_label_map_tells_the_same_beside_it(annotation, run_algorithm, tmp_path):

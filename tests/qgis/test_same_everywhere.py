@@ -30,9 +30,6 @@ TIMEOUT_S = 600
 MOMENTS = {"last_change", "update_time", "timestamp"}
 """Columns that hold the time of writing."""
 
-NOTES = {"gpkg_metadata", "gpkg_metadata_reference", "gpkg_extensions"}
-"""Tables of what a layer tells of itself, which is kept where QGIS can open the file for it."""
-
 RASTERIZE, BUILD, LOCALIZE = "semref:rasterizeannotation", "semref:builddatabase", "semref:localizeimages"
 
 
@@ -97,7 +94,7 @@ def tables(path: str) -> dict:
     with contextlib.closing(sqlite3.connect(f"file:{path}?mode=ro", uri=True)) as connection:
         names = [row[0] for row in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
         found = {}
-        for name in sorted(name for name in names if not name.startswith("rtree_") and name not in NOTES):
+        for name in sorted(name for name in names if not name.startswith("rtree_")):
             columns = [row[1] for row in connection.execute(f'PRAGMA table_info("{name}")') if row[1] not in MOMENTS]
             listed = ", ".join(f'"{column}"' for column in columns)
             rows = connection.execute(f'SELECT {listed} FROM "{name}"').fetchall()
@@ -106,13 +103,16 @@ def tables(path: str) -> dict:
 
 
 def canonical(cell):
-    """Styles with their XML attributes in order and without ids and keys: Qt and QGIS write those anew every time."""
+    """Styles and what layers tell of themselves, with their XML attributes in order and without what is new every time.
+
+    That is ids and keys of rules, which Qt and QGIS make up, and the call with its time and paths, which made a layer.
+    """
     if isinstance(cell, str) and cell.startswith(("<!DOCTYPE qgis", "<?xml")):
         text = re.sub(r'(id|key)="\{[0-9a-f-]+\}"', "", ElementTree.canonicalize(cell))
         # A callout's line is XML in an attribute of its own, again in any order.
         text = re.sub(r'value="&lt;symbol[^"]*"', "", text)
         # Profiles get a color by chance.
-        return re.sub("<elevation.*?</elevation>", "", text, flags=re.DOTALL)
+        return re.sub("<history>.*?</history>|<elevation.*?</elevation>", "", text, flags=re.DOTALL)
     return cell
 
 

@@ -22,9 +22,6 @@ _MADE_UP = re.compile(
 """When QGIS put a style into a GeoPackage, its keys of rules and colors of profiles, and the call, with its
 time, that made a layer."""
 
-_NOTES = ("gpkg_metadata", "gpkg_metadata_reference", "gpkg_extensions")
-"""Tables of what a layer tells of itself, which is kept where QGIS can open the file for it."""
-
 _TEXTS = (".html", ".json", ".qml", ".qmd", ".csv", ".txt")
 
 State = dict[str, str]
@@ -63,7 +60,7 @@ def _database_digest(path: Path) -> str:
             raise sqlite3.DatabaseError(f"{path} is damaged")
         tables = connection.execute("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name").fetchall()
         for (table,) in tables:
-            if table.startswith("rtree_") or table in _NOTES:
+            if table.startswith("rtree_"):
                 continue
             cursor = connection.execute(f'SELECT * FROM "{table}"')
             kept = [n for n, column in enumerate(cursor.description) if column[0] not in _VOLATILE]
