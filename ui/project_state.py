@@ -8,6 +8,8 @@ from typing import Callable
 from qgis.core import QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ..processing.inspection.models import at_hand
+
 SCOPE = "SemRef"
 DATABASE_SETTING, MODEL_SETTING = "semref/dock/database", "semref/dock/model"
 
@@ -73,7 +75,7 @@ def read_state(project: QgsProject) -> DockState | None:
     method = project.readNumEntry(SCOPE, "/method")[0]
     return DockState(
         project.readPath(database),
-        path_of("/model"),
+        at_hand(path_of("/model")),
         method if 0 <= method < _METHODS else 0,
         [project.readPath(path) for path in project.readListEntry(SCOPE, "/images")[0]],
         min(max(project.readNumEntry(SCOPE, "/opacity", 60)[0], 0), 100),

@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
 
 from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.exchange.styles import annotation_renderer
-from ..processing.framework.shipped_models import MODELS
+from ..processing.inspection.models import SHIPPED
 from ..processing.translation import tr
 from ..storage.rasters import read_class_table
 from ..storage.sample_files import (
@@ -33,7 +33,7 @@ FOLDER = "semref_sample"
 """Made in the folder that the user picks, unless that one is empty."""
 
 LABEL_MAP_FILE, DATABASE_FILE, PROJECT_FILE = "label_map.tif", "reference_database.gpkg", "semref_sample.qgz"
-MODEL = MODELS / "sample_area.onnx"
+MODEL = SHIPPED / "sample_area.onnx"
 WINDOW_SIZE_M, STRIDE_M, MINIMUM_AREA_M2 = 640, 160, 50
 
 LAND_COVER_OPACITY = 0.5

@@ -37,6 +37,17 @@ def listed_models(folder: Path) -> list[ModelCard]:
     return [read_card(str(path)) for path in model_files(folder)]
 
 
+def at_hand(path: str) -> str:
+    """A model's path; for one that ships with another installation of the plugin, the path in this one.
+
+    A project keeps where its model lay: in another profile, or on another machine, the plugin lies elsewhere.
+    """
+    model = Path(path)
+    here = SHIPPED / model.name
+    is_shipped = model.parts[-4:] == here.parts[-4:] and not os.path.isfile(path)
+    return str(here) if is_shipped and here.is_file() else path
+
+
 def model_files(folder: Path) -> list[Path]:
     """The models in a folder and in those just below it, by name, then the one that ships."""
     # Not Path.is_dir, which raises where the folder may not be looked at.

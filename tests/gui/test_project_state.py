@@ -94,3 +94,18 @@ def test_a_project_without_the_dock_gets_an_empty_one(dock, area, tmp_path):
     QgsProject.instance().read(str(tmp_path / "other.qgs"))
     assert table(dock) == []
     assert dock.content.database.path() == ""
+
+
+def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock, tab, tmp_path):
+    from qgis.core import QgsProject
+
+    from semref.processing.inspection.models import SHIPPED
+
+    elsewhere = tmp_path.joinpath("other profile", *SHIPPED.parts[-3:])
+    own = tmp_path / "own" / "sample_area.onnx"
+    for model, expected in ((elsewhere / "sample_area.onnx", SHIPPED / "sample_area.onnx"), (own, own)):
+        tab.images.model.setFilePath(str(model))
+        assert QgsProject.instance().write(str(tmp_path / "project.qgs"))
+        QgsProject.instance().clear()
+        assert QgsProject.instance().read(str(tmp_path / "project.qgs"))
+        assert tab.images.model_path() == str(expected)
