@@ -26,11 +26,11 @@ def file_name(column: str) -> str:
 
 
 def worded(column: str, words: dict[str, str]) -> str:
-    """Expression of the words for a column's key."""
+    """Expression of the words for a column's key; a key without words, of another version, stands for itself."""
     cases = " ".join(
         f"WHEN \"{column}\" = '{_quoted(key)}' THEN '{_quoted(escape(said))}'" for key, said in words.items()
     )
-    return f'CASE {cases} ELSE "{column}" END'
+    return f"CASE {cases} ELSE {text(column)} END"
 
 
 def tip(heading: str, rows: Sequence[tuple[str, str]], picture: str = "") -> str:

@@ -109,6 +109,11 @@ def test_the_map_tip_tells_status_radius_and_odds_in_words(positions):
     assert "Heading" not in tip
 
 
+def test_the_map_tip_shows_a_status_that_has_no_words_as_it_is(positions):
+    tip = tip_of(positions, feature_of(positions, image="a.tif", status="<img src='file:///seen.png'>"))
+    assert "<img" not in tip and "&lt;img src=" in tip
+
+
 def test_the_confidence_of_topology_vectors_is_not_told_as_a_probability(positions):
     values = {"image": "a.tif", "status": "fix", "method": "topology vector", "confidence": 0.8}
     assert "Wrong once in" not in tip_of(positions, feature_of(positions, **values))

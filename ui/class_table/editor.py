@@ -60,6 +60,7 @@ class ClassTableEditor(QDialog):
         self.rows.setTabKeyNavigation(False)
         self.rows.horizontalHeader().setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         self.fault.setWordWrap(True)
+        self.fault.setTextFormat(Qt.TextFormat.PlainText)
         self.fault.setVisible(False)
         menu = QMenu(self.preset_button)
         for number, title in enumerate(preset_titles()):

@@ -10,6 +10,7 @@ from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
+from .tips import plain_tip
 
 TAG = "SemRef"
 
@@ -46,7 +47,7 @@ class Messages:
         mend = QPushButton(button)
         mend.clicked.connect(pressed)
         mend.clicked.connect(item.dismiss)
-        item.setToolTip(sentence)
+        item.setToolTip(plain_tip(sentence))
         item.layout().addWidget(mend)
         self._bar.pushWidget(item, Qgis.MessageLevel.Critical)
 

@@ -6,12 +6,19 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QLabel
 
+from .tips import plain_tip
+
 
 class StatusLine(QLabel):
     """Shortens long file names in the middle instead of widening the dock."""
 
     _text = ""
     _aside = ""
+
+    def __init__(self) -> None:
+        super().__init__()
+        # What it tells may hold names of files, whatever they look like.
+        self.setTextFormat(Qt.TextFormat.PlainText)
 
     @property
     def text_shown(self) -> str:
@@ -37,4 +44,4 @@ class StatusLine(QLabel):
         fits = metrics.horizontalAdvance(self.text_shown) <= width
         text = self.text_shown if fits else self._text
         self.setText(metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, width))
-        self.setToolTip(self.text_shown)
+        self.setToolTip(plain_tip(self.text_shown))

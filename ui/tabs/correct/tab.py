@@ -78,6 +78,8 @@ class CorrectTab(QWidget):
         self.places = PlacesTable()
         self.text = QLabel()
         self.text.setWordWrap(True)
+        # It comes from a file, whatever that holds.
+        self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.before = tool_button("/mActionArrowLeft.svg", tr("Place before"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next place"))
