@@ -74,6 +74,30 @@ def test_stepping_works_in_both_looks(dock, iface, found):
         assert found.results.table.selected().name == "broken.tif"
 
 
+def test_nothing_of_the_dock_is_cut_off_where_it_is_as_narrow_as_it_gets(dock, iface, found):
+    from qgis.PyQt.QtWidgets import QScrollArea
+
+    as_wide_as(dock, iface, 100)
+    for area in dock.content.tabs.findChildren(QScrollArea):
+        if area.isVisible():
+            assert area.horizontalScrollBar().maximum() == 0
+
+
+def test_the_details_have_one_decimal_sign(found):
+    from qgis.PyQt.QtCore import QLocale
+
+    before = QLocale()
+    QLocale.setDefault(QLocale("de_DE"))
+    try:
+        found.results.details.show_finding(found.results.table.selected())
+    finally:
+        QLocale.setDefault(before)
+    lines = found.results.details.toPlainText().splitlines()
+    told = [line for line in lines if "within" in line or "heading" in line]
+    assert len(told) == 2 and all("," in line for line in told)
+    assert "." not in told[0].partition("within")[2] and "." not in told[1]
+
+
 def test_numbers_are_those_of_the_users_language(qgis_app):
     from qgis.PyQt.QtCore import QLocale
 

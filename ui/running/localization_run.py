@@ -8,6 +8,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...core.errors import ParameterError
 from ...processing.exchange.results_file import TABLES, open_results
 from ...processing.translation import tr
+from ...processing.wording.numbers import LocalTemplate
 from ...processing.wording.sentences import worded
 from ..findings import ResultLayers
 from .algorithm_run import AlgorithmRun
@@ -63,7 +64,7 @@ class LocalizationRun(AlgorithmRun):
         self.pace, self.file = "", "" if self._kept is None else self._kept.file
         if results.get("DEVICE"):
             text = tr("{device}, {rate:.3g} tiles a second.")
-            self.pace = text.format(device=results["DEVICE"], rate=results["TILES_PER_SECOND"])
+            self.pace = LocalTemplate(text).format(device=results["DEVICE"], rate=results["TILES_PER_SECOND"])
         if self._kept is None:
             layers = [context.takeResultLayer(results.get(key, "")) for key in _KEYS]
         else:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QLocale
+from ...processing.wording.numbers import shown
 
 
 def number_text(value: float, decimals: int = 0) -> str:
     """With the language's decimal sign and groups of digits."""
-    locale = QLocale()
-    # QGIS leaves groups out unless its user wants them everywhere; a million can't be read without them.
-    locale.setNumberOptions(locale.numberOptions() & ~QLocale.NumberOption.OmitGroupSeparator)
-    return locale.toString(float(value), "f", decimals)
+    return shown(float(value), f",.{decimals}f")

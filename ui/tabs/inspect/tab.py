@@ -34,6 +34,7 @@ from ....processing.inspection.window import (
     window_under,
 )
 from ....processing.translation import tr
+from ....processing.wording.numbers import LocalTemplate
 from ...canvas.window_marks import WindowMarks
 from ...canvas.window_tool import WindowTool
 from ...widgets.buttons import tool_button
@@ -285,9 +286,9 @@ def _title(window: InspectedWindow, compared: Comparison | None, image: str) -> 
     lines = [f"<b>{escape(window.name)}</b>: {counted}"]
     if window.look_alikes:
         nearest = window.look_alikes[0].distance
-        lines.append(tr("Nearest look-alike at distance {value:.3f}").format(value=nearest))
+        lines.append(LocalTemplate(tr("Nearest look-alike at distance {value:.3f}")).format(value=nearest))
     if compared is not None:
         text = tr("{image}: distance {distance:.3f}, confidence {confidence:.2f}")
-        text = text.format(image=image, distance=compared.distance, confidence=compared.confidence)
+        text = LocalTemplate(text).format(image=image, distance=compared.distance, confidence=compared.confidence)
         lines.append(escape(text))
     return "<br>".join(lines)

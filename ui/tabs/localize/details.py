@@ -12,7 +12,9 @@ from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
 from ....processing.inspection.image import RunnerUp
 from ....processing.translation import tr
+from ....processing.wording.numbers import LocalTemplate
 from ...findings import Finding, odds_text, status_text
+from ...widgets.numbers import number_text
 from .position_formats import DATABASE, DEGREES, position_text
 
 _LINES, _LEAST_LINES = 5, 2
@@ -94,10 +96,10 @@ def _measures(finding: Finding) -> list[str]:
 
 def _joined(*measures: tuple[object | None, str]) -> str:
     """Values that are known, each in its text."""
-    return ", ".join(text.format(value=value) for value, text in measures if value is not None)
+    return ", ".join(LocalTemplate(text).format(value=value) for value, text in measures if value is not None)
 
 
 def runners_up_line(windows: Sequence[RunnerUp]) -> str:
     """HTML: the windows after the best one, with the distances of their vectors."""
-    texts = [f"{window.name} ({window.distance:.3f})" for window in windows]
+    texts = [f"{window.name} ({number_text(window.distance, 3)})" for window in windows]
     return escape(tr("next best: {windows}").format(windows=", ".join(texts)))

@@ -12,6 +12,7 @@ from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtWidgets import QLabel, QWidget
 
 from ....processing.translation import tr
+from ....processing.wording.numbers import LocalTemplate
 from ...canvas.prior_tool import PriorTool
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
@@ -73,7 +74,7 @@ class PriorRow(QWidget):
         measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
         self._radius_m = measure.measureLine(middle, edge)
         self.tool.circle.show(middle, edge, crs)
-        self.text.setText(tr("Search: within {radius:.0f} m").format(radius=self._radius_m))
+        self.text.setText(LocalTemplate(tr("Search: within {radius:.0f} m")).format(radius=self._radius_m))
         self.clear.setEnabled(True)
 
     def forget(self) -> None:

@@ -77,6 +77,8 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.keep = split_button(
             tr("Keep results as layer"), tr("Adds the positions to the project as a temporary point layer")
         )
+        # Without results it says less: the dock shall not need more room when they come.
+        self.keep.setMinimumWidth(self.keep.sizeHint().width())
         more = QMenu(self.keep)
         self.save = more.addAction(tr("Save results to a file…"))
         self.save.setToolTip(tr("Positions, footprints and possible places as one GeoPackage, opened with the project"))
