@@ -59,6 +59,21 @@ def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, add_layer, 
     assert tab.progress.value() == 0 and not tab.progress.isTextVisible()
 
 
+def test_the_list_has_the_words_of_each_kind_and_nothing_of_a_file_is_taken_for_markup(tab, add_layer):
+    from qgis.PyQt.QtCore import Qt
+
+    issues = add_layer("issues")
+    provider = issues.dataProvider()
+    first, second = (feature.id() for feature in issues.getFeatures())
+    provider.changeAttributeValues({first: {0: "outside_crs", 1: "<b>far</b> away"}, second: {0: "kind_of_tomorrow"}})
+    tab.layer.setLayer(None)
+    tab.layer.setLayer(issues)
+    assert [tab.places.item(row, 1).text() for row in range(2)] == ["outside the CRS’s area", "kind of tomorrow"]
+    tab.places.selectRow(0)
+    assert tab.text.text() == "outside the CRS’s area · <b>far</b> away"
+    assert tab.text.textFormat() == Qt.TextFormat.PlainText
+
+
 def test_other_layers_may_be_removed(tab, add_layer):
     from qgis.core import QgsProject
 
@@ -67,7 +82,7 @@ def test_other_layers_may_be_removed(tab, add_layer):
     tab.places.selectRow(1)
     QgsProject.instance().removeMapLayer(other.id())
     assert tab.layer.currentLayer() == issues
-    assert tab.text.text() == "invalid · 100.0 m"
+    assert tab.text.text() == "invalid geometry · 100.0 m"
     assert tab.progress.text() == "0 of 2 done" and tab.progress.isTextVisible()
 
 
@@ -139,7 +154,7 @@ def listed(tab) -> list[str]:
 def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface, issues):
     tab = dock.content.correct
     tab.open.setChecked(False)
-    assert listed(tab) == ["overlap", "gap", "sliver"]
+    assert listed(tab) == ["overlap", "gap between neighbors", "sliver"]
     tab.after.click()
     assert "Here is a overlap." in tab.text.text()
     assert iface.canvas.extent().contains(next(issues.getFeatures()).geometry().boundingBox())
@@ -149,7 +164,7 @@ def test_an_annotator_goes_through_the_places_and_marks_what_is_done(dock, iface
     assert "Here is a gap." in tab.text.text()
     assert (tab.progress.value(), tab.progress.maximum()) == (1, 3)
     tab.open.setChecked(True)
-    assert listed(tab) == ["gap", "sliver"]
+    assert listed(tab) == ["gap between neighbors", "sliver"]
 
 
 def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, issues):
@@ -216,12 +231,12 @@ def test_a_done_place_leaves_the_list_of_what_is_open(dock, issues):
     tab = dock.content.correct
     assert tab.open.isChecked()
     tab.places.selectRow(0)
-    for left in (["gap", "sliver"], ["sliver"], []):
+    for left in (["gap between neighbors", "sliver"], ["sliver"], []):
         tab.done.click()
         assert listed(tab) == left
     assert tab.text.text() == "All places are done." and not tab.done.isEnabled()
     tab.open.setChecked(False)
-    assert listed(tab) == ["overlap", "gap", "sliver"]
+    assert listed(tab) == ["overlap", "gap between neighbors", "sliver"]
 
 
 def test_messages_have_two_lines(dock, issues):

@@ -6,13 +6,15 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from qgis.core import QgsApplication, QgsFeature, QgsFeatureRequest, QgsMapLayer, QgsVectorLayer
-from qgis.PyQt.QtCore import QLocale, Qt
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from ....core.annotation.findings import ERROR, INFORMATION, WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.translation import tr
+from ....processing.wording.annotation_messages import kind_titles
+from ...widgets.numbers import number_text
 from ...widgets.placeholder import paint_placeholder
 from ...widgets.tips import plain_tip
 
@@ -21,7 +23,10 @@ SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, AREA_COLUMN = range(4)
 SEVERITY = "severity"
 """Field of *Check annotation*'s issues."""
 
-_COLUMNS = (("kind", "annotated_class"), ("message", "predicted_class"), ("area",))
+KIND = "kind"
+"""Field of keys of which *Check annotation* has words."""
+
+_COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"), ("area",))
 """Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
 
 _ICONS = {ERROR: "/mIconCritical.svg", WARNING: "/mIconWarning.svg", INFORMATION: "/mIconInfo.svg"}
@@ -143,17 +148,17 @@ def has_severity(layer: QgsVectorLayer) -> bool:
 
 def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
     """All of a layer, one after the other."""
-    fields, with_severity = _fields(layer), has_severity(layer)
+    fields, words, with_severity = _fields(layer), kind_titles(), has_severity(layer)
     for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
         severity = feature[SEVERITY] if with_severity else ""
-        yield Place(feature.id(), "" if is_null(severity) else severity, _texts(feature, fields))
+        yield Place(feature.id(), "" if is_null(severity) else severity, _texts(feature, fields, words))
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
     """All that is known of a place."""
     severity = feature[SEVERITY] if has_severity(layer) else None
     first = "" if is_null(severity) else severity_name(severity)
-    kind, message, area = _texts(feature, _fields(layer))
+    kind, message, area = _texts(feature, _fields(layer), kind_titles())
     return " · ".join(filter(None, (first, kind, message, f"{area} m²" if area else "")))
 
 
@@ -170,7 +175,7 @@ def _fields(layer: QgsVectorLayer) -> list[str | None]:
 
 def _title(field: str | None) -> str:
     titles = {
-        "kind": tr("Kind"),
+        KIND: tr("Kind"),
         "message": tr("Message"),
         "annotated_class": tr("Annotated"),
         "predicted_class": tr("Predicted"),
@@ -179,14 +184,14 @@ def _title(field: str | None) -> str:
     return titles.get(field, "")
 
 
-def _texts(feature: QgsFeature, fields: list[str | None]) -> list[str]:
-    values = [None if name is None else feature[name] for name in fields]
-    return ["" if is_null(value) else _text(value) for value in values]
+def _texts(feature: QgsFeature, fields: list[str | None], kinds: dict[str, str]) -> list[str]:
+    values = [(name, None if name is None else feature[name]) for name in fields]
+    return ["" if is_null(value) else _text(value, kinds if name == KIND else {}) for name, value in values]
 
 
-def _text(value: object) -> str:
-    """Numbers as the user's language writes them, codes as words."""
+def _text(value: object, words: dict[str, str]) -> str:
+    """Numbers as the user's language writes them, keys by their words, other codes as words."""
     if isinstance(value, float):
-        return QLocale().toString(value, "f", 1)
+        return number_text(value, 1)
     text = str(value)
-    return text.replace("_", " ") if text.isidentifier() else text
+    return words.get(text) or (text.replace("_", " ") if text.isidentifier() else text)
