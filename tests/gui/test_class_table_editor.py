@@ -51,6 +51,23 @@ def test_what_is_not_touched_comes_back_as_it_was(accepted):
     assert accepted().to_csv() == CSV
 
 
+def test_headings_and_roles_are_not_cut_off_in_a_language_of_longer_words(plugin, file, monkeypatch):
+    from semref.processing.inspection.class_tables import read_rows
+    from semref.ui.class_table import editor
+
+    monkeypatch.setattr(editor, "tr", lambda text: f"{text}, much longer")
+    window = editor.ClassTableEditor(read_rows(str(file)))
+    window.resize(900, 300)
+    window.show()
+    settle()
+    header = window.rows.horizontalHeader()
+    for column in range(header.count()):
+        assert header.sectionSize(column) >= header.sectionSizeHint(column)
+    role = window.rows.cellWidget(0, editor.ROLE)
+    assert role.width() >= role.sizeHint().width()
+    window.close()
+
+
 def test_every_column_can_be_edited(editor, accepted):
     from qgis.PyQt.QtGui import QColor
 

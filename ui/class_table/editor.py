@@ -58,7 +58,10 @@ class ClassTableEditor(QDialog):
         self.rows.setSelectionBehavior(QTableWidget.SelectionBehavior.SelectRows)
         # Tab leaves the table: arrows go through its cells.
         self.rows.setTabKeyNavigation(False)
-        self.rows.horizontalHeader().setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        header = self.rows.horizontalHeader()
+        # Words are longer in other languages.
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         self.fault.setWordWrap(True)
         self.fault.setTextFormat(Qt.TextFormat.PlainText)
         self.fault.setVisible(False)
