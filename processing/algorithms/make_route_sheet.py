@@ -95,7 +95,7 @@ class MakeRouteSheet(SemRefAlgorithm):
 
         points = sorted(
             ({field.name(): one[field.name()] for field in self._route.fields()} for one in self._route.getFeatures()),
-            key=lambda point: (point["route"], point["along"]),
+            key=lambda point: (str(point["route"]), _number(point, "along")),
         )
         check_canceled(feedback)
         poor = stretches(points)

@@ -57,6 +57,13 @@ def test_columns_share_the_width_by_their_longest_cells():
     assert column_shares([["a", "b"], ["short", "x" * 60]]) == pytest.approx([6 / 46, 40 / 46])
 
 
+def test_points_that_somebody_emptied_do_not_end_the_work(run_algorithm, tmp_path):
+    emptied = [point(0, 0), {"success": 0.5, "gap": 300.0}, point(2, 300), {"route": 2, "along": None, "gap": 0}]
+    path = tmp_path / "sheet.pdf"
+    run_algorithm(SHEET, {"ROUTE": layer_of(emptied), "OUTPUT": str(path)})
+    assert path.read_bytes().startswith(b"%PDF")
+
+
 def test_a_sheet_is_a_pdf_with_a_page_for_the_map_and_one_for_each_part_of_the_table(run_algorithm, tmp_path):
     layer = layer_of([point(n, 0.0 if n % 2 else 100.0 + n, reason="r") for n in range(60)])
     output = tmp_path / "sheet.pdf"
