@@ -19,6 +19,7 @@ from ..wording.columns import verdict_words
 from ..wording.numbers import shown
 from . import map_tips
 from .output_style import Look
+from .palette import CASING, INK
 from .palette import SUCCESS as COLORS
 
 _IN_LEGEND = "make_line(translate($geometry, -7, 0), translate($geometry, 7, 0))"
@@ -89,7 +90,7 @@ def _square(color: str) -> QgsFillSymbol:
 def _stretch(color: str) -> QgsMarkerSymbol:
     """The stretch of the route that a point stands for, as the column ``stretch`` has it."""
     symbol = QgsMarkerSymbol.createSimple({})
-    for n, (line_color, width) in enumerate((("#1c2126", "2.8"), ("#ffffff", "2.3"), (color, "1.6"))):
+    for n, (line_color, width) in enumerate(((INK, "2.8"), (CASING, "2.3"), (color, "1.6"))):
         layer = QgsGeometryGeneratorSymbolLayer.create(
             {"SymbolType": "Line", "geometryModifier": f'coalesce(geom_from_wkt("stretch"), {_IN_LEGEND})'}
         )

@@ -51,10 +51,8 @@ def flight_look(positions: QgsVectorLayer) -> Look:
 def poses_look(is_timed: bool) -> Look:
     """What positions of a flight come with; ``is_timed``: whether any has a time."""
     more = [(tr("Held by"), map_tips.worded("source", source_words())), (tr("Track"), 'to_string("track")')]
-    if is_timed:
-        more.append((tr("Time"), "format_date(\"time\", 'yyyy-MM-dd HH:mm:ss')"))
     pages = position_pages("number", "time", "source", "track", "outvoted")
-    tip = position_tip(*more)
+    tip = position_tip(is_timed, *more)
     return Look(poses_renderer(), "time" if is_timed else "", IMAGE_NAME, IMAGE_NAME, tip, pages, "image")
 
 

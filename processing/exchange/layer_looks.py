@@ -37,17 +37,12 @@ def issues_look() -> Look:
 
 def changes_look() -> Look:
     """What a repair changed: outlines that let the annotation show through."""
-    root = QgsRuleBasedRenderer.Rule(None)
-    symbol = QgsFillSymbol.createSimple({"outline_color": FIX, "outline_width": "0.5"})
-    fill = QColor(FIX)
-    fill.setAlpha(40)
-    symbol.symbolLayer(0).setFillColor(fill)
-    root.appendChild(QgsRuleBasedRenderer.Rule(symbol, 0, 0, "", tr("Changed")))
     rows = [
         (tr("Kind"), map_tips.worded("kind", kind_titles())),
         (tr("Area"), map_tips.number("area", 2, unit="m²")),
     ]
-    return Look(QgsRuleBasedRenderer(root), name='"message"', tip=map_tips.tip(map_tips.text("message"), rows))
+    tip = map_tips.tip(map_tips.text("message"), rows)
+    return Look(_outlines(FIX, tr("Changed")), name='"message"', tip=tip)
 
 
 def repaired_look(lookup: ClassLookup, source: AnnotationSource) -> Look:
@@ -68,19 +63,24 @@ def land_cover_look(names: Sequence[str], class_field: str, priority_field: str)
 
 def disagreements_look() -> Look:
     """Where two maps disagree: outlines, so that a photo below shows who is right."""
-    symbol = QgsFillSymbol.createSimple({"outline_color": BAD, "outline_width": "0.5"})
-    fill = QColor(BAD)
-    fill.setAlpha(40)
-    symbol.symbolLayer(0).setFillColor(fill)
-    root = QgsRuleBasedRenderer.Rule(None)
-    root.appendChild(QgsRuleBasedRenderer.Rule(symbol, 0, 0, "", tr("The maps disagree")))
     heading = '"rank" || \': \' || "annotated_class" || \' → \' || "predicted_class"'
     rows = [
         (tr("Annotated class"), map_tips.text("annotated_class")),
         (tr("Predicted class"), map_tips.text("predicted_class")),
         (tr("Area"), map_tips.number("area", 0, unit="m²")),
     ]
-    return Look(QgsRuleBasedRenderer(root), name=heading, tip=map_tips.tip('"rank"', rows))
+    return Look(_outlines(BAD, tr("The maps disagree")), name=heading, tip=map_tips.tip('"rank"', rows))
+
+
+def _outlines(color: str, words: str) -> QgsRuleBasedRenderer:
+    """Outlines around what shows through, with the words of the legend."""
+    symbol = QgsFillSymbol.createSimple({"outline_color": color, "outline_width": "0.5"})
+    fill = QColor(color)
+    fill.setAlpha(40)
+    symbol.symbolLayer(0).setFillColor(fill)
+    root = QgsRuleBasedRenderer.Rule(None)
+    root.appendChild(QgsRuleBasedRenderer.Rule(symbol, 0, 0, "", words))
+    return QgsRuleBasedRenderer(root)
 
 
 def class_polygons_look(table: ClassTable) -> Look:

@@ -28,6 +28,7 @@ from qgis.PyQt.QtGui import QColor
 from ...storage.vector_files import leave_wal
 from ..wording.columns import column_titles, column_words
 from .layer_notes import Note, keep_in_file
+from .palette import CASING, INK
 
 STYLE_OF_SEMREF = "Style of SemRef"
 """Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
@@ -156,10 +157,10 @@ def _labeling(expression: str) -> QgsPalLayerSettings:
     settings.scaleVisibility, settings.minimumScale, settings.maximumScale = True, LABELS_FROM_SCALE, 1
     text, rim = QgsTextFormat(), QgsTextBufferSettings()
     text.setSize(8)
-    text.setColor(QColor("#1c2126"))
+    text.setColor(QColor(INK))
     rim.setEnabled(True)
     rim.setSize(0.9)
-    rim.setColor(QColor("#ffffff"))
+    rim.setColor(QColor(CASING))
     text.setBuffer(rim)
     settings.setFormat(text)
     return settings

@@ -21,6 +21,9 @@ INFORMATION = "#4a7fb5"
 FOURTH = "#a3508c"
 """The fourth series of a chart."""
 
+INK, SOFT_INK, LINE = "#1c2126", "#5d6770", "#d5dade"
+"""Of text, of what stands beside it, and of lines in tables."""
+
 CASING = "#ffffff"
 """Around marks, so that they show on forest, water, photos and landmarks alike."""
 

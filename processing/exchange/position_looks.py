@@ -36,8 +36,8 @@ def position_pages(*first: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
     return ((tr("Image"), ("image", "status", "reason", *first)), *zip(titles, _PAGES))
 
 
-def position_tip(*more: tuple[str, str]) -> str:
-    """The map tip of a position with its picture; ``more``: (title, expression) of further lines."""
+def position_tip(is_timed: bool, *more: tuple[str, str]) -> str:
+    """The map tip of a position with its picture and, with times, its time; ``more``: (title, expression) of lines."""
     is_probability = '"method" <> \'topology vector\' AND "confidence" < 1'
     odds = '1 / (1 - "confidence")'
     rounded = f"round({odds}, 1 - to_int(floor(log10({odds}))))"
@@ -50,6 +50,7 @@ def position_tip(*more: tuple[str, str]) -> str:
         (tr("Method"), map_tips.worded("method", method_words())),
         (tr("Reason"), map_tips.text("reason")),
         *more,
+        *([(tr("Time"), "format_date(\"time\", 'yyyy-MM-dd HH:mm:ss')")] if is_timed else []),
     ]
     return map_tips.tip(map_tips.file_name("image"), rows, "image")
 
@@ -66,7 +67,7 @@ def positions_look(is_timed: bool = False) -> Look:
         "time" if is_timed else "",
         IMAGE_NAME,
         IMAGE_NAME,
-        position_tip((tr("Time"), _time("time"))) if is_timed else position_tip(),
+        position_tip(is_timed),
         position_pages("time"),
         "image",
     )
@@ -122,7 +123,3 @@ def _ground(color: str, alpha: int, stroke: Qt.PenStyle) -> QgsSingleSymbolRende
     line.symbolLayer(0).setStrokeStyle(stroke)
     symbol.appendSymbolLayer(line.symbolLayer(0).clone())
     return QgsSingleSymbolRenderer(symbol)
-
-
-def _time(column: str) -> str:
-    return f"format_date(\"{column}\", 'yyyy-MM-dd HH:mm:ss')"

@@ -30,7 +30,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QColor
 
 from ...core.errors import ParameterError
-from .palette import FIX
+from .palette import FIX, INK, LINE, SOFT_INK
 
 _MM = QgsUnitTypes.LayoutMillimeters
 PAGE_MM = (297.0, 210.0)
@@ -91,8 +91,8 @@ class RouteSheet:
 
     def _add_head(self, layout: QgsPrintLayout) -> None:
         width = PAGE_MM[0] - 2 * MARGIN_MM
-        _text(layout, self.title, (MARGIN_MM, 10.0, width, 11.0), 20, "#1c2126")
-        _text(layout, self.subtitle, (MARGIN_MM, 21.0, width, 7.0), 10, "#5d6770")
+        _text(layout, self.title, (MARGIN_MM, 10.0, width, 11.0), 20, INK)
+        _text(layout, self.subtitle, (MARGIN_MM, 21.0, width, 7.0), 10, SOFT_INK)
         line = QgsLayoutItemShape(layout)
         line.setShapeType(QgsLayoutItemShape.Rectangle)
         line.setSymbol(QgsFillSymbol.createSimple({"color": FIX, "outline_style": "no"}))
@@ -112,8 +112,8 @@ class RouteSheet:
         left = MAP_MM[0] + MAP_MM[2] + 8
         width, top = PAGE_MM[0] - MARGIN_MM - left, MAP_MM[1]
         for what, value in self.figures:
-            _text(layout, what, (left, top, width, 5.0), 8, "#5d6770")
-            _text(layout, value, (left, top + 4.5, width, 8.0), 14, "#1c2126")
+            _text(layout, what, (left, top, width, 5.0), 8, SOFT_INK)
+            _text(layout, value, (left, top + 4.5, width, 8.0), 14, INK)
             top += 14.5
         legend = QgsLayoutItemLegend(layout)
         legend.setLinkedMap(shown)
@@ -129,12 +129,12 @@ class RouteSheet:
             layout.pageCollection().extendByNewPage()
             top = number * (PAGE_MM[1] + layout.pageCollection().spaceBetweenPages())
             width = PAGE_MM[0] - 2 * MARGIN_MM
-            _text(layout, self.table_title, (MARGIN_MM, top + 10.0, width, 10.0), 14, "#1c2126")
+            _text(layout, self.table_title, (MARGIN_MM, top + 10.0, width, 10.0), 14, INK)
             table = QgsLayoutItemManualTable.create(layout)
             layout.addMultiFrame(table)
             lines = [self.header, *self.rows[first : first + ROWS_A_PAGE]]
             table.setTableContents([[QgsTableCell(cell) for cell in line] for line in lines])
-            table.setGridColor(QColor("#d5dade"))
+            table.setGridColor(QColor(LINE))
             # QGIS adds its margins and the grid to the columns' widths.
             room = width - len(self.header) * 2 * table.cellMargin() - (len(self.header) + 1) * table.gridStrokeWidth()
             widths = [room * share for share in column_shares(lines)]

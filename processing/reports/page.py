@@ -39,7 +39,14 @@ def _variables(colors: dict[str, str]) -> str:
 
 
 _LIGHT = _variables(
-    {"ground": "#ffffff", "text": "#1c2126", "soft": "#5d6770", "line": "#d5dade", "panel": "#f4f6f7", **_COLORS}
+    {
+        "ground": "#ffffff",
+        "text": palette.INK,
+        "soft": palette.SOFT_INK,
+        "line": palette.LINE,
+        "panel": "#f4f6f7",
+        **_COLORS,
+    }
 )
 _DARK = _variables(
     {
