@@ -24,7 +24,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtWidgets import QApplication, QTreeView
-from screenshot_window import DOCK_WIDTH, WINDOW, Session, settle, wait_until
+from screenshot_window import DOCK_WIDTH, WINDOW, Session, failures, settle, wait_until
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 NARROW = 100
@@ -48,7 +48,7 @@ def localized(session: Session) -> None:
     dock = session.dock
     if not session.localized:
         dock.content.localize.localize_button.click()
-        wait_until(lambda: not dock.content.localize.run.running, "the localization")
+        wait_for_results(dock.content.localize, "the localization")
         session.localized = True
     table = dock.content.localize.results.table
     for row in range(table.model().rowCount()):
@@ -56,6 +56,13 @@ def localized(session: Session) -> None:
         if index.data() == SHOWN_PHOTO:
             table.selectRow(row)
     wait_until(lambda: dock.content.localize.results.image.canvas.scene().items(), "the selected image")
+
+
+def wait_for_results(tab, what: str) -> None:
+    """Waits for a run; one that leaves nothing ends the session with what the message bar says."""
+    wait_until(lambda: not tab.run.running, what)
+    if not tab.results.table.model().rowCount():
+        raise RuntimeError(f"{what} left no results: {failures()}")
 
 
 def first_fix(session: Session) -> None:
@@ -92,7 +99,7 @@ def localized_flight(session: Session):
     tab.images.list.show_only([str(Path(session.job["sample"]) / "flight")])
     tab.images.flight.setChecked(True)
     tab.localize_button.click()
-    wait_until(lambda: not tab.run.running, "the flight")
+    wait_for_results(tab, "the flight")
     session.localized = False
     boxes = content.database, tab.images
     for box in boxes:
@@ -122,7 +129,7 @@ def moving_fix(session: Session) -> None:
         settle(0.8)
         if tab.run.running:
             session.frame("first_fix", 500, settled=False)
-    wait_until(lambda: not tab.run.running, "the localization")
+    wait_for_results(tab, "the localization")
     session.localized = True
     boxes = content.database, tab.images
     for box in boxes:
