@@ -77,6 +77,20 @@ def test_only_the_last_runs_are_kept(qgis_app):
         Path(run.file).unlink()
 
 
+def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
+    from pathlib import Path
+
+    from semref.ui.running import kept_runs
+
+    found = kept_runs.begin_run("/area.gpkg", "", 1)
+    Path(found.file).write_bytes(b"results")
+    for _ in range(25):
+        kept_runs.begin_run("/area.gpkg", "", 1)
+    kept_runs.forget_old_runs()
+    assert [run.folder for run in kept_runs.kept_runs()] == [found.folder]
+    Path(found.file).unlink()
+
+
 def test_a_plugin_that_is_loaded_anew_has_the_open_projects_dock(plugin, dock, iface, area, tab):
     from qgis.core import QgsProject
 

@@ -56,9 +56,14 @@ def begin_run(database: str, model: str, images: int) -> KeptRun | None:
 
 
 def forget_old_runs() -> None:
-    """Removes all but the last ones; for a background thread."""
-    for folder in _folders()[_MOST_KEPT:]:
-        shutil.rmtree(folder, ignore_errors=True)
+    """Removes what is older than the last ones with results; for a background thread.
+
+    Runs that came to nothing do not count, else a few in a row would displace all results.
+    """
+    kept = kept_runs()[:_MOST_KEPT]
+    for folder in _folders() if len(kept) == _MOST_KEPT else []:
+        if folder < Path(kept[-1].folder):
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def kept_runs() -> list[KeptRun]:
