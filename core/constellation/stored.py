@@ -19,6 +19,7 @@ import os
 import secrets
 import tempfile
 import zlib
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -100,23 +101,31 @@ def write_parts(path: Path, key: str, secret: bytes, parts: IndexParts) -> bool:
         offset += _padded(array.nbytes)
     header = json.dumps({"key": key, "arrays": layout, "bytes": offset}).encode("ascii")
     head = _MAGIC + len(header).to_bytes(4, "little") + _mac(header, secret) + header
-    made = None
     try:
-        descriptor, made = tempfile.mkstemp(prefix=f".{path.stem[:40]}.", suffix=f"{SUFFIX}.new", dir=path.parent)
+        _write_whole(path, _aligned([head, *map(_bytes, arrays.values())]))
+    except OSError:
+        return False
+    return True
+
+
+def _write_whole(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
+    """Writes a file that only this user may read; an older one stays until it is whole.
+
+    Raises:
+        OSError: It can't be written; nothing is left of it.
+    """
+    descriptor, made = tempfile.mkstemp(prefix=f".{path.stem[:40]}.", suffix=f"{SUFFIX}.new", dir=path.parent)
+    try:
         with os.fdopen(descriptor, "wb") as file:
-            file.write(head.ljust(_padded(len(head)), b"\0"))
-            for array in arrays.values():
-                file.write(_bytes(array))
-                file.write(b"\0" * (_padded(array.nbytes) - array.nbytes))
+            for piece in pieces:
+                file.write(piece)
             file.flush()
             os.fsync(file.fileno())
         os.replace(made, path)
     except OSError:
-        if made is not None:
-            with contextlib.suppress(OSError):
-                os.unlink(made)
-        return False
-    return True
+        with contextlib.suppress(OSError):
+            os.unlink(made)
+        raise
 
 
 def read_parts(path: Path, key: str, secret: bytes) -> IndexParts | None:
@@ -177,16 +186,16 @@ def _fit(parts: IndexParts, references: MapLandmarks, settings: ConstellationSet
 
 def _secret() -> bytes | None:
     """This user's on this machine, made at the first use; None where none can be kept."""
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or Path.home() / ".cache")
-    path = folder / "semref" / "index.secret"
     try:
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or os.environ.get("LOCALAPPDATA") or Path.home() / ".cache")
+        path = folder / "semref" / "index.secret"
         path.parent.mkdir(parents=True, exist_ok=True)
-        with contextlib.suppress(FileExistsError):
-            descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-            with os.fdopen(descriptor, "wb") as file:
-                file.write(secrets.token_bytes(_SECRET_BYTES))
+        # One that was cut short is none.
+        if not path.exists() or path.stat().st_size != _SECRET_BYTES:
+            _write_whole(path, [secrets.token_bytes(_SECRET_BYTES)])
         found = path.read_bytes()
     except (OSError, RuntimeError):
+        # RuntimeError: a user without a home.
         return None
     return found if len(found) == _SECRET_BYTES else None
 
@@ -197,6 +206,13 @@ def _mac(header: bytes, secret: bytes) -> bytes:
 
 def _bytes(array: np.ndarray) -> memoryview:
     return array.reshape(-1).view(np.uint8).data
+
+
+def _aligned(pieces: Iterable[bytes | memoryview]) -> Iterator[bytes | memoryview]:
+    """The pieces, with zeros behind each."""
+    for piece in pieces:
+        yield piece
+        yield b"\0" * (_padded(len(piece)) - len(piece))
 
 
 def _padded(count: int) -> int:

@@ -152,3 +152,29 @@ def test_without_a_place_for_the_secret_nothing_is_read_or_kept(database, monkey
     references = landmarks()
     assert_same(opened(database, references), references)
     assert not index_path(database).exists()
+
+
+def test_a_user_without_a_home_has_no_secret_and_still_an_index(database, monkeypatch):
+    for name in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(stored.Path, "home", lambda: (_ for _ in ()).throw(RuntimeError("no home directory")))
+    references = landmarks()
+    assert_same(opened(database, references), references)
+    assert not index_path(database).exists()
+
+
+def test_a_secret_that_was_half_written_is_made_anew(database, monkeypatch, tmp_path):
+    kept = tmp_path / "cache" / "semref" / "index.secret"
+    kept.parent.mkdir(parents=True)
+    kept.write_bytes(b"half")
+    opened(database, landmarks())
+    assert len(kept.read_bytes()) == len(SECRET) and list(kept.parent.iterdir()) == [kept]
+    never_built(monkeypatch)
+    opened(database, landmarks())
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows keeps a user's cache by access lists")
+def test_only_the_user_may_read_the_secret_and_the_index(database, tmp_path):
+    opened(database, landmarks())
+    for path in (tmp_path / "cache" / "semref" / "index.secret", index_path(database)):
+        assert path.stat().st_mode & 0o077 == 0, path
