@@ -9,7 +9,7 @@ from datetime import datetime, timezone
 from math import isfinite
 
 from ..core.errors import ParameterError
-from ..core.flight.table import stem_of
+from ..core.flight.table import stem_of, text_of
 from ..core.geometry.camera import Camera, Height, Lens, above_ground
 from ..core.geometry.leveling import Attitude
 from ..core.labels.class_table import LONGEST_LINE
@@ -54,13 +54,7 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
 
 def _read_table(path: str) -> dict[str, Camera]:
     """Rows of the CSV by the stem of their image's name; raises ParameterError naming the line."""
-    try:
-        with open(path, encoding="utf-8-sig") as file:
-            lines = [line for line in file.read().splitlines() if line.strip()]
-    except OSError as error:
-        raise ParameterError("storage.cameras_unreadable", path=path, reason=error.strerror) from None
-    except UnicodeDecodeError:
-        raise ParameterError("storage.cameras_not_utf8", path=path) from None
+    lines = [line for line in text_of(path).splitlines() if line.strip()]
     if max(map(len, lines), default=0) > LONGEST_LINE:
         raise ParameterError("storage.camera_line_too_long", path=path, most=LONGEST_LINE)
     first = lines[0].strip() if lines else ""

@@ -10,7 +10,8 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import ClassTableError, LabelMapError
+from ..core.errors import ClassTableError, LabelMapError, ParameterError
+from ..core.flight.table import MOST_BYTES, bytes_of
 from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
@@ -372,20 +373,19 @@ def image_files(paths: list[str]) -> list[str]:
 
 def read_class_table(path: str) -> ClassTable:
     """A class-table CSV in UTF-8 (or, failing that, Latin-1); raises ClassTableError."""
-    return class_table_from_csv(_table_text(path, "storage.class_table_unreadable"), path)
+    return class_table_from_csv(_table_text(path), path)
 
 
 def read_rules(path: str) -> Rules:
     """Rules from OpenStreetMap's tags to classes, a CSV as class tables are; raises ClassTableError, ParameterError."""
-    return rules_from_csv(_table_text(path, "storage.rules_unreadable"), path)
+    return rules_from_csv(_table_text(path), path)
 
 
-def _table_text(path: str, refusal: str) -> str:
+def _table_text(path: str) -> str:
     try:
-        with open(path, "rb") as file:
-            data = file.read()
-    except OSError as error:
-        raise ClassTableError(refusal, path=path, reason=error.strerror) from None
+        data = bytes_of(path, MOST_BYTES)
+    except ParameterError as error:
+        raise ClassTableError(error.sentence) from None
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError:

@@ -80,13 +80,9 @@ SENTENCES = {
         "{path} has {bands} bands; a label map has one: decode its colors to class values first."
     ),
     "storage.no_palette": "{path} has {bands} band(s) and no palette; a color image has three bands.",
-    "storage.class_table_unreadable": "The class table {path} can't be read: {reason}.",
-    "storage.rules_unreadable": "The table of rules {path} can't be read: {reason}.",
     "storage.cameras_of_other_images": (
         "{path} names none of the images, for example {image}; its column image holds their file names."
     ),
-    "storage.cameras_unreadable": "The camera table {path} can't be read: {reason}.",
-    "storage.cameras_not_utf8": "The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.",
     "storage.no_camera_table": (
         "{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}."
     ),

@@ -14,7 +14,7 @@ SENTENCES = {
     ),
     # Tables and logs
     "flight.no_file": "{path} is no file; choose a table or a log.",
-    "flight.file_too_large": "{path} is larger than {most_mb} MB, which no table or log of one flight is.",
+    "flight.file_too_large": "{path} is larger than {most_mb} MB, which no table or log that is read here is.",
     "flight.unreadable": "{path} can't be read: {reason}.",
     "flight.not_utf8": "{path} is not text in UTF-8; save it as CSV in UTF-8.",
     "flight.line_too_long": "{path} has a line of more than {most} characters; choose another file.",

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import os
+from functools import partial
 
 import pytest
 from made_inputs import scattered_objects, write_raster
 from qgis.core import QgsProcessingException
 
 from semref.core.errors import SemRefError
+from semref.core.flight.table import MOST_BYTES
 
 LABELS = scattered_objects(150, 200, 40, seed=2)
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -39,7 +42,7 @@ def test_an_odd_plan_is_refused(qgis_app, tmp_path, text):
     one_sentence(refused)
 
 
-@pytest.mark.parametrize("cell", ["x" * 140_000, '"' + "x\n" * 70_000])
+@pytest.mark.parametrize("cell", ["x" * 140_000, '"' + "x\n" * 70_000], ids=["letters", "lines"])
 def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
     from semref.storage.camera_files import read_cameras
     from semref.storage.rasters import read_class_table
@@ -53,6 +56,22 @@ def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
     with pytest.raises(SemRefError) as refused:
         read_class_table(str(tmp_path / "classes.csv"))
     one_sentence(refused)
+
+
+@pytest.mark.parametrize("kind", ["cameras", "class table", "rules"])
+def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
+    from semref.storage.camera_files import read_cameras
+    from semref.storage.rasters import read_class_table, read_rules
+
+    read = {"cameras": partial(read_cameras, ["a.png"]), "class table": read_class_table, "rules": read_rules}[kind]
+    huge, pipe = tmp_path / "huge.csv", tmp_path / "pipe.csv"
+    with open(huge, "wb") as file:
+        file.truncate(MOST_BYTES + 1)
+    os.mkfifo(pipe)
+    for path, code in [(huge, "file_too_large"), (pipe, "no_file"), (tmp_path, "no_file"), ("a\0b", "unreadable")]:
+        with pytest.raises(SemRefError) as refused:
+            read(str(path))
+        assert refused.value.sentence.code == f"flight.{code}"
 
 
 @pytest.fixture
