@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from typing import Any, Callable
 
 from ..core.geometry.error_settings import MAP_ACCURACY
 
@@ -38,15 +38,37 @@ _CLASSES = (
     "names or values of the classes whose regions are landmarks, separated by “;”; by default those with this role in "
     "the map's class table"
 )
+
+
+def within(kind: type, least: float, most: float) -> Callable[[str], float]:
+    """A type of option: a number from least to most, as the algorithm of QGIS takes it."""
+
+    def number(text: str) -> float:
+        found = kind(text)
+        if not least <= found <= most:
+            raise ValueError
+        return found
+
+    # Argparse says it of a text that is none.
+    number.__name__ = f"number from {least:g} to {most:g}"
+    return number
+
+
 _BUILD: tuple[tuple[str, str, Any, Any, str], ...] = (
     ("--database", "FILE", str, None, "the GeoPackage to write, on this machine"),
     ("--reference-classes", "CLASSES", str, "", _CLASSES),
     ("--window-size", "LENGTH", float, 1280.0, "map units (1280)"),
     ("--stride", "LENGTH", float, 350.0, "map units (350)"),
     ("--levels", "NUMBERS", str, "1", "multipliers of both, separated by “;” (1)"),
-    ("--references-per-vector", "COUNT", int, 10, "landmarks that a vector holds (10)"),
+    ("--references-per-vector", "COUNT", within(int, 3, 1000), 10, "landmarks that a vector holds (10)"),
     ("--minimum-area", "AREA", float, 100.0, "of a landmark, m² (100)"),
-    ("--map-accuracy", "LENGTH", float, MAP_ACCURACY, "standard deviation of where landmarks are, map units (1.1)"),
+    (
+        "--map-accuracy",
+        "LENGTH",
+        within(float, 0, 10_000),
+        MAP_ACCURACY,
+        "standard deviation of where landmarks are, map units (1.1)",
+    ),
 )
 """Option, what its value is called, its type, its default, what it says."""
 
@@ -90,14 +112,8 @@ def parser() -> argparse.ArgumentParser:
 
 def _add_workers(command: argparse.ArgumentParser) -> None:
     where = command.add_mutually_exclusive_group(required=True)
-    where.add_argument("--local", type=number_of_workers, metavar="N", help="starts N worker processes on this machine")
+    where.add_argument(
+        "--local", type=within(int, 1, _MOST_WORKERS), metavar="N", help="starts N worker processes on this machine"
+    )
     where.add_argument("--scheduler", metavar="ADDRESS", help=_SCHEDULER)
     command.add_argument("--worker-memory", metavar="SIZE", help=_MEMORY)
-
-
-def number_of_workers(text: str) -> int:
-    """1 to so many; argparse says its name where the text is something else."""
-    found = int(text)
-    if not 1 <= found <= _MOST_WORKERS:
-        raise ValueError
-    return found

@@ -3840,14 +3840,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der beste Ort stimmt mit dem Bild nur mit {score:.2f} überein: Er ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
   </message>
   <message>
-   <source>The camera table {path} can't be read: {reason}.</source>
-   <translation>Die Kameratabelle {path} ist nicht lesbar: {reason}.</translation>
-  </message>
-  <message>
-   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
-   <translation>Die Kameratabelle {path} ist kein Text in UTF-8; als CSV in UTF-8 speichern.</translation>
-  </message>
-  <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>Am schlechtesten wird {name} gefunden ({iou}): Mehr davon beim Trainieren hilft am meisten.</translation>
   </message>
@@ -3862,10 +3854,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The class table of {source} was changed after it was built; build it again.</source>
    <translation>Die Klassentabelle von {source} wurde nach dem Erstellen geändert; die Datenbank neu erstellen.</translation>
-  </message>
-  <message>
-   <source>The class table {path} can't be read: {reason}.</source>
-   <translation>Die Klassentabelle {path} ist nicht lesbar: {reason}.</translation>
   </message>
   <message>
    <source>The class with value {value} has no name; give it one.</source>
@@ -4426,10 +4414,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
    <translation>Die Schrittweite {stride:g} ist größer als die Fenstergröße {size:g}; wählen Sie eine kleinere.</translation>
-  </message>
-  <message>
-   <source>The table of rules {path} can't be read: {reason}.</source>
-   <translation>Die Regeltabelle {path} kann nicht gelesen werden: {reason}.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -6600,8 +6584,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern rastern oder umrechnen.</translation>
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
-   <translation>{path} ist größer als {most_mb} MB, was keine Tabelle und kein Protokoll eines Fluges ist.</translation>
+   <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
+   <translation>{path} ist größer als {most_mb} MB, was keine Tabelle und kein Protokoll ist, die hier gelesen werden.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>

@@ -3840,14 +3840,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mejor lugar coincide con la imagen solo en {score:.2f}: es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
   </message>
   <message>
-   <source>The camera table {path} can't be read: {reason}.</source>
-   <translation>No se puede leer la tabla de la cámara {path}: {reason}.</translation>
-  </message>
-  <message>
-   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
-   <translation>La tabla de la cámara {path} no es texto en UTF-8; guárdela como CSV en UTF-8.</translation>
-  </message>
-  <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>La clase peor hallada es {name} ({iou}): más de ella en el entrenamiento es lo que más ayuda.</translation>
   </message>
@@ -3862,10 +3854,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The class table of {source} was changed after it was built; build it again.</source>
    <translation>La tabla de clases de {source} se cambió después de crearla; vuelva a crear la base de datos.</translation>
-  </message>
-  <message>
-   <source>The class table {path} can't be read: {reason}.</source>
-   <translation>No se puede leer la tabla de clases {path}: {reason}.</translation>
   </message>
   <message>
    <source>The class with value {value} has no name; give it one.</source>
@@ -4426,10 +4414,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
    <translation>El paso {stride:g} es mayor que el tamaño de ventana {size:g}; elija uno menor.</translation>
-  </message>
-  <message>
-   <source>The table of rules {path} can't be read: {reason}.</source>
-   <translation>No se puede leer la tabla de reglas {path}: {reason}.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -6600,8 +6584,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} está en {crs}, que no mide en metros; rasterice o reproyecte a un SRC proyectado en metros.</translation>
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
-   <translation>{path} ocupa más de {most_mb} MB, lo que no ocupa ninguna tabla ni registro de un vuelo.</translation>
+   <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
+   <translation>{path} ocupa más de {most_mb} MB, lo que no ocupa ninguna tabla ni registro que aquí se lea.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>

@@ -3840,14 +3840,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le meilleur lieu ne concorde avec l’image qu’à {score:.2f} : il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
-   <source>The camera table {path} can't be read: {reason}.</source>
-   <translation>La table de la caméra {path} est illisible : {reason}.</translation>
-  </message>
-  <message>
-   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
-   <translation>La table de la caméra {path} n’est pas du texte en UTF-8 ; enregistrez-la en CSV en UTF-8.</translation>
-  </message>
-  <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>La classe la moins bien trouvée est {name} ({iou}) : en mettre davantage dans l’entraînement aide le plus.</translation>
   </message>
@@ -3862,10 +3854,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The class table of {source} was changed after it was built; build it again.</source>
    <translation>La table des classes de {source} a été modifiée après la création ; recréez la base de données.</translation>
-  </message>
-  <message>
-   <source>The class table {path} can't be read: {reason}.</source>
-   <translation>La table des classes {path} est illisible : {reason}.</translation>
   </message>
   <message>
    <source>The class with value {value} has no name; give it one.</source>
@@ -4426,10 +4414,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
    <translation>Le pas {stride:g} est plus grand que la taille de fenêtre {size:g} ; choisissez-en un plus petit.</translation>
-  </message>
-  <message>
-   <source>The table of rules {path} can't be read: {reason}.</source>
-   <translation>La table de règles {path} ne peut pas être lue : {reason}.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -6600,8 +6584,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est en {crs}, qui ne mesure pas en mètres ; rastérisez ou reprojetez dans un SCR projeté en mètres.</translation>
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
-   <translation>{path} dépasse {most_mb} Mo, ce que ne fait aucun tableau ou journal d’un vol.</translation>
+   <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
+   <translation>{path} dépasse {most_mb} Mo, ce que ne fait aucun tableau ou journal lu ici.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>

@@ -3840,14 +3840,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>最佳地点与影像的一致度只有 {score:.2f}：它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
   <message>
-   <source>The camera table {path} can't be read: {reason}.</source>
-   <translation>无法读取相机表 {path}：{reason}。</translation>
-  </message>
-  <message>
-   <source>The camera table {path} is not text in UTF-8; save it as CSV in UTF-8.</source>
-   <translation>相机表 {path} 不是 UTF-8 文本；请另存为 UTF-8 的 CSV。</translation>
-  </message>
-  <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>识别最差的类别是 {name}（{iou}）：训练中增加它最有帮助。</translation>
   </message>
@@ -3862,10 +3854,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The class table of {source} was changed after it was built; build it again.</source>
    <translation>{source} 的类别表在构建之后被更改；请重新构建数据库。</translation>
-  </message>
-  <message>
-   <source>The class table {path} can't be read: {reason}.</source>
-   <translation>无法读取类别表 {path}：{reason}。</translation>
   </message>
   <message>
    <source>The class with value {value} has no name; give it one.</source>
@@ -4426,10 +4414,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
    <translation>步长 {stride:g} 大于窗口大小 {size:g}；请选择较小的步长。</translation>
-  </message>
-  <message>
-   <source>The table of rules {path} can't be read: {reason}.</source>
-   <translation>无法读取规则表 {path}：{reason}。</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -6600,8 +6584,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 使用 {crs}，不以米为单位；请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
   </message>
   <message>
-   <source>{path} is larger than {most_mb} MB, which no table or log of one flight is.</source>
-   <translation>{path} 大于 {most_mb} MB，一次飞行的表格或日志不会这么大。</translation>
+   <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
+   <translation>{path} 大于 {most_mb} MB，此处读取的表格或日志不会这么大。</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB; no route is.</source>

@@ -57,6 +57,19 @@ def test_values_that_can_t_be_used(cluster, label_map, tmp_path, extra, part):
     refused(result, 2, part)
 
 
+@pytest.mark.parametrize(
+    "option",
+    [("--map-accuracy", "nan"), ("--map-accuracy", "-1"), ("--references-per-vector", "1001"), ("--local", "0")],
+)
+def test_values_out_of_range_are_refused_before_any_work(cluster, label_map, tmp_path, option):
+    workers = [] if option[0] == "--local" else ["--local", 1]
+    result = cluster("build", label_map, "--database", tmp_path / "a.gpkg", *CLASSES, *workers, *option)
+    assert result.returncode == 2 and result.stdout == ""
+    last = result.stderr.splitlines()[-1]
+    assert f"argument {option[0]}: " in last and " from " in last and last.endswith(f"'{option[1]}'")
+    assert not (tmp_path / "a.gpkg").exists()
+
+
 def test_the_map_is_not_replaced_by_its_database(cluster, label_map):
     refused(cluster("build", label_map, "--database", label_map, "--local", 1), 2, "labels.tif")
 
