@@ -26,6 +26,7 @@ PULLED = (1 / 16, 0.25, 0.18)
 look, and the steps of its turns and sizes."""
 
 MOST_STARTS = 400
+"""Nearest ones; bounds the time where little is known."""
 
 APART = 0.03
 """Places nearer to each other than this share of the image's edge are one."""

@@ -23,6 +23,7 @@ TAILS = 4.0
 """Degrees of freedom of measurements' errors: 1 in 100 is as far off as 1 in 40,000 would be without tails."""
 
 MOST_DRIFT = 0.2
+"""Of a flight's links, as ``FlightSettings.drift``, however far they are off."""
 
 _SEEN = np.eye(4, SIZE)
 _SEEN[:2, 4:6] = np.eye(2)
