@@ -6,6 +6,7 @@ makes it the package ``semref`` and takes its own folder off Python's path.
 
 import importlib
 import importlib.util
+import os
 import sys
 from pathlib import Path
 
@@ -25,4 +26,9 @@ def load_package() -> None:
 if __name__ == "__main__":
     sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() not in (ROOT, ROOT / "cluster")]
     load_package()
-    sys.exit(importlib.import_module("semref.cluster.command_line").main(sys.argv[1:]))
+    lines = importlib.import_module("semref.cluster.command_line")
+    code = lines.main(sys.argv[1:])
+    if code == lines.INTERRUPTED:
+        # Files are cleared away and it was said; Dask's own farewells take seconds.
+        os._exit(code)
+    sys.exit(code)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 from argparse import Namespace
 from collections.abc import Iterator
 from datetime import datetime, timezone
 from pathlib import Path
-from typing import Any, Callable, Protocol
+from typing import Any
 
 import numpy as np
 from osgeo import gdal
@@ -18,6 +19,7 @@ from ..core.database.parts import PartsBuilder
 from ..core.errors import LabelMapError, ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
+from ..storage.database.overview_file import OverviewFile
 from ..storage.database.styles import plain_styles
 from ..storage.database.writer import DatabaseWriter
 from ..storage.files import written_beside
@@ -25,22 +27,16 @@ from ..storage.map_frames import label_map_frame, longitudes_latitudes
 from ..storage.metadata import plugin_metadata
 from ..storage.rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, count_values
 from .engine import DaskRunner, connected
+from .inputs import Teller, require_apart, seen_by_workers, state
 
 _WRITTEN_FROM = 0.85
 """Share of all that is done when writing begins."""
 
 _HELD_OVERVIEW = 256 << 20
-"""Bytes of an overview that is held in memory; a larger one lies in a file without a name until it is written."""
+"""Bytes of an overview that is held in memory; a larger one lies in a file until it is written."""
 
-
-class Teller(Protocol):
-    """Takes what is being done."""
-
-    def step(self, text: str, share: float) -> None:
-        """What is being done, and how much of all is (0…1)."""
-
-    def say(self, text: str) -> None:
-        """Anything else worth a line."""
+_CACHE_BYTES = 64 << 20
+"""GDAL's, of the process that writes."""
 
 
 def build(options: Namespace, teller: Teller) -> dict[str, Any]:
@@ -57,26 +53,26 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
         SemRefError: Anything that the user can mend.
     """
     settings = _settings(options)
-    path = options.labels if options.labels.startswith("/vsi") else str(Path(options.labels).absolute())
-    if Path(path).exists() and Path(options.database).exists() and Path(path).samefile(options.database):
-        raise ParameterError("cluster.output_is_input", path=path)
+    path = seen_by_workers(options.labels)
+    require_apart(path, options.database)
     labels = GdalLabels(path)
-    frame, state = label_map_frame(labels, path), _state(path)
+    frame, before = label_map_frame(labels, path), state(path)
     table = _table(labels, path, options.reference_classes, teller)
-    with written_beside(str(Path(options.database).absolute())) as temporary:
-        overview = _Overview(frame.reduced(settings.overview_factor).shape_hw, Path(temporary).parent)
-        with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
+    # What is read and written here goes through once: by default GDAL's cache is a share of the machine's memory.
+    gdal.SetCacheMax(_CACHE_BYTES)
+    with written_beside(str(Path(options.database).absolute())) as temporary, _folder_beside(temporary) as folder:
+        overview = _overview(frame.reduced(settings.overview_factor).shape_hw, folder)
+        with overview, connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
             version = plugin_metadata()["version"]
             builder = PartsBuilder(frame, table, settings, version, DaskRunner(client, path), overview.put)
             _tell_rounding(builder, frame, settings, teller)
             for text, share in builder.steps():
                 teller.step(text, _WRITTEN_FROM * share)
-        if _state(path) != state:
+        if state(path) != before:
             raise LabelMapError("cluster.map_changed", path=path)
         database = _complete(builder)
-        for text, share in _written(temporary, database, overview.labels, state):
+        for text, share in _written(temporary, database, overview, before):
             teller.step(text, _WRITTEN_FROM + (1 - _WRITTEN_FROM) * share)
-        del overview
     windows = database.windows
     return {
         "database": options.database,
@@ -84,6 +80,11 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
         "references": len(database.references),
         "windows_without_vector": int((~windows.described).sum()),
     }
+
+
+def _folder_beside(path: str) -> tempfile.TemporaryDirectory:
+    """For what is kept meanwhile on the disk that the result goes to."""
+    return tempfile.TemporaryDirectory(dir=Path(path).parent)
 
 
 def _settings(options: Namespace) -> BuildSettings:
@@ -113,12 +114,6 @@ def _table(labels: GdalLabels, path: str, chosen: str, teller: Teller) -> ClassT
     return (table.with_references(names) if names else table).require_references()
 
 
-def _state(path: str) -> tuple[int, float]:
-    """(bytes, time of the last change) of the label map, as GDAL knows them; zeros for what is no file."""
-    found = gdal.VSIStatL(path)
-    return (found.size, found.mtime) if found is not None else (0, 0)
-
-
 def _tell_rounding(builder: PartsBuilder, frame: MapFrame, settings: BuildSettings, teller: Teller) -> None:
     for level, grid in zip(settings.levels, builder.grids):
         size, stride = grid.size * frame.pixel_size, grid.stride * frame.pixel_size
@@ -134,31 +129,32 @@ def _complete(builder: PartsBuilder) -> ReferenceDatabase:
 
 
 def _written(
-    path: str, database: ReferenceDatabase, overview: np.ndarray, state: tuple[int, float]
+    path: str, database: ReferenceDatabase, overview: _Held | OverviewFile, changed: tuple[int, float]
 ) -> Iterator[tuple[str, float]]:
     """Writes the GeoPackage, dated by the label map: the same map gives the same bytes."""
     degrees = longitudes_latitudes(database.windows.centers, database.parameters.crs)
-    moment = datetime.fromtimestamp(state[1], timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.000Z")
+    moment = datetime.fromtimestamp(changed[1], timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.000Z")
     styles = plain_styles(database.class_table)
-    yield from DatabaseWriter(path, database, *degrees, overview, styles, moment).steps()
+    labels = overview if isinstance(overview, OverviewFile) else overview.labels
+    yield from DatabaseWriter(path, database, *degrees, labels, styles, moment).steps()
 
 
-class _Overview:
-    """The overview while its pieces come in."""
+class _Held(contextlib.AbstractContextManager):
+    """An overview in memory while its pieces come in."""
 
-    def __init__(self, shape_hw: tuple[int, int], folder: Path) -> None:
-        if shape_hw[0] * shape_hw[1] <= _HELD_OVERVIEW:
-            self.labels = np.zeros(shape_hw, np.uint8)
-        else:
-            with tempfile.TemporaryFile(dir=folder) as file:
-                self.labels = np.memmap(file, np.uint8, "w+", shape=shape_hw)
+    def __init__(self, shape_hw: tuple[int, int]) -> None:
+        self.labels = np.zeros(shape_hw, np.uint8)
 
-    @property
-    def put(self) -> Callable[[int, int, np.ndarray], None]:
+    def __exit__(self, *_: object) -> None:
+        """Nothing to close."""
+
+    def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
         """Takes a piece."""
-        labels = self.labels
+        self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
 
-        def put(column: int, row: int, piece: np.ndarray) -> None:
-            labels[row : row + piece.shape[0], column : column + piece.shape[1]] = piece
 
-        return put
+def _overview(shape_hw: tuple[int, int], folder: str) -> _Held | OverviewFile:
+    """What takes the pieces of the overview, in memory or, of a large map, in a file."""
+    if shape_hw[0] * shape_hw[1] <= _HELD_OVERVIEW:
+        return _Held(shape_hw)
+    return OverviewFile(str(Path(folder) / "overview.tif"), shape_hw)

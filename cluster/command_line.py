@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import importlib
 import importlib.util
 import json
+import math
 import signal
 import sys
 from typing import Any
@@ -31,16 +33,16 @@ def main(arguments: list[str]) -> int:
         reader.parse_args(arguments)
     teller = JsonTeller() if getattr(options, "json", False) else TextTeller()
     # QGIS ends it so; the terminal sends an interrupt.
-    signal.signal(signal.SIGTERM, _interrupted)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, _interrupted)
     try:
         require_packages()
         if options.command == "localize":
             from .localize import localize
 
             return localize(options, others, teller)
-        from .build import build
-
-        result = build(options, teller)
+        work = importlib.import_module(f"{__package__}.{options.command}")
+        result = getattr(work, options.command)(options, teller)
     except SemRefError as error:
         teller.failed(error.sentence)
         return WRONG_USAGE if isinstance(error, ParameterError) else REFUSED
@@ -54,8 +56,18 @@ def main(arguments: list[str]) -> int:
     return DONE
 
 
+_asked_to_end: list[bool] = []
+
+
 def _interrupted(*_: object) -> None:
+    _asked_to_end.append(True)
     raise KeyboardInterrupt
+
+
+def _heed() -> None:
+    """Raises KeyboardInterrupt once more: one that meets Python while it clears up an object is lost."""
+    if _asked_to_end:
+        raise KeyboardInterrupt
 
 
 def require_packages() -> None:
@@ -66,13 +78,14 @@ def require_packages() -> None:
 
 
 class TextTeller:
-    """Says on stderr what is being done."""
+    """Says on stderr what is being done; a step ends the work when it was asked to."""
 
     def __init__(self) -> None:
         self._said = ("", -1)
 
     def step(self, text: str, share: float) -> None:
         """What is being done, and how much of all is (0…1); a line for each new text and every 5 %."""
+        _heed()
         percent = int(100 * share)
         if text != self._said[0] or percent >= self._said[1] + 5:
             self._said = text, percent
@@ -106,6 +119,7 @@ class JsonTeller:
     """Says the same as a line of JSON each, for the program that started this one."""
 
     def step(self, text: str, share: float) -> None:
+        _heed()
         self._tell("step", text=text, share=share)
 
     def say(self, text: str) -> None:
@@ -115,8 +129,7 @@ class JsonTeller:
         if sentence is None:
             self._tell("canceled")
         else:
-            values = {key: _plain(value) for key, value in sentence.values}
-            self._tell("failed", code=sentence.code, values=values, text=english(sentence))
+            self._tell("failed", code=sentence.code, values=dict(sentence.values), text=english(sentence))
 
     def broke(self, error: Exception) -> None:
         self._tell("broke", reason=f"{type(error).__name__}: {error}".partition("\n")[0])
@@ -127,11 +140,16 @@ class JsonTeller:
     @staticmethod
     def _tell(event: str, **values: object) -> None:
         with contextlib.suppress(OSError):
-            print(json.dumps({"event": event, **values}), flush=True)
+            told = {key: _plain(value) for key, value in values.items()}
+            print(json.dumps({"event": event, **told}, allow_nan=False), flush=True)
 
 
 def _plain(value: object) -> object:
-    """A sentence's value as JSON has it."""
-    if isinstance(value, tuple):
+    """A value as JSON has it, which knows neither NaN nor infinity."""
+    if isinstance(value, (tuple, list)):
         return [_plain(part) for part in value]
-    return value if isinstance(value, (int, float)) else str(value)
+    if isinstance(value, dict):
+        return {key: _plain(part) for key, part in value.items()}
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value if isinstance(value, (int, float)) or value is None else str(value)

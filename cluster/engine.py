@@ -8,11 +8,14 @@ import contextlib
 import hashlib
 import io
 import logging
+import os
 import time
 import warnings
 import zipfile
+from collections import deque
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
+from itertools import islice
 from pathlib import Path
 from typing import Any, Callable
 
@@ -36,6 +39,9 @@ _CONNECTED_WITHIN_S = 15
 _LOOKED_EVERY_S = 1.0
 _DIED_AT_MOST = 3
 """Workers that may die over one task before it is given up: Dask's own number."""
+
+_LEFT_OPEN: list[contextlib.ExitStack] = []
+"""What is not closed when the user interrupts: closing waits for workers."""
 
 _Tell = Callable[[str], None]
 
@@ -66,10 +72,18 @@ def connected(scheduler: str | None, local: int | None, worker_memory: str | Non
             tell(f"Dashboard: {client.dashboard_link}")
         _wait_for_workers(client, tell)
         client.register_plugin(_code())
-        yield client
+        try:
+            yield client
+        except KeyboardInterrupt:
+            # Who asked waits no longer: workers end with the process, which __main__.py ends at once.
+            _LEFT_OPEN.append(stack.pop_all())
+            raise
 
 
 def _local(count: int, worker_memory: str | None) -> LocalCluster:
+    # Python's tracker clears up what an interrupted process left, and would say so to the user.
+    others = filter(None, [os.environ.get("PYTHONWARNINGS")])
+    os.environ["PYTHONWARNINGS"] = ",".join([*others, "ignore::UserWarning:multiprocessing.resource_tracker"])
     try:
         return LocalCluster(
             n_workers=count,
@@ -150,6 +164,29 @@ class DaskRunner:
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
             raise SemRefError("cluster.connection_lost", reason=_reason(error)) from None
 
+    def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
+        """Yields what calls gave, in their order; what is done before its turn waits with the workers.
+
+        Raises:
+            SemRefError: As for ``__call__``.
+        """
+        waiting, ahead = iter(calls), deque[Any]()
+        try:
+            kept = self._client.submit(shipped.held, shared, pure=False)
+            while True:
+                ahead += (self._given(task, kept, call) for call in islice(waiting, self._room() - len(ahead)))
+                if not ahead:
+                    return
+                future = ahead.popleft()
+                result = _taken(future)
+                future.release()
+                yield result
+        except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
+            raise SemRefError("cluster.connection_lost", reason=_reason(error)) from None
+
+    def _given(self, task: str, kept: Any, arguments: tuple) -> Any:
+        return self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
+
     def _submit(self, task: str, waiting: Iterator, kept: Any, numbers: dict[str, int], finished: as_completed) -> None:
         """Fills up what the scheduler has to give out."""
         while len(numbers) < self._room():
@@ -157,7 +194,7 @@ class DaskRunner:
             if found is None:
                 return
             number, arguments = found
-            future = self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
+            future = self._given(task, kept, arguments)
             numbers[future.key] = number
             finished.add(future)
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from ..core.labels.image_files import image_files
 from ..core.onboard.command_line import exit_code, localize_options, told
-from .build import Teller
 from .engine import DaskRunner, connected
+from .inputs import Teller
 from .tasks import LOCALIZE
 
 

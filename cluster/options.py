@@ -6,6 +6,7 @@ import argparse
 from typing import Any, Callable
 
 from ..core.geometry.error_settings import MAP_ACCURACY
+from ..core.segmentation.devices import KEYS
 
 DONE, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED, INTERRUPTED = 0, 1, 2, 3, 130
 """Exit codes; argparse ends with 2 by itself."""
@@ -26,6 +27,7 @@ _EPILOG = f"""exit codes:
 examples, from the plugin's folder:
   python -m cluster build labels.tif --database out.gpkg --reference-classes "building;water" --local 4
   python -m cluster build /vsis3/maps/labels.tif --database out.gpkg --scheduler tcp://10.0.0.5:8786
+  python -m cluster segment orthophoto.vrt --model landcover.onnx --labels labels.tif --local 4
   python -m cluster localize photos/ --database area.npz --model landcover.onnx --json --local 4
 
 docs/guide/cluster.md tells how to start workers on a laptop, with SLURM and with Kubernetes."""
@@ -72,6 +74,18 @@ _BUILD: tuple[tuple[str, str, Any, Any, str], ...] = (
 )
 """Option, what its value is called, its type, its default, what it says."""
 
+_SEGMENT: tuple[tuple[str, str, Any, Any, str], ...] = (
+    ("--model", "FILE", str, "", "the network (ONNX): a path that all workers see"),
+    ("--labels", "FILE", str, "", "the GeoTIFF to write, on this machine"),
+    ("--class-table", "FILE", str, None, "values and colors for the model's classes, a CSV"),
+    ("--resolution", "CM", within(float, 1e-3, 1e6), None, "of a pixel as the network sees it; by default the model's"),
+    ("--overlap", "PERCENT", within(float, 0, 75), None, "of tiles; by default the model's"),
+)
+"""As _BUILD; an empty default: must be given."""
+
+_IMAGE = "a photo or an orthophoto: a path that all workers see, a VRT of many files, or a name of GDAL's"
+_DEVICE = "what runs the network at the workers (cpu); graphics cards may round otherwise"
+_JSON = "tells what happens as a line of JSON each, on the output"
 _SCHEDULER = "uses the workers of a scheduler, such as tcp://10.0.0.5:8786"
 _MEMORY = (
     "with --local: of one worker, such as 2GB; by default the machine's, divided by N. A worker that takes more is "
@@ -97,7 +111,18 @@ def parser() -> argparse.ArgumentParser:
     for name, value, kind, default, text in _BUILD:
         build.add_argument(name, metavar=value, type=kind, default=default, required=default is None, help=text)
     _add_workers(build)
-    build.add_argument("--json", action="store_true", help="tells what happens as a line of JSON each, on the output")
+    segment = commands.add_parser(
+        "segment",
+        help="photo or orthophoto to label map, as semref:segmentimage",
+        description="Turns a photo or an orthophoto into a label map by a network, as semref:segmentimage in QGIS.",
+    )
+    segment.add_argument("image", metavar="IMAGE", help=_IMAGE)
+    for name, value, kind, default, text in _SEGMENT:
+        segment.add_argument(name, metavar=value, type=kind, default=default, required=default == "", help=text)
+    segment.add_argument("--device", choices=KEYS, default="cpu", help=_DEVICE)
+    _add_workers(segment)
+    for command in (build, segment):
+        command.add_argument("--json", action="store_true", help=_JSON)
     localize = commands.add_parser(
         "localize",
         help="localize images, as python -m core localize",

@@ -6,6 +6,7 @@ SENTENCES = {
     ),
     "cluster.no_scheduler": "There is no scheduler at {address} ({reason}); start one, or use --local.",
     "cluster.not_started": "Workers can't be started here ({reason}).",
+    "cluster.ended": "The process that does the work ended ({reason}); start it again.",
     "cluster.connection_lost": "The scheduler can't be reached any more ({reason}); see its log and start again.",
     "cluster.workers_died": (
         "{count} workers died over one piece of the work; give workers more memory, or see their logs for the reason."
@@ -14,5 +15,8 @@ SENTENCES = {
     "cluster.map_changed": "{path} was changed while it was read; start again when it stays as it is.",
     "cluster.not_a_number": "{option} is “{text}”; give numbers separated by “;”.",
     "cluster.stride_above_size": "The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.",
-    "cluster.output_is_input": "The database would replace the label map {path}; choose another name.",
+    "cluster.output_is_input": "The result would replace {path}; choose another name.",
+    "cluster.photo_not_in_meters": (
+        "{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters."
+    ),
 }

@@ -5,27 +5,32 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
 from osgeo import gdal
 
 from ..core.database.parts import TASKS
 from ..core.errors import SemRefError
 from ..core.onboard.command_line import finding, localize_options
 from ..core.onboard.finder import Finding
+from ..core.segmentation.certainty import Sureness
+from ..core.segmentation.tiling import segment_tiles
 from ..storage.rasters import GdalLabels
+from .photos import Opening, opened
 
 _CACHE_BYTES = 64 << 20
 """GDAL's cache of one worker; by default it is a share of the machine's memory, for each of them."""
 
 
-LOCALIZE = "localize"
-"""The one task that needs no label map: images in an onboard file."""
+LOCALIZE, SEGMENT = "localize", "segment"
+"""Tasks that need no label map: images in an onboard file, and blocks of a photo's tiles."""
 
 
 def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]:
     """Does one task.
 
     Args:
-        task: One of ``TASKS``, or LOCALIZE, whose shared arguments are the options and whose other is an image.
+        task: One of ``TASKS``; LOCALIZE, whose shared arguments are the options and whose other is an image; or
+            SEGMENT, whose shared ones are those of ``photos.Opening``.
         path: The label map.
         shared: The task's first arguments.
         arguments: The others.
@@ -36,6 +41,8 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
     try:
         if task == LOCALIZE:
             return "done", _finding(shared)(*arguments)
+        if task == SEGMENT:
+            return "done", _segmented(shared, *arguments)
         return "done", TASKS[task](_labels(path), *shared, *arguments)
     except SemRefError as error:
         return "failed", (type(error).__name__, error.sentence.code, error.sentence.values)
@@ -50,3 +57,17 @@ def _labels(path: str) -> GdalLabels:
 @lru_cache(1)
 def _finding(options: tuple[str, ...]) -> Finding:
     return finding(localize_options(list(options)))
+
+
+def _segmented(opening: tuple, first: tuple[int, int], count: int) -> tuple[np.ndarray, float, int]:
+    """(h, w) uint8 labels of a block, and the sum and number of how sure the network is of some of them."""
+    gdal.SetCacheMax(_CACHE_BYTES)
+    photo, sure = opened(Opening(*opening)), Sureness()
+    tiles = photo.tiles.block(photo.model.tile_hw, first, count)
+    labels = []
+    values = photo.model.classes.values
+    for _, rows in segment_tiles(photo.model, photo.image, values, photo.overlap, tiles):
+        if rows is not None:
+            labels.append(rows.labels_hw)
+            sure.add(rows.sure)
+    return np.concatenate(labels), sure.total, sure.count

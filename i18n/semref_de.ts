@@ -120,6 +120,10 @@
    <translation>Eine Landmarke hat keine Fläche; die Datenbank neu erstellen.</translation>
   </message>
   <message>
+   <source>A landmark is found where the prediction has one of about its place and size. Shares are of the annotated ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed.</source>
+   <translation>Eine Landmarke ist gefunden, wo die Vorhersage eine von etwa demselben Ort und derselben Größe hat. Anteile gelten den annotierten, gezählt, wo sie ganz in Stücken von {edge} Pixeln liegen; Häuser, die das Netz zusammenzieht, sind übersehen.</translation>
+  </message>
+  <message>
    <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
    <translation>Ein Layer mit Tags als Spalten oder ein Auszug; aus einem Auszug werden die Flächen genommen.</translation>
   </message>
@@ -160,8 +164,8 @@
    <translation>Eine Seite mit IoU jeder Klasse, Konfusionsmatrix, Kurven und Beispielen nebeneinander.</translation>
   </message>
   <message>
-   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
-   <translation>Eine Seite mit der Konfusionsmatrix als Bild und den Zahlen jeder Klasse.</translation>
+   <source>A page with the confusion matrix as a picture, the figures of each class and the landmarks that were missed, invented and misnamed. Assessments take it as COMPARISON.</source>
+   <translation>Eine Seite mit der Konfusionsmatrix als Bild, den Zahlen jeder Klasse und den übersehenen, erfundenen und falsch benannten Landmarken. Bewertungen nehmen sie als COMPARISON.</translation>
   </message>
   <message>
    <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
@@ -504,6 +508,10 @@ Alle Einstellungen kommen aus der Datenbank. Was sich nicht geändert hat, behä
    <translation>Referenzdatenbank erstellen</translation>
   </message>
   <message>
+   <source>Building databases and label maps by many processes or machines</source>
+   <translation>Datenbanken und Klassenkarten mit vielen Prozessen oder Rechnern herstellen</translation>
+  </message>
+  <message>
    <source>Building the sample’s reference database</source>
    <translation>Referenzdatenbank des Beispiels wird erstellt</translation>
   </message>
@@ -828,6 +836,10 @@ Der Bericht sagt auch, wie weit von ihrem Ort die Landmarken jeder Klasse gezeig
    <translation>Vergleich von Klassenkarten</translation>
   </message>
   <message>
+   <source>Comparison report</source>
+   <translation>Vergleichsbericht</translation>
+  </message>
+  <message>
    <source>Components</source>
    <translation>Komponenten</translation>
   </message>
@@ -1064,6 +1076,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Drift der Bewegung (%)</translation>
   </message>
   <message>
+   <source>Duplicate Rings</source>
+   <translation>doppelte Ringe</translation>
+  </message>
+  <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
    <translation>EXTENT berührt „{image}“ nicht; wählen Sie einen Teil davon.</translation>
   </message>
@@ -1122,6 +1138,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0, das Fotos schon kennt</translation>
+  </message>
+  <message>
+   <source>Else colors are taken for classes.</source>
+   <translation>Sonst gelten Farben als Klassen.</translation>
   </message>
   <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
@@ -1584,6 +1604,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Geben Sie die Datei des Netzes als MODEL an, dann werden Positionen von den Abweichungen unten befreit.</translation>
   </message>
   <message>
+   <source>Give this page as “Comparison report” to “Assess reference database”: will such labels be found?</source>
+   <translation>Diese Seite als „Vergleichsbericht“ an „Referenzdatenbank beurteilen“ geben: Werden Bilder mit solchen Klassen gefunden?</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
@@ -1644,6 +1668,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Halbe Breite des Korridors entlang einer Route; mindestens so viel, wie ein Bild zeigt.</translation>
   </message>
   <message>
+   <source>Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it itself.</source>
+   <translation>Lässt die Arbeit von vielen Prozessen tun: local:4 startet vier auf diesem Rechner, tcp://ADRESSE:PORT nimmt die Worker eines Dask-Schedulers, die dieselben Dateien unter denselben Pfaden lesen. Ohne Angabe tut QGIS sie selbst.</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Ausrichtung</translation>
   </message>
@@ -1662,6 +1690,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Held by</source>
    <translation>Gehalten durch</translation>
+  </message>
+  <message>
+   <source>Hole lies outside shell</source>
+   <translation>Loch liegt außerhalb der Hülle</translation>
+  </message>
+  <message>
+   <source>Holes are nested</source>
+   <translation>Löcher liegen ineinander</translation>
   </message>
   <message>
    <source>How exactly</source>
@@ -1846,6 +1882,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
    <translation>Statt einer Annotation: ein Raster mit Klassenwerten desselben Geländes, 0 ohne Klasse.</translation>
+  </message>
+  <message>
+   <source>Interior is disconnected</source>
+   <translation>das Innere ist zerteilt</translation>
   </message>
   <message>
    <source>IoU</source>
@@ -2244,6 +2284,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Erstellt</translation>
   </message>
   <message>
+   <source>Made of: {sources}</source>
+   <translation>Hergestellt aus: {sources}</translation>
+  </message>
+  <message>
+   <source>Make a reference database of polygons…</source>
+   <translation>Aus Polygonen eine Referenzdatenbank machen…</translation>
+  </message>
+  <message>
    <source>Make class table</source>
    <translation>Klassentabelle anlegen</translation>
   </message>
@@ -2462,6 +2510,14 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>Für Kachelkarten nötig, sonst der ganze Layer.</translation>
+  </message>
+  <message>
+   <source>Neither map has a landmark of a size that counts.</source>
+   <translation>Keine der Karten hat eine Landmarke von einer Größe, die zählt.</translation>
+  </message>
+  <message>
+   <source>Nested shells</source>
+   <translation>Hüllen liegen ineinander</translation>
   </message>
   <message>
    <source>Network</source>
@@ -2828,6 +2884,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Nur von einem Flug wird ein Zustand aufbewahrt: --flight ergänzen oder --state weglassen.</translation>
   </message>
   <message>
+   <source>Only of a flight is motion told: add --flight, or leave --odometry out.</source>
+   <translation>Bewegung wird nur von einem Flug angegeben: --flight hinzufügen oder --odometry weglassen.</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>Nur eine Klasse ({name}) ist eingetragen, und Gelände ohne Klasse gilt als unbekannt: es gibt nichts zu unterscheiden. Eine weitere Klasse eintragen oder Gelände ohne Klasse als eigene Klasse gelten lassen.</translation>
   </message>
@@ -3120,6 +3180,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>QGIS bringt diese Python-Pakete nicht überall mit. SemRef kann sie für dieses QGIS in einen eigenen Ordner installieren; was QGIS hat, vor allem numpy, bleibt, wie es ist.</translation>
   </message>
   <message>
+   <source>QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.</source>
+   <translation>QGIS zeichnet diesen Layer, Worker können das nicht; wählen Sie eine Rasterdatei, oder lassen Sie SCHEDULER weg.</translation>
+  </message>
+  <message>
    <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
    <translation>QGIS findet zuerst {path}, das SemRef nicht installiert hat; dort, wo es herkam, durch {package} ersetzen.</translation>
   </message>
@@ -3340,6 +3404,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Richtig innerhalb von (Karteneinheiten)</translation>
   </message>
   <message>
+   <source>Ring Self-intersection</source>
+   <translation>Selbstüberschneidung eines Rings</translation>
+  </message>
+  <message>
    <source>Road to the fix</source>
    <translation>Weg zum Fix</translation>
   </message>
@@ -3428,6 +3496,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Maßstab (Tabelle 4 von He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Scheduler</source>
+   <translation>Scheduler</translation>
+  </message>
+  <message>
    <source>Search the whole database</source>
    <translation>Die ganze Datenbank durchsuchen</translation>
   </message>
@@ -3466,6 +3538,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Ein Ergebnis wählen, um seinen Treffer auf der Karte zu sehen.</translation>
+  </message>
+  <message>
+   <source>Self-intersection</source>
+   <translation>Selbstüberschneidung</translation>
   </message>
   <message>
    <source>SemRef footprints</source>
@@ -3652,8 +3728,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Kleinere Abweichungen werden weggelassen.</translation>
   </message>
   <message>
-   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
-   <translation>Kleinere Abweichungen ergeben kein Polygon; in quadrierten Karteneinheiten, ohne Georeferenz in Pixeln.</translation>
+   <source>Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, pixels without georeference.</source>
+   <translation>Kleinere Abweichungen ergeben kein Polygon, und so kleine Landmarken werden nicht gezählt; Quadratkarteneinheiten, ohne Georeferenz Pixel.</translation>
   </message>
   <message>
    <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
@@ -3908,10 +3984,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
   <message>
-   <source>The database would replace the label map {path}; choose another name.</source>
-   <translation>Die Datenbank würde die Klassenkarte {path} ersetzen; wählen Sie einen anderen Namen.</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Die Abweichungen der Bewegung von Bild {first} zu Bild {second} widersprechen einander.</translation>
   </message>
@@ -4116,6 +4188,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassenkarte hat das KBS {crs}, die Datenbank {database_crs}; in das KBS der Datenbank rastern oder eine neue Datenbank erstellen.</translation>
   </message>
   <message>
+   <source>The label map reduced to the most frequent class of each block.</source>
+   <translation>Die Klassenkarte, verkleinert auf die häufigste Klasse jedes Blocks.</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>Die Klassenkarte, aus der die Referenzdatenbank erstellt wurde.</translation>
   </message>
@@ -4146,6 +4222,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
    <translation>Die Klassen {path} fehlen oder passen nicht zu ihrem Bild.</translation>
+  </message>
+  <message>
+   <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
+   <translation>Die Landmarken der ganzen Karte: Schwerpunkt, Klasse und Fläche jeder Region ihrer Klassen.</translation>
   </message>
   <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
@@ -4312,6 +4392,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Prioritätsfeld „{priority_field}“ enthält keine Zahlen; eines mit Zahlen wählen.</translation>
   </message>
   <message>
+   <source>The process that does the work ended ({reason}); start it again.</source>
+   <translation>Der Prozess, der die Arbeit tut, endete ({reason}); starten Sie sie neu.</translation>
+  </message>
+  <message>
    <source>The project has no raster layer.</source>
    <translation>Das Projekt hat keinen Rasterlayer.</translation>
   </message>
@@ -4336,8 +4420,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Referenz hat {width} × {height} Pixel und die Vorhersage {other_width} × {other_height}, und nicht beide sind georeferenziert; Bilder gleicher Größe oder zwei georeferenzierte Karten vergleichen.</translation>
   </message>
   <message>
+   <source>The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed background and shifted classes that it found count instead of the network in a word and of these numbers. Errors of map and camera stay as the numbers say.</source>
+   <translation>Der Bericht von „Klassenkarten vergleichen“: Die übersehenen, erfundenen und falsch benannten Landmarken, ausgefransten Kanten, der falsch benannte Hintergrund und die verschobenen Klassen, die er fand, gelten anstelle des Netzes in einem Wort und dieser Zahlen. Fehler von Karte und Kamera bleiben, wie die Zahlen sagen.</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>Das Ergebnis von „Annotation prüfen“ oder „Klassenkarten vergleichen“</translation>
+  </message>
+  <message>
+   <source>The result would replace {path}; choose another name.</source>
+   <translation>Das Ergebnis würde {path} ersetzen; wählen Sie einen anderen Namen.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4452,6 +4544,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Fenster haben eine Kante von {window_size:g} und eine Schrittweite von {stride:g}; geben Sie beide in Karteneinheiten an, größer als 0.</translation>
   </message>
   <message>
+   <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
+   <translation>Die Fenster, die über die Karte gleiten, jedes beschrieben durch den Topologievektor seiner Landmarken.</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>Die Größen der Fenster sind nicht die ihrer Stufen; die Datenbank neu erstellen.</translation>
   </message>
@@ -4512,6 +4608,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Unter {address} ist kein Scheduler ({reason}); starten Sie einen, oder nehmen Sie --local.</translation>
   </message>
   <message>
+   <source>These are photos: choose a model.</source>
+   <translation>Das sind Fotos: ein Modell wählen.</translation>
+  </message>
+  <message>
    <source>These images are one flight</source>
    <translation>Diese Bilder sind ein Flug</translation>
   </message>
@@ -4570,6 +4670,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>Zu wenige Landmarken: im Mittel {landmarks:.0f} im Bild.</translation>
+  </message>
+  <message>
+   <source>Too few points in geometry component</source>
+   <translation>zu wenige Punkte in einem Teil der Geometrie</translation>
   </message>
   <message>
    <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
@@ -5096,6 +5200,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>fügen Sie das Paket python3-pip mit dem Setup von OSGeo4W hinzu</translation>
   </message>
   <message>
+   <source>all</source>
+   <translation>alle</translation>
+  </message>
+  <message>
    <source>all epochs done</source>
    <translation>alle Epochen durchlaufen</translation>
   </message>
@@ -5236,10 +5344,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Fehler, m</translation>
   </message>
   <message>
-   <source>errors</source>
-   <translation>Fehler</translation>
-  </message>
-  <message>
    <source>errors of areas</source>
    <translation>Fehler der Flächen</translation>
   </message>
@@ -5344,6 +5448,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Bild</translation>
   </message>
   <message>
+   <source>image of the map</source>
+   <translation>Bild der Karte</translation>
+  </message>
+  <message>
    <source>images</source>
    <translation>Bilder</translation>
   </message>
@@ -5372,16 +5480,16 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>in der 99-%-Ellipse</translation>
   </message>
   <message>
-   <source>information</source>
-   <translation>Hinweise</translation>
-  </message>
-  <message>
    <source>install it with “{command}”</source>
    <translation>installieren Sie es mit „{command}“</translation>
   </message>
   <message>
    <source>invalid geometry</source>
    <translation>ungültige Geometrie</translation>
+  </message>
+  <message>
+   <source>invented</source>
+   <translation>erfunden</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -5514,6 +5622,18 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>merged by pixels</source>
    <translation>durch Pixel vereint</translation>
+  </message>
+  <message>
+   <source>mirrored image</source>
+   <translation>gespiegeltes Bild</translation>
+  </message>
+  <message>
+   <source>misnamed</source>
+   <translation>falsch benannt</translation>
+  </message>
+  <message>
+   <source>missed</source>
+   <translation>übersehen</translation>
   </message>
   <message>
    <source>neighbors of one class</source>
@@ -5856,14 +5976,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>sehr zuverlässig</translation>
   </message>
   <message>
-   <source>warning</source>
-   <translation>Warnung</translation>
-  </message>
-  <message>
-   <source>warnings</source>
-   <translation>Warnungen</translation>
-  </message>
-  <message>
    <source>what is expected</source>
    <translation>was zu erwarten ist</translation>
   </message>
@@ -6100,6 +6212,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{kept} von {landmarks} Landmarken und {windows} von {all_windows} Fenstern liegen im Gebiet.</translation>
   </message>
   <message>
+   <source>{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.</source>
+   <translation>{keys} können nicht zusammen mit SCHEDULER verwendet werden; lassen Sie sie oder SCHEDULER weg.</translation>
+  </message>
+  <message>
    <source>{key} has more than {most} characters; give a shorter name.</source>
    <translation>{key} hat mehr als {most} Zeichen; geben Sie einen kürzeren Namen an.</translation>
   </message>
@@ -6122,6 +6238,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
    <translation>{key} ist „{text}“: Ein Pfad oder Text enthält kein Zeichen mit dem Wert 0; entfernen Sie es.</translation>
+  </message>
+  <message>
+   <source>{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, such as tcp://10.0.0.5:8786.</source>
+   <translation>{key} ist „{text}“; geben Sie local: und eine Zahl von Prozessen an, etwa local:4, oder die Adresse eines Schedulers, etwa tcp://10.0.0.5:8786.</translation>
   </message>
   <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
@@ -6166,6 +6286,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}: {features} Objekte</translation>
+  </message>
+  <message>
+   <source>{left}, until {time}</source>
+   <translation>{left}, bis {time}</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
@@ -6332,6 +6456,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} lässt sich nicht schreiben: {reason}; einen anderen Ort wählen.</translation>
   </message>
   <message>
+   <source>{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or leave COMPARISON empty.</source>
+   <translation>{path} vergleicht {count} Landmarken, und weniger als {least} sagen wenig über ein Netz; ein größeres Gebiet vergleichen oder COMPARISON leer lassen.</translation>
+  </message>
+  <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
    <translation>{path} konnte nicht vollständig geschrieben werden: {reason}; prüfen, ob der Datenträger voll ist.</translation>
   </message>
@@ -6366,10 +6494,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
    <translation>{path} hat eine Georeferenz, die keine Karte hat ({numbers}); geben Sie der Datei ihren Ort neu.</translation>
-  </message>
-  <message>
-   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
-   <translation>{path} hat eine Zeile mit mehr als {most} Zeichen, wie sie keine Kameratabelle hat; wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} has a line of more than {most} characters; choose another file.</source>
@@ -6584,6 +6708,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern rastern oder umrechnen.</translation>
   </message>
   <message>
+   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
+   <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern umrechnen.</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
    <translation>{path} ist größer als {most_mb} MB, was keine Tabelle und kein Protokoll ist, die hier gelesen werden.</translation>
   </message>
@@ -6626,6 +6754,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
    <translation>{path} ist keine Borddatei von SemRef; eine wählen, die SemRef exportiert hat.</translation>
+  </message>
+  <message>
+   <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
+   <translation>{path} ist kein Bericht von „Klassenkarten vergleichen“, der von Landmarken erzählt; das mit REPORT ausführen und die Seite als COMPARISON angeben.</translation>
   </message>
   <message>
    <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>

@@ -120,6 +120,10 @@
    <translation>Un hito no tiene área; vuelva a crear la base de datos.</translation>
   </message>
   <message>
+   <source>A landmark is found where the prediction has one of about its place and size. Shares are of the annotated ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed.</source>
+   <translation>Un hito está encontrado donde la predicción tiene uno de más o menos el mismo lugar y tamaño. Los porcentajes son de los anotados, contados donde caben enteros en trozos de {edge} píxeles; las casas que la red une cuentan como omitidas.</translation>
+  </message>
+  <message>
    <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
    <translation>Una capa con etiquetas como columnas o un extracto; de un extracto se toman sus áreas.</translation>
   </message>
@@ -160,8 +164,8 @@
    <translation>Una página con el IoU de cada clase, la matriz de confusión, las curvas y ejemplos lado a lado.</translation>
   </message>
   <message>
-   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
-   <translation>Una página con la matriz de confusión como imagen y las cifras de cada clase.</translation>
+   <source>A page with the confusion matrix as a picture, the figures of each class and the landmarks that were missed, invented and misnamed. Assessments take it as COMPARISON.</source>
+   <translation>Una página con la matriz de confusión como imagen, las cifras de cada clase y los hitos omitidos, inventados y mal nombrados. Las evaluaciones la aceptan como COMPARISON.</translation>
   </message>
   <message>
    <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
@@ -504,6 +508,10 @@ Todos los ajustes vienen de la base de datos. Lo que no cambió conserva su fila
    <translation>Crear base de datos de referencia</translation>
   </message>
   <message>
+   <source>Building databases and label maps by many processes or machines</source>
+   <translation>Crear bases de datos y mapas de etiquetas con muchos procesos o equipos</translation>
+  </message>
+  <message>
    <source>Building the sample’s reference database</source>
    <translation>Construyendo la base de datos de referencia del ejemplo</translation>
   </message>
@@ -828,6 +836,10 @@ El informe dice también a qué distancia de su sitio se muestran los hitos de c
    <translation>Comparación de mapas de etiquetas</translation>
   </message>
   <message>
+   <source>Comparison report</source>
+   <translation>Informe de comparación</translation>
+  </message>
+  <message>
    <source>Components</source>
    <translation>Componentes</translation>
   </message>
@@ -1064,6 +1076,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Deriva del movimiento (%)</translation>
   </message>
   <message>
+   <source>Duplicate Rings</source>
+   <translation>anillos duplicados</translation>
+  </message>
+  <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
    <translation>EXTENT no toca «{image}»; elija una parte de ella.</translation>
   </message>
@@ -1122,6 +1138,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0, que ya conoce fotos</translation>
+  </message>
+  <message>
+   <source>Else colors are taken for classes.</source>
+   <translation>Si no, los colores se toman por clases.</translation>
   </message>
   <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
@@ -1584,6 +1604,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Indique el archivo de la red como MODEL y las posiciones quedarán libres de los sesgos de abajo.</translation>
   </message>
   <message>
+   <source>Give this page as “Comparison report” to “Assess reference database”: will such labels be found?</source>
+   <translation>Dé esta página como «Informe de comparación» a «Evaluar base de datos de referencia»: ¿se encontrarán imágenes con tales clases?</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
@@ -1644,6 +1668,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>La mitad del ancho del corredor a lo largo de una ruta; indique al menos lo que muestra una imagen.</translation>
   </message>
   <message>
+   <source>Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it itself.</source>
+   <translation>Hace el trabajo con muchos procesos: local:4 inicia cuatro en este equipo, tcp://DIRECCIÓN:PUERTO usa los procesos de trabajo de un planificador de Dask, que leen los mismos archivos por las mismas rutas. Si se omite, lo hace QGIS.</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Rumbo</translation>
   </message>
@@ -1662,6 +1690,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Held by</source>
    <translation>Sostenida por</translation>
+  </message>
+  <message>
+   <source>Hole lies outside shell</source>
+   <translation>hueco fuera del contorno</translation>
+  </message>
+  <message>
+   <source>Holes are nested</source>
+   <translation>huecos anidados</translation>
   </message>
   <message>
    <source>How exactly</source>
@@ -1846,6 +1882,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
    <translation>En lugar de una anotación: un ráster de valores de clase del mismo terreno, 0 sin etiqueta.</translation>
+  </message>
+  <message>
+   <source>Interior is disconnected</source>
+   <translation>el interior está desconectado</translation>
   </message>
   <message>
    <source>IoU</source>
@@ -2244,6 +2284,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Creado</translation>
   </message>
   <message>
+   <source>Made of: {sources}</source>
+   <translation>Hecho a partir de: {sources}</translation>
+  </message>
+  <message>
+   <source>Make a reference database of polygons…</source>
+   <translation>Hacer una base de datos de referencia a partir de polígonos…</translation>
+  </message>
+  <message>
    <source>Make class table</source>
    <translation>Crear tabla de clases</translation>
   </message>
@@ -2462,6 +2510,14 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>Necesaria para mapas de teselas; si no, toda la capa.</translation>
+  </message>
+  <message>
+   <source>Neither map has a landmark of a size that counts.</source>
+   <translation>Ninguno de los mapas tiene un hito de tamaño suficiente.</translation>
+  </message>
+  <message>
+   <source>Nested shells</source>
+   <translation>contornos anidados</translation>
   </message>
   <message>
    <source>Network</source>
@@ -2828,6 +2884,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Solo se guarda el estado de un vuelo: añada --flight o quite --state.</translation>
   </message>
   <message>
+   <source>Only of a flight is motion told: add --flight, or leave --odometry out.</source>
+   <translation>El movimiento solo se indica de un vuelo: añada --flight o quite --odometry.</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>Solo hay una clase etiquetada ({name}) y el terreno sin etiqueta cuenta como desconocido: no hay nada que distinguir. Etiquete otra clase o deje que el terreno sin etiqueta sea una clase propia.</translation>
   </message>
@@ -3120,6 +3180,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>QGIS no trae estos paquetes de Python en todas partes. SemRef puede instalarlos para este QGIS en una carpeta propia; lo que QGIS tiene, sobre todo numpy, queda como está.</translation>
   </message>
   <message>
+   <source>QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.</source>
+   <translation>QGIS dibuja esta capa, los procesos de trabajo no pueden; elija un archivo ráster u omita SCHEDULER.</translation>
+  </message>
+  <message>
    <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
    <translation>QGIS encuentra primero {path}, que SemRef no instaló; sustitúyalo por {package} donde se instaló.</translation>
   </message>
@@ -3340,6 +3404,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Correcta a menos de (unidades del mapa)</translation>
   </message>
   <message>
+   <source>Ring Self-intersection</source>
+   <translation>Autointersección de un anillo</translation>
+  </message>
+  <message>
    <source>Road to the fix</source>
    <translation>Camino a la posición</translation>
   </message>
@@ -3428,6 +3496,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Escala (tabla 4 de He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Scheduler</source>
+   <translation>Planificador</translation>
+  </message>
+  <message>
    <source>Search the whole database</source>
    <translation>Buscar en toda la base de datos</translation>
   </message>
@@ -3466,6 +3538,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Seleccione un resultado para ver su coincidencia en el mapa.</translation>
+  </message>
+  <message>
+   <source>Self-intersection</source>
+   <translation>Autointersección</translation>
   </message>
   <message>
    <source>SemRef footprints</source>
@@ -3652,8 +3728,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las discrepancias más pequeñas se omiten.</translation>
   </message>
   <message>
-   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
-   <translation>Las discrepancias más pequeñas no dan polígono; en unidades del mapa cuadradas, en píxeles sin georreferencia.</translation>
+   <source>Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, pixels without georeference.</source>
+   <translation>Las discrepancias menores no dan polígono, y los hitos tan pequeños no se cuentan; unidades de mapa cuadradas, píxeles sin georreferencia.</translation>
   </message>
   <message>
    <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
@@ -3908,10 +3984,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
-   <source>The database would replace the label map {path}; choose another name.</source>
-   <translation>La base de datos reemplazaría el mapa de etiquetas {path}; elija otro nombre.</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Las desviaciones del movimiento de la imagen {first} a la imagen {second} se contradicen.</translation>
   </message>
@@ -4116,6 +4188,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mapa de etiquetas está en {crs}, la base de datos en {database_crs}; rasterice en el SRC de la base de datos o cree una nueva.</translation>
   </message>
   <message>
+   <source>The label map reduced to the most frequent class of each block.</source>
+   <translation>El mapa de etiquetas reducido a la clase más frecuente de cada bloque.</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>El mapa de etiquetas con el que se creó la base de datos de referencia.</translation>
   </message>
@@ -4146,6 +4222,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
    <translation>Las etiquetas {path} faltan o no encajan con su imagen.</translation>
+  </message>
+  <message>
+   <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
+   <translation>Los hitos de todo el mapa: centro de gravedad, clase y área de cada región de sus clases.</translation>
   </message>
   <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
@@ -4312,6 +4392,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El campo de prioridad «{priority_field}» no contiene números; elija uno que los contenga.</translation>
   </message>
   <message>
+   <source>The process that does the work ended ({reason}); start it again.</source>
+   <translation>El proceso que hace el trabajo terminó ({reason}); inícielo de nuevo.</translation>
+  </message>
+  <message>
    <source>The project has no raster layer.</source>
    <translation>El proyecto no tiene ninguna capa ráster.</translation>
   </message>
@@ -4336,8 +4420,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La referencia tiene {width} × {height} píxeles y la predicción {other_width} × {other_height}, y no ambas están georreferenciadas; compare imágenes del mismo tamaño o dos mapas georreferenciados.</translation>
   </message>
   <message>
+   <source>The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed background and shifted classes that it found count instead of the network in a word and of these numbers. Errors of map and camera stay as the numbers say.</source>
+   <translation>El informe de «Comparar mapas de etiquetas»: los hitos omitidos, inventados y mal nombrados, los bordes irregulares, el fondo mal nombrado y las clases desplazadas que encontró valen en lugar de la red en una palabra y de estos números. Los errores del mapa y de la cámara quedan como dicen los números.</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>El resultado de «Comprobar anotación» o «Comparar mapas de etiquetas»</translation>
+  </message>
+  <message>
+   <source>The result would replace {path}; choose another name.</source>
+   <translation>El resultado reemplazaría {path}; elija otro nombre.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4452,6 +4544,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las ventanas tienen un lado de {window_size:g} y un paso de {stride:g}; indique ambos en unidades de mapa, mayores que 0.</translation>
   </message>
   <message>
+   <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
+   <translation>Las ventanas que se deslizan sobre el mapa, cada una descrita por el vector topológico de sus hitos.</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>Los tamaños de las ventanas no son los de sus niveles; vuelva a crear la base de datos.</translation>
   </message>
@@ -4512,6 +4608,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ningún planificador en {address} ({reason}); inicie uno o use --local.</translation>
   </message>
   <message>
+   <source>These are photos: choose a model.</source>
+   <translation>Son fotos: elija un modelo.</translation>
+  </message>
+  <message>
    <source>These images are one flight</source>
    <translation>Estas imágenes son un vuelo</translation>
   </message>
@@ -4570,6 +4670,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>Muy pocos hitos: {landmarks:.0f} a la vista en promedio.</translation>
+  </message>
+  <message>
+   <source>Too few points in geometry component</source>
+   <translation>muy pocos puntos en una parte de la geometría</translation>
   </message>
   <message>
    <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
@@ -5096,6 +5200,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>añada el paquete python3-pip con el instalador de OSGeo4W</translation>
   </message>
   <message>
+   <source>all</source>
+   <translation>todos</translation>
+  </message>
+  <message>
    <source>all epochs done</source>
    <translation>todas las épocas hechas</translation>
   </message>
@@ -5236,10 +5344,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>error, m</translation>
   </message>
   <message>
-   <source>errors</source>
-   <translation>errores</translation>
-  </message>
-  <message>
    <source>errors of areas</source>
    <translation>errores de las superficies</translation>
   </message>
@@ -5344,6 +5448,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>imagen</translation>
   </message>
   <message>
+   <source>image of the map</source>
+   <translation>imagen del mapa</translation>
+  </message>
+  <message>
    <source>images</source>
    <translation>imágenes</translation>
   </message>
@@ -5372,16 +5480,16 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>en la elipse del 99 %</translation>
   </message>
   <message>
-   <source>information</source>
-   <translation>información</translation>
-  </message>
-  <message>
    <source>install it with “{command}”</source>
    <translation>instálelo con «{command}»</translation>
   </message>
   <message>
    <source>invalid geometry</source>
    <translation>geometría no válida</translation>
+  </message>
+  <message>
+   <source>invented</source>
+   <translation>inventados</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -5514,6 +5622,18 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>merged by pixels</source>
    <translation>unido por píxeles</translation>
+  </message>
+  <message>
+   <source>mirrored image</source>
+   <translation>imagen reflejada</translation>
+  </message>
+  <message>
+   <source>misnamed</source>
+   <translation>mal nombrados</translation>
+  </message>
+  <message>
+   <source>missed</source>
+   <translation>omitidos</translation>
   </message>
   <message>
    <source>neighbors of one class</source>
@@ -5856,14 +5976,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>con mucha fiabilidad</translation>
   </message>
   <message>
-   <source>warning</source>
-   <translation>advertencia</translation>
-  </message>
-  <message>
-   <source>warnings</source>
-   <translation>advertencias</translation>
-  </message>
-  <message>
    <source>what is expected</source>
    <translation>qué se espera</translation>
   </message>
@@ -6100,6 +6212,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{kept} de {landmarks} hitos y {windows} de {all_windows} ventanas están en la zona.</translation>
   </message>
   <message>
+   <source>{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.</source>
+   <translation>{keys} no pueden usarse junto con SCHEDULER; omítalos u omita SCHEDULER.</translation>
+  </message>
+  <message>
    <source>{key} has more than {most} characters; give a shorter name.</source>
    <translation>{key} tiene más de {most} caracteres; indique un nombre más corto.</translation>
   </message>
@@ -6122,6 +6238,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
    <translation>{key} es «{text}»: una ruta o un texto no contiene ningún carácter de valor 0; elimínelo.</translation>
+  </message>
+  <message>
+   <source>{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, such as tcp://10.0.0.5:8786.</source>
+   <translation>{key} es «{text}»; indique local: y un número de procesos, como local:4, o la dirección de un planificador, como tcp://10.0.0.5:8786.</translation>
   </message>
   <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
@@ -6166,6 +6286,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}: {features} objetos espaciales</translation>
+  </message>
+  <message>
+   <source>{left}, until {time}</source>
+   <translation>{left}, hasta las {time}</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
@@ -6332,6 +6456,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>No se puede escribir {path}: {reason}; elija otro lugar.</translation>
   </message>
   <message>
+   <source>{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or leave COMPARISON empty.</source>
+   <translation>{path} compara {count} hitos, y menos de {least} dicen poco de una red; compare un área mayor o deje COMPARISON vacío.</translation>
+  </message>
+  <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
    <translation>No se pudo escribir {path} por completo: {reason}; compruebe si el disco está lleno.</translation>
   </message>
@@ -6366,10 +6494,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
    <translation>{path} tiene una georreferencia que ningún mapa tiene ({numbers}); vuelva a georreferenciarlo.</translation>
-  </message>
-  <message>
-   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
-   <translation>{path} tiene una línea de más de {most} caracteres, que ninguna tabla de cámaras tiene; elija otro archivo.</translation>
   </message>
   <message>
    <source>{path} has a line of more than {most} characters; choose another file.</source>
@@ -6584,6 +6708,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} está en {crs}, que no mide en metros; rasterice o reproyecte a un SRC proyectado en metros.</translation>
   </message>
   <message>
+   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
+   <translation>{path} está en {crs}, que no mide en metros; reproyecte a un SRC proyectado en metros.</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
    <translation>{path} ocupa más de {most_mb} MB, lo que no ocupa ninguna tabla ni registro que aquí se lea.</translation>
   </message>
@@ -6626,6 +6754,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
    <translation>{path} no es un archivo de a bordo de SemRef; elija uno que SemRef haya exportado.</translation>
+  </message>
+  <message>
+   <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
+   <translation>{path} no es un informe de «Comparar mapas de etiquetas» que hable de hitos; ejecútelo con REPORT y dé su página como COMPARISON.</translation>
   </message>
   <message>
    <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>

@@ -120,6 +120,10 @@
    <translation>Un repère visuel n’a pas de surface ; recréez la base de données.</translation>
   </message>
   <message>
+   <source>A landmark is found where the prediction has one of about its place and size. Shares are of the annotated ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed.</source>
+   <translation>Un repère visuel est trouvé là où la prédiction en a un d’à peu près la même place et la même taille. Les parts se rapportent aux repères visuels annotés, comptés là où ils tiennent entiers dans des morceaux de {edge} pixels ; les maisons que le réseau réunit sont manquées.</translation>
+  </message>
+  <message>
    <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
    <translation>Une couche dont les colonnes sont des attributs, ou un extrait ; d’un extrait on prend les surfaces.</translation>
   </message>
@@ -160,8 +164,8 @@
    <translation>Une page avec l’IoU de chaque classe, la matrice de confusion, les courbes et des exemples côte à côte.</translation>
   </message>
   <message>
-   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
-   <translation>Une page avec la matrice de confusion en image et les chiffres de chaque classe.</translation>
+   <source>A page with the confusion matrix as a picture, the figures of each class and the landmarks that were missed, invented and misnamed. Assessments take it as COMPARISON.</source>
+   <translation>Une page avec la matrice de confusion en image, les chiffres de chaque classe et les repères visuels manqués, inventés et mal nommés. Les évaluations la prennent comme COMPARISON.</translation>
   </message>
   <message>
    <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
@@ -504,6 +508,10 @@ Tous les réglages viennent de la base de données. Ce qui n’a pas changé gar
    <translation>Créer une base de données de référence</translation>
   </message>
   <message>
+   <source>Building databases and label maps by many processes or machines</source>
+   <translation>Créer bases de données et cartes d’étiquettes avec de nombreux processus ou machines</translation>
+  </message>
+  <message>
    <source>Building the sample’s reference database</source>
    <translation>Création de la base de données de référence de l’exemple</translation>
   </message>
@@ -828,6 +836,10 @@ Le rapport dit aussi de combien les repères visuels de chaque classe sont montr
    <translation>Comparaison de cartes d’étiquettes</translation>
   </message>
   <message>
+   <source>Comparison report</source>
+   <translation>Rapport de comparaison</translation>
+  </message>
+  <message>
    <source>Components</source>
    <translation>Composants</translation>
   </message>
@@ -1064,6 +1076,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Dérive du mouvement (%)</translation>
   </message>
   <message>
+   <source>Duplicate Rings</source>
+   <translation>anneaux en double</translation>
+  </message>
+  <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
    <translation>EXTENT ne touche pas « {image} » ; choisissez-en une partie.</translation>
   </message>
@@ -1122,6 +1138,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0, qui connaît déjà des photos</translation>
+  </message>
+  <message>
+   <source>Else colors are taken for classes.</source>
+   <translation>Sinon, les couleurs sont prises pour des classes.</translation>
   </message>
   <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
@@ -1584,6 +1604,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Donnez le fichier du réseau comme MODEL, et les positions seront corrigées des biais ci-dessous.</translation>
   </message>
   <message>
+   <source>Give this page as “Comparison report” to “Assess reference database”: will such labels be found?</source>
+   <translation>Donnez cette page comme « Rapport de comparaison » à « Évaluer une base de données de référence » : de telles images seront-elles trouvées ?</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
@@ -1644,6 +1668,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>La moitié de la largeur du couloir le long d’un itinéraire ; donnez au moins ce que montre une image.</translation>
   </message>
   <message>
+   <source>Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it itself.</source>
+   <translation>Fait faire le travail par de nombreux processus : local:4 en démarre quatre sur cette machine, tcp://ADRESSE:PORT utilise les processus de travail d’un ordonnanceur Dask, qui lisent les mêmes fichiers par les mêmes chemins. Sans indication, QGIS le fait lui-même.</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>Cap</translation>
   </message>
@@ -1662,6 +1690,14 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Held by</source>
    <translation>Tenue par</translation>
+  </message>
+  <message>
+   <source>Hole lies outside shell</source>
+   <translation>trou à l’extérieur du contour</translation>
+  </message>
+  <message>
+   <source>Holes are nested</source>
+   <translation>trous imbriqués</translation>
   </message>
   <message>
    <source>How exactly</source>
@@ -1846,6 +1882,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
    <translation>Au lieu d’une annotation : un raster de valeurs de classe du même terrain, 0 sans étiquette.</translation>
+  </message>
+  <message>
+   <source>Interior is disconnected</source>
+   <translation>l’intérieur est morcelé</translation>
   </message>
   <message>
    <source>IoU</source>
@@ -2244,6 +2284,14 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Créé</translation>
   </message>
   <message>
+   <source>Made of: {sources}</source>
+   <translation>Fait à partir de : {sources}</translation>
+  </message>
+  <message>
+   <source>Make a reference database of polygons…</source>
+   <translation>Faire une base de données de référence à partir de polygones…</translation>
+  </message>
+  <message>
    <source>Make class table</source>
    <translation>Créer une table de classes</translation>
   </message>
@@ -2462,6 +2510,14 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>Nécessaire pour les cartes tuilées, sinon toute la couche.</translation>
+  </message>
+  <message>
+   <source>Neither map has a landmark of a size that counts.</source>
+   <translation>Aucune des cartes n’a de repère visuel d’une taille qui compte.</translation>
+  </message>
+  <message>
+   <source>Nested shells</source>
+   <translation>contours imbriqués</translation>
   </message>
   <message>
    <source>Network</source>
@@ -2828,6 +2884,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Seul l’état d’un vol est conservé : ajoutez --flight ou enlevez --state.</translation>
   </message>
   <message>
+   <source>Only of a flight is motion told: add --flight, or leave --odometry out.</source>
+   <translation>Le mouvement ne s’indique que pour un vol : ajoutez --flight ou retirez --odometry.</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>Une seule classe ({name}) est étiquetée et le terrain sans étiquette compte comme inconnu : il n’y a rien à distinguer. Étiquetez une autre classe, ou laissez le terrain sans étiquette être une classe à part.</translation>
   </message>
@@ -3120,6 +3180,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>QGIS ne fournit pas ces paquets Python partout. SemRef peut les installer pour ce QGIS dans un dossier à lui ; ce que QGIS possède, numpy surtout, reste tel quel.</translation>
   </message>
   <message>
+   <source>QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.</source>
+   <translation>QGIS dessine cette couche, les processus de travail ne le peuvent pas ; choisissez un fichier raster, ou omettez SCHEDULER.</translation>
+  </message>
+  <message>
    <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
    <translation>QGIS trouve d’abord {path}, que SemRef n’a pas installé ; remplacez-le par {package} là d’où il vient.</translation>
   </message>
@@ -3340,6 +3404,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Correct à moins de (unités de carte)</translation>
   </message>
   <message>
+   <source>Ring Self-intersection</source>
+   <translation>Auto-intersection d’un anneau</translation>
+  </message>
+  <message>
    <source>Road to the fix</source>
    <translation>Voie vers la position</translation>
   </message>
@@ -3428,6 +3496,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Échelle (tableau 4 de He &amp; Wu 2025)</translation>
   </message>
   <message>
+   <source>Scheduler</source>
+   <translation>Ordonnanceur</translation>
+  </message>
+  <message>
    <source>Search the whole database</source>
    <translation>Chercher dans toute la base de données</translation>
   </message>
@@ -3466,6 +3538,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
   <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>Sélectionnez un résultat pour voir sa correspondance sur la carte.</translation>
+  </message>
+  <message>
+   <source>Self-intersection</source>
+   <translation>Auto-intersection</translation>
   </message>
   <message>
    <source>SemRef footprints</source>
@@ -3652,8 +3728,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les divergences plus petites sont omises.</translation>
   </message>
   <message>
-   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
-   <translation>Les divergences plus petites ne donnent pas de polygone ; en unités de carte carrées, en pixels sans géoréférence.</translation>
+   <source>Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, pixels without georeference.</source>
+   <translation>Les désaccords plus petits ne donnent pas de polygone et les repères visuels aussi petits ne sont pas comptés ; unités de carte carrées, pixels sans géoréférence.</translation>
   </message>
   <message>
    <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
@@ -3908,10 +3984,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
-   <source>The database would replace the label map {path}; choose another name.</source>
-   <translation>La base de données remplacerait la carte d’étiquettes {path} ; choisissez un autre nom.</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Les écarts du mouvement de l’image {first} à l’image {second} se contredisent.</translation>
   </message>
@@ -4116,6 +4188,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La carte d’étiquettes est en {crs}, la base de données en {database_crs} ; rastérisez dans le SCR de la base ou créez une nouvelle base.</translation>
   </message>
   <message>
+   <source>The label map reduced to the most frequent class of each block.</source>
+   <translation>La carte d’étiquettes réduite à la classe la plus fréquente de chaque bloc.</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>La carte d’étiquettes à partir de laquelle la base de données de référence a été créée.</translation>
   </message>
@@ -4146,6 +4222,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
    <translation>Les étiquettes {path} manquent ou ne correspondent pas à leur image.</translation>
+  </message>
+  <message>
+   <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
+   <translation>Les repères visuels de toute la carte : centre de gravité, classe et surface de chaque région de leurs classes.</translation>
   </message>
   <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
@@ -4312,6 +4392,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le champ de priorité « {priority_field} » ne contient pas de nombres ; choisissez-en un qui en contient.</translation>
   </message>
   <message>
+   <source>The process that does the work ended ({reason}); start it again.</source>
+   <translation>Le processus qui fait le travail s’est terminé ({reason}) ; relancez-le.</translation>
+  </message>
+  <message>
    <source>The project has no raster layer.</source>
    <translation>Le projet n’a pas de couche raster.</translation>
   </message>
@@ -4336,8 +4420,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La référence a {width} × {height} pixels et la prédiction {other_width} × {other_height}, et les deux ne sont pas géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
   </message>
   <message>
+   <source>The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed background and shifted classes that it found count instead of the network in a word and of these numbers. Errors of map and camera stay as the numbers say.</source>
+   <translation>Le rapport de « Comparer des cartes d’étiquettes » : les repères visuels manqués, inventés et mal nommés, les bords irréguliers, le fond mal nommé et les classes décalées qu’il a trouvés comptent au lieu du réseau en un mot et de ces nombres. Les erreurs de la carte et de la caméra restent telles que les nombres le disent.</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>Le résultat de « Vérifier l’annotation » ou de « Comparer des cartes d’étiquettes »</translation>
+  </message>
+  <message>
+   <source>The result would replace {path}; choose another name.</source>
+   <translation>Le résultat remplacerait {path} ; choisissez un autre nom.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4452,6 +4544,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les fenêtres ont un côté de {window_size:g} et un pas de {stride:g} ; indiquez les deux en unités de carte, supérieurs à 0.</translation>
   </message>
   <message>
+   <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
+   <translation>Les fenêtres qui glissent sur la carte, chacune décrite par le vecteur topologique de ses repères visuels.</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>Les tailles des fenêtres ne sont pas celles de leurs niveaux ; recréez la base de données.</translation>
   </message>
@@ -4512,6 +4608,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Aucun ordonnanceur à {address} ({reason}) ; démarrez-en un, ou utilisez --local.</translation>
   </message>
   <message>
+   <source>These are photos: choose a model.</source>
+   <translation>Ce sont des photos : choisissez un modèle.</translation>
+  </message>
+  <message>
    <source>These images are one flight</source>
    <translation>Ces images sont un seul vol</translation>
   </message>
@@ -4570,6 +4670,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>Trop peu de repères visuels : {landmarks:.0f} en vue en moyenne.</translation>
+  </message>
+  <message>
+   <source>Too few points in geometry component</source>
+   <translation>trop peu de points dans une partie de la géométrie</translation>
   </message>
   <message>
    <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
@@ -5096,6 +5200,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>ajoutez le paquet python3-pip avec l’installateur d’OSGeo4W</translation>
   </message>
   <message>
+   <source>all</source>
+   <translation>tous</translation>
+  </message>
+  <message>
    <source>all epochs done</source>
    <translation>toutes les époques faites</translation>
   </message>
@@ -5236,10 +5344,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>erreur, m</translation>
   </message>
   <message>
-   <source>errors</source>
-   <translation>erreurs</translation>
-  </message>
-  <message>
    <source>errors of areas</source>
    <translation>erreurs des surfaces</translation>
   </message>
@@ -5344,6 +5448,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>image</translation>
   </message>
   <message>
+   <source>image of the map</source>
+   <translation>image de la carte</translation>
+  </message>
+  <message>
    <source>images</source>
    <translation>images</translation>
   </message>
@@ -5372,16 +5480,16 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>dans l’ellipse à 99 %</translation>
   </message>
   <message>
-   <source>information</source>
-   <translation>informations</translation>
-  </message>
-  <message>
    <source>install it with “{command}”</source>
    <translation>installez-le avec « {command} »</translation>
   </message>
   <message>
    <source>invalid geometry</source>
    <translation>géométrie invalide</translation>
+  </message>
+  <message>
+   <source>invented</source>
+   <translation>inventés</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -5514,6 +5622,18 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>merged by pixels</source>
    <translation>réuni par les pixels</translation>
+  </message>
+  <message>
+   <source>mirrored image</source>
+   <translation>image en miroir</translation>
+  </message>
+  <message>
+   <source>misnamed</source>
+   <translation>mal nommés</translation>
+  </message>
+  <message>
+   <source>missed</source>
+   <translation>manqués</translation>
   </message>
   <message>
    <source>neighbors of one class</source>
@@ -5856,14 +5976,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>de façon très fiable</translation>
   </message>
   <message>
-   <source>warning</source>
-   <translation>avertissement</translation>
-  </message>
-  <message>
-   <source>warnings</source>
-   <translation>avertissements</translation>
-  </message>
-  <message>
    <source>what is expected</source>
    <translation>ce qui est attendu</translation>
   </message>
@@ -6100,6 +6212,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{kept} repères visuels sur {landmarks} et {windows} fenêtres sur {all_windows} se trouvent dans la zone.</translation>
   </message>
   <message>
+   <source>{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.</source>
+   <translation>{keys} ne peuvent pas être utilisés avec SCHEDULER ; omettez-les ou omettez SCHEDULER.</translation>
+  </message>
+  <message>
    <source>{key} has more than {most} characters; give a shorter name.</source>
    <translation>{key} a plus de {most} caractères ; donnez un nom plus court.</translation>
   </message>
@@ -6122,6 +6238,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
    <translation>{key} vaut « {text} » : un chemin ou un texte ne contient pas de caractère de valeur 0 ; supprimez-le.</translation>
+  </message>
+  <message>
+   <source>{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, such as tcp://10.0.0.5:8786.</source>
+   <translation>{key} vaut « {text} » ; indiquez local: et un nombre de processus, comme local:4, ou l’adresse d’un ordonnanceur, comme tcp://10.0.0.5:8786.</translation>
   </message>
   <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
@@ -6166,6 +6286,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer} : {features} entités</translation>
+  </message>
+  <message>
+   <source>{left}, until {time}</source>
+   <translation>{left}, jusqu’à {time}</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
@@ -6332,6 +6456,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} ne peut pas être écrit : {reason} ; choisissez un autre emplacement.</translation>
   </message>
   <message>
+   <source>{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or leave COMPARISON empty.</source>
+   <translation>{path} compare {count} repères visuels, et moins de {least} disent peu d’un réseau ; comparez une zone plus grande ou laissez COMPARISON vide.</translation>
+  </message>
+  <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
    <translation>{path} n’a pas pu être écrit en entier : {reason} ; vérifiez si le disque est plein.</translation>
   </message>
@@ -6366,10 +6494,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
    <translation>{path} a un géoréférencement qu’aucune carte n’a ({numbers}) ; géoréférencez-le à nouveau.</translation>
-  </message>
-  <message>
-   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
-   <translation>{path} a une ligne de plus de {most} caractères, ce qu’aucune table de caméras n’a ; choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} has a line of more than {most} characters; choose another file.</source>
@@ -6584,6 +6708,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est en {crs}, qui ne mesure pas en mètres ; rastérisez ou reprojetez dans un SCR projeté en mètres.</translation>
   </message>
   <message>
+   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
+   <translation>{path} est en {crs}, qui ne mesure pas en mètres ; reprojetez dans un SCR projeté en mètres.</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
    <translation>{path} dépasse {most_mb} Mo, ce que ne fait aucun tableau ou journal lu ici.</translation>
   </message>
@@ -6626,6 +6754,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
    <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un que SemRef a exporté.</translation>
+  </message>
+  <message>
+   <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
+   <translation>{path} n’est pas un rapport de « Comparer des cartes d’étiquettes » qui parle de repères visuels ; exécutez-le avec REPORT et donnez sa page comme COMPARISON.</translation>
   </message>
   <message>
    <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>

@@ -120,6 +120,10 @@
    <translation>有一个地标没有面积；请重新构建数据库。</translation>
   </message>
   <message>
+   <source>A landmark is found where the prediction has one of about its place and size. Shares are of the annotated ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed.</source>
+   <translation>预测结果中若有位置和大小大致相同的地标，即视为找到。比例以标注的地标为准，只计入完整落在 {edge} 像素图块内的地标；被网络连成一片的房屋视为漏检。</translation>
+  </message>
+  <message>
    <source>A layer with tags as columns, or an extract; of an extract its areas are taken.</source>
    <translation>以标签为列的图层，或提取文件；提取文件中取其面要素。</translation>
   </message>
@@ -160,8 +164,8 @@
    <translation>包含各类别 IoU、混淆矩阵、曲线和并排示例的页面。</translation>
   </message>
   <message>
-   <source>A page with the confusion matrix as a picture and the figures of each class.</source>
-   <translation>包含混淆矩阵图和各类别数值的页面。</translation>
+   <source>A page with the confusion matrix as a picture, the figures of each class and the landmarks that were missed, invented and misnamed. Assessments take it as COMPARISON.</source>
+   <translation>包含混淆矩阵图、各类别数值以及漏检、虚增和类别错误的地标的页面。各评估算法可将其作为 COMPARISON。</translation>
   </message>
   <message>
    <source>A place is a fix when the probability that it is wrong is at most this: 0.0001 is once in 10,000 fixes. A smaller risk gives fewer fixes. The topology vector, as published, knows no such probability.</source>
@@ -504,6 +508,10 @@ All settings come from the database. What did not change keeps its row and its f
    <translation>构建参考数据库</translation>
   </message>
   <message>
+   <source>Building databases and label maps by many processes or machines</source>
+   <translation>用多个进程或多台机器生成数据库和标签图</translation>
+  </message>
+  <message>
    <source>Building the sample’s reference database</source>
    <translation>正在构建示例的参考数据库</translation>
   </message>
@@ -828,6 +836,10 @@ The report also tells how far from where they are the landmarks of each class ar
    <translation>标签图比较</translation>
   </message>
   <message>
+   <source>Comparison report</source>
+   <translation>比较报告</translation>
+  </message>
+  <message>
    <source>Components</source>
    <translation>组件</translation>
   </message>
@@ -1064,6 +1076,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>运动漂移(%)</translation>
   </message>
   <message>
+   <source>Duplicate Rings</source>
+   <translation>重复的环</translation>
+  </message>
+  <message>
    <source>EXTENT does not touch “{image}”; choose a part of it.</source>
    <translation>EXTENT 与“{image}”没有交集；请选择其中的一部分。</translation>
   </message>
@@ -1122,6 +1138,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>EfficientNet-Lite0, which knows photos</source>
    <translation>EfficientNet-Lite0（已见过照片）</translation>
+  </message>
+  <message>
+   <source>Else colors are taken for classes.</source>
+   <translation>否则颜色会被当作类别。</translation>
   </message>
   <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
@@ -1584,6 +1604,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>将网络文件作为 MODEL 给出，位置即可消除下列偏差。</translation>
   </message>
   <message>
+   <source>Give this page as “Comparison report” to “Assess reference database”: will such labels be found?</source>
+   <translation>将此页面作为“比较报告”交给“评价参考数据库”：这样的标签能否被定位？</translation>
+  </message>
+  <message>
    <source>Gives images their place on the ground, as “Localize images” found it: as GeoTIFFs, with world files, or with control points for the Georeferencer.
 
 Images without a fix are left out, and so are fixes of the topology vector, which have no heading. The images themselves stay as they are.</source>
@@ -1644,6 +1668,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>航线走廊宽度的一半；至少取一幅影像所覆盖的范围。</translation>
   </message>
   <message>
+   <source>Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it itself.</source>
+   <translation>由多个进程完成工作：local:4 在本机启动四个，tcp://地址:端口 使用 Dask 调度器的工作进程，它们以相同路径读取相同文件。若不填写，则由 QGIS 自行完成。</translation>
+  </message>
+  <message>
    <source>Heading</source>
    <translation>航向</translation>
   </message>
@@ -1662,6 +1690,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Held by</source>
    <translation>依据</translation>
+  </message>
+  <message>
+   <source>Hole lies outside shell</source>
+   <translation>孔洞位于外环之外</translation>
+  </message>
+  <message>
+   <source>Holes are nested</source>
+   <translation>孔洞相互嵌套</translation>
   </message>
   <message>
    <source>How exactly</source>
@@ -1846,6 +1882,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Instead of an annotation: a raster of class values of the same ground, 0 without a label.</source>
    <translation>代替标注：同一地面的类别值栅格，0 表示没有标签。</translation>
+  </message>
+  <message>
+   <source>Interior is disconnected</source>
+   <translation>内部不连通</translation>
   </message>
   <message>
    <source>IoU</source>
@@ -2244,6 +2284,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>制作</translation>
   </message>
   <message>
+   <source>Made of: {sources}</source>
+   <translation>来源：{sources}</translation>
+  </message>
+  <message>
+   <source>Make a reference database of polygons…</source>
+   <translation>由多边形制作参考数据库…</translation>
+  </message>
+  <message>
    <source>Make class table</source>
    <translation>生成类别表</translation>
   </message>
@@ -2462,6 +2510,14 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Needed for maps of tiles, else all of the layer.</source>
    <translation>瓦片地图必须给出，否则取整个图层。</translation>
+  </message>
+  <message>
+   <source>Neither map has a landmark of a size that counts.</source>
+   <translation>两幅图中均无足够大的地标。</translation>
+  </message>
+  <message>
+   <source>Nested shells</source>
+   <translation>外环相互嵌套</translation>
   </message>
   <message>
    <source>Network</source>
@@ -2828,6 +2884,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>只有航次才保存状态：请加上 --flight，或去掉 --state。</translation>
   </message>
   <message>
+   <source>Only of a flight is motion told: add --flight, or leave --odometry out.</source>
+   <translation>只有航线飞行才提供运动数据：请添加 --flight，或去掉 --odometry。</translation>
+  </message>
+  <message>
    <source>Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to tell apart. Label another class, or let ground without a label be a class of its own.</source>
    <translation>只标注了一个类别（{name}），而没有标签的地面视为未知：没有可区分的内容。请标注另一个类别，或让没有标签的地面自成一类。</translation>
   </message>
@@ -3120,6 +3180,10 @@ Layers are drawn as they are styled in the project.</source>
    <translation>QGIS 并非在所有系统上都自带这些 Python 软件包。SemRef 可以为当前 QGIS 把它们安装到自己的文件夹中；QGIS 已有的软件包，尤其是 numpy，保持不变。</translation>
   </message>
   <message>
+   <source>QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.</source>
+   <translation>此图层由 QGIS 绘制，工作进程无法绘制；请选择栅格文件，或不填 SCHEDULER。</translation>
+  </message>
+  <message>
    <source>QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.</source>
    <translation>QGIS 首先找到 {path}，它不是 SemRef 安装的；请在其来源处将它替换为 {package}。</translation>
   </message>
@@ -3340,6 +3404,10 @@ Layers are drawn as they are styled in the project.</source>
    <translation>计为正确的最大误差（地图单位）</translation>
   </message>
   <message>
+   <source>Ring Self-intersection</source>
+   <translation>环自相交</translation>
+  </message>
+  <message>
    <source>Road to the fix</source>
    <translation>定位途径</translation>
   </message>
@@ -3428,6 +3496,10 @@ Layers are drawn as they are styled in the project.</source>
    <translation>比例（He &amp; Wu 2025 表 4）</translation>
   </message>
   <message>
+   <source>Scheduler</source>
+   <translation>调度器</translation>
+  </message>
+  <message>
    <source>Search the whole database</source>
    <translation>搜索整个数据库</translation>
   </message>
@@ -3466,6 +3538,10 @@ Layers are drawn as they are styled in the project.</source>
   <message>
    <source>Select a result to see its hit on the map.</source>
    <translation>选择一个结果，即可在地图上查看其命中位置。</translation>
+  </message>
+  <message>
+   <source>Self-intersection</source>
+   <translation>自相交</translation>
   </message>
   <message>
    <source>SemRef footprints</source>
@@ -3652,8 +3728,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>忽略更小的不一致之处。</translation>
   </message>
   <message>
-   <source>Smaller disagreements give no polygon; square map units, pixels without georeference.</source>
-   <translation>更小的不一致之处不生成多边形；单位为平方地图单位，没有地理参照时为像元。</translation>
+   <source>Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, pixels without georeference.</source>
+   <translation>更小的不一致处不生成多边形，同样小的地标也不计入；单位为平方地图单位，无地理参考时为像素。</translation>
   </message>
   <message>
    <source>Smaller landmarks are reported: “Build reference database” leaves them out.</source>
@@ -3908,10 +3984,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
   <message>
-   <source>The database would replace the label map {path}; choose another name.</source>
-   <translation>数据库会替换标签图 {path}；请选择其他名称。</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>从图像 {first} 到图像 {second} 的运动偏差相互矛盾。</translation>
   </message>
@@ -4116,6 +4188,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>标签图使用 {crs}，数据库使用 {database_crs}；请栅格化到数据库的坐标参照系，或构建新的数据库。</translation>
   </message>
   <message>
+   <source>The label map reduced to the most frequent class of each block.</source>
+   <translation>按每个块中最常见的类别缩小的标签图。</translation>
+  </message>
+  <message>
    <source>The label map that the reference database was built from.</source>
    <translation>构建参考数据库所用的标签图。</translation>
   </message>
@@ -4146,6 +4222,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
    <translation>标签 {path} 缺失或与其影像不符。</translation>
+  </message>
+  <message>
+   <source>The landmarks of the whole map: center of gravity, class and area of each region of their classes.</source>
+   <translation>整幅地图的地标：其类别中每个区域的重心、类别和面积。</translation>
   </message>
   <message>
    <source>The landscape can’t be rasterized: {reason}.</source>
@@ -4312,6 +4392,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>优先级字段“{priority_field}”不是数字；请选择数字字段。</translation>
   </message>
   <message>
+   <source>The process that does the work ended ({reason}); start it again.</source>
+   <translation>执行工作的进程已结束（{reason}）；请重新启动。</translation>
+  </message>
+  <message>
    <source>The project has no raster layer.</source>
    <translation>项目中没有栅格图层。</translation>
   </message>
@@ -4336,8 +4420,16 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>参考标签图有 {width} × {height} 像元，预测标签图有 {other_width} × {other_height} 像元，且并非两者都有地理参照；请比较大小相同的影像或两幅有地理参照的地图。</translation>
   </message>
   <message>
+   <source>The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed background and shifted classes that it found count instead of the network in a word and of these numbers. Errors of map and camera stay as the numbers say.</source>
+   <translation>“比较标签图”的报告：其中测得的漏检、虚增和类别错误的地标、边缘毛糙、背景类别错误和类别偏移，将取代网络的文字等级及这些数值。地图和相机的误差仍以数值为准。</translation>
+  </message>
+  <message>
    <source>The result of “Check annotation” or “Compare label maps”</source>
    <translation>“检查标注”或“比较标签图”的结果</translation>
+  </message>
+  <message>
+   <source>The result would replace {path}; choose another name.</source>
+   <translation>结果会覆盖 {path}；请另选名称。</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4452,6 +4544,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>窗口边长为 {window_size:g}，步长为 {stride:g}；请以地图单位给出两者，且大于 0。</translation>
   </message>
   <message>
+   <source>The windows that slide over the map, each described by the topology vector of its landmarks.</source>
+   <translation>在地图上滑动的窗口，每个窗口由其地标的拓扑向量描述。</translation>
+  </message>
+  <message>
    <source>The windows' sizes are not those of their levels; build the database again.</source>
    <translation>窗口大小与其级别不符；请重新构建数据库。</translation>
   </message>
@@ -4512,6 +4608,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>{address} 处没有调度器（{reason}）；请启动一个，或使用 --local。</translation>
   </message>
   <message>
+   <source>These are photos: choose a model.</source>
+   <translation>这些是照片：请选择模型。</translation>
+  </message>
+  <message>
    <source>These images are one flight</source>
    <translation>这些影像属于同一次飞行</translation>
   </message>
@@ -4570,6 +4670,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Too few landmarks: {landmarks:.0f} in view on average.</source>
    <translation>地标太少：视野内平均 {landmarks:.0f} 个。</translation>
+  </message>
+  <message>
+   <source>Too few points in geometry component</source>
+   <translation>几何组成部分的点太少</translation>
   </message>
   <message>
    <source>Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.</source>
@@ -5096,6 +5200,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>请用 OSGeo4W 安装程序添加软件包 python3-pip</translation>
   </message>
   <message>
+   <source>all</source>
+   <translation>全部</translation>
+  </message>
+  <message>
    <source>all epochs done</source>
    <translation>已完成所有轮次</translation>
   </message>
@@ -5236,10 +5344,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>误差，m</translation>
   </message>
   <message>
-   <source>errors</source>
-   <translation>错误</translation>
-  </message>
-  <message>
    <source>errors of areas</source>
    <translation>面积误差</translation>
   </message>
@@ -5344,6 +5448,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>影像</translation>
   </message>
   <message>
+   <source>image of the map</source>
+   <translation>地图的影像</translation>
+  </message>
+  <message>
    <source>images</source>
    <translation>影像数</translation>
   </message>
@@ -5372,16 +5480,16 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>在 99 % 椭圆内</translation>
   </message>
   <message>
-   <source>information</source>
-   <translation>信息</translation>
-  </message>
-  <message>
    <source>install it with “{command}”</source>
    <translation>请用“{command}”安装</translation>
   </message>
   <message>
    <source>invalid geometry</source>
    <translation>无效几何</translation>
+  </message>
+  <message>
+   <source>invented</source>
+   <translation>虚增</translation>
   </message>
   <message>
    <source>is something else</source>
@@ -5514,6 +5622,18 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>merged by pixels</source>
    <translation>像素化后合并</translation>
+  </message>
+  <message>
+   <source>mirrored image</source>
+   <translation>镜像影像</translation>
+  </message>
+  <message>
+   <source>misnamed</source>
+   <translation>类别错误</translation>
+  </message>
+  <message>
+   <source>missed</source>
+   <translation>漏检</translation>
   </message>
   <message>
    <source>neighbors of one class</source>
@@ -5856,14 +5976,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>非常可靠</translation>
   </message>
   <message>
-   <source>warning</source>
-   <translation>警告</translation>
-  </message>
-  <message>
-   <source>warnings</source>
-   <translation>警告</translation>
-  </message>
-  <message>
    <source>what is expected</source>
    <translation>预期情况</translation>
   </message>
@@ -6100,6 +6212,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{landmarks} 个地标中的 {kept} 个、{all_windows} 个窗口中的 {windows} 个位于该区域内。</translation>
   </message>
   <message>
+   <source>{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.</source>
+   <translation>{keys} 不能与 SCHEDULER 同时使用；请去掉它们或 SCHEDULER。</translation>
+  </message>
+  <message>
    <source>{key} has more than {most} characters; give a shorter name.</source>
    <translation>{key} 超过 {most} 个字符；请给一个较短的名称。</translation>
   </message>
@@ -6122,6 +6238,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{key} is “{text}”: a path or text has no character of value 0; remove it.</source>
    <translation>{key} 为“{text}”：路径或文本中不能有值为 0 的字符；请将其删除。</translation>
+  </message>
+  <message>
+   <source>{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, such as tcp://10.0.0.5:8786.</source>
+   <translation>{key} 为“{text}”；请填写 local: 加进程数（如 local:4），或调度器地址（如 tcp://10.0.0.5:8786）。</translation>
   </message>
   <message>
    <source>{key}: the area of feature {feature} can't be brought to the label map's CRS; check the layer's CRS.</source>
@@ -6166,6 +6286,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{layer}: {features} features</source>
    <translation>{layer}：{features} 个要素</translation>
+  </message>
+  <message>
+   <source>{left}, until {time}</source>
+   <translation>{left}，到 {time}</translation>
   </message>
   <message>
    <source>{method}: right {right}, wrong {wrong}, false accepts {accepts}, median error {error}</source>
@@ -6332,6 +6456,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>无法写入 {path}：{reason}；请选择其他位置。</translation>
   </message>
   <message>
+   <source>{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or leave COMPARISON empty.</source>
+   <translation>{path} 比较了 {count} 个地标，少于 {least} 个难以说明网络的好坏；请比较更大的区域，或将 COMPARISON 留空。</translation>
+  </message>
+  <message>
    <source>{path} could not be written whole: {reason}; see whether the disk is full.</source>
    <translation>{path} 未能完整写入：{reason}；请检查磁盘是否已满。</translation>
   </message>
@@ -6366,10 +6494,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.</source>
    <translation>{path} 的地理参考不可能属于任何地图（{numbers}）；请重新为其设定地理参考。</translation>
-  </message>
-  <message>
-   <source>{path} has a line of more than {most} characters, which no table of cameras has; choose another file.</source>
-   <translation>{path} 有一行超过 {most} 个字符，相机表不会如此；请选择其他文件。</translation>
   </message>
   <message>
    <source>{path} has a line of more than {most} characters; choose another file.</source>
@@ -6584,6 +6708,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 使用 {crs}，不以米为单位；请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
   </message>
   <message>
+   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
+   <translation>{path} 采用 {crs}，其单位不是米；请变换到以米为单位的投影坐标系。</translation>
+  </message>
+  <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
    <translation>{path} 大于 {most_mb} MB，此处读取的表格或日志不会这么大。</translation>
   </message>
@@ -6626,6 +6754,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
    <translation>{path} 不是 SemRef 的机载文件；请选择由 SemRef 导出的文件。</translation>
+  </message>
+  <message>
+   <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
+   <translation>{path} 不是“比较标签图”给出的含地标信息的报告；请带 REPORT 运行该算法，并将其页面作为 COMPARISON。</translation>
   </message>
   <message>
    <source>{path} is no state of a flight that this SemRef wrote, or is damaged.</source>

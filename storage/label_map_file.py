@@ -52,6 +52,8 @@ class LabelMapFile(WrittenRaster):
         self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
         if class_bias:
             self._dataset.SetMetadataItem(CLASS_BIAS_ITEM, class_bias)
+        # Palettes of TIFF know no transparency: without it what is unlabeled would be black.
+        self._dataset.GetRasterBand(1).SetNoDataValue(0)
         set_class_colors(self._dataset.GetRasterBand(1), table)
         set_attribute_table(self._dataset.GetRasterBand(1), table)
 

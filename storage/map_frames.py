@@ -12,6 +12,7 @@ from ..core.geometry.frame import MapFrame
 from .rasters import GdalLabels
 
 _WGS84 = 4326
+_POINTS_AT_ONCE = 50_000
 
 
 def require_map_grid(transform: Sequence[float] | None, path: str) -> None:
@@ -53,7 +54,9 @@ def longitudes_latitudes(points_xy: np.ndarray, crs_wkt: str) -> tuple[np.ndarra
         for srs in (source, target):
             srs.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
         transform = osr.CoordinateTransformation(source, target)
-        found = np.array(transform.TransformPoints(np.asarray(points_xy, np.float64).tolist())).reshape(-1, 3)
+        # By parts: a point is some 200 B in Python's lists.
+        parts = np.array_split(np.asarray(points_xy, np.float64), len(points_xy) // _POINTS_AT_ONCE + 1)
+        found = np.concatenate([np.array(transform.TransformPoints(part.tolist())).reshape(-1, 3) for part in parts])
     except RuntimeError:
         return nowhere, nowhere.copy()
     finally:

@@ -30,9 +30,6 @@ SENTENCES = {
     "storage.bad_georeference": (
         "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew."
     ),
-    "storage.camera_line_too_long": (
-        "{path} has a line of more than {most} characters, which no table of cameras has; choose another file."
-    ),
     "storage.database_in_use": "{path} is being written by another program; try again.",
     "storage.database_unfinished": (
         "{path} was left half written by another program and can't be mended where it lies; copy it with the file "
@@ -80,18 +77,6 @@ SENTENCES = {
         "{path} has {bands} bands; a label map has one: decode its colors to class values first."
     ),
     "storage.no_palette": "{path} has {bands} band(s) and no palette; a color image has three bands.",
-    "storage.cameras_of_other_images": (
-        "{path} names none of the images, for example {image}; its column image holds their file names."
-    ),
-    "storage.no_camera_table": (
-        "{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}."
-    ),
-    "storage.times_mixed": "{path} has times in seconds and times with dates; use one of them throughout.",
-    "storage.roll_without_pitch": "{place}: roll or pitch is empty; give both, or neither.",
-    "storage.lens_twice": "{place}: {kinds} say the same thing twice; give one of them.",
-    "storage.lens_impossible": "{place}: {kind} is {value:g}, which no camera has.",
-    "storage.not_a_number": "{place}: {name} is “{text}”, which is not a number.",
-    "storage.no_time": ("{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250."),
     "storage.no_folder": "The folder {folder} does not exist; create it or choose another place for {name}.",
     "storage.is_folder": "{path} is a folder; give a file name.",
     "storage.is_file": "{path} is a file; choose a folder.",
@@ -111,8 +96,6 @@ SENTENCES = {
     ),
     "storage.layer_not_created": "The layer {layer} can’t be created: {reason}.",
     "storage.not_rasterized": "The landscape can’t be rasterized: {reason}.",
-    "storage.image_named_twice": "{place}: the image {image} is named a second time; give each image one line.",
-    "storage.no_image_named": "{place}: no image is named; give each image one line.",
     "storage.unknown_reason": "unknown reason",
     "storage.unknown_format": "unknown format",
 }

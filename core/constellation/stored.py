@@ -18,6 +18,7 @@ import mmap
 import os
 import secrets
 import tempfile
+import time
 import zlib
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict
@@ -39,6 +40,9 @@ VERSION = 1
 
 FEWEST = 20_000
 """Landmarks below which an index is built in a fraction of a second and not kept."""
+
+_LEFT_AFTER_S = 600
+"""An unfinished file that nobody wrote to for so long was left by a writer that was killed."""
 
 _LOG = logging.getLogger("semref")
 
@@ -114,7 +118,9 @@ def _write_whole(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
     Raises:
         OSError: It can't be written; nothing is left of it.
     """
-    descriptor, made = tempfile.mkstemp(prefix=f".{path.stem[:40]}.", suffix=f"{SUFFIX}.new", dir=path.parent)
+    prefix, suffix = f".{path.stem[:40]}.", f"{SUFFIX}.new"
+    _clear_left(path.parent, prefix, suffix)
+    descriptor, made = tempfile.mkstemp(prefix=prefix, suffix=suffix, dir=path.parent)
     try:
         with os.fdopen(descriptor, "wb") as file:
             for piece in pieces:
@@ -126,6 +132,16 @@ def _write_whole(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
         with contextlib.suppress(OSError):
             os.unlink(made)
         raise
+
+
+def _clear_left(folder: Path, prefix: str, suffix: str) -> None:
+    """Removes what writers that were killed left unfinished; one that writes still touches its file all the time."""
+    with contextlib.suppress(OSError):
+        for entry in list(os.scandir(folder)):
+            if entry.name.startswith(prefix) and entry.name.endswith(suffix):
+                with contextlib.suppress(OSError):
+                    if entry.stat().st_mtime < time.time() - _LEFT_AFTER_S:
+                        os.unlink(entry.path)
 
 
 def read_parts(path: Path, key: str, secret: bytes) -> IndexParts | None:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from ..errors import ParameterError
 from .motion import Link, LinkSource
-from .table import rows_of, stem_of
+from .table import Columns, Row, image_of, rows_of, stem_of
 
 COLUMNS = ("image", "dx_m", "dy_m", "dheading_deg")
 
@@ -55,6 +55,11 @@ class Step:
     is_break: bool = False
 
 
+def check_odometry(columns: Columns) -> None:
+    """Raises ParameterError for a header that is not that of an odometry table."""
+    columns.need(COLUMNS)
+
+
 def read_odometry(path: str) -> tuple[Step, ...]:
     """The rows of an odometry table, in their order.
 
@@ -66,32 +71,41 @@ def read_odometry(path: str) -> tuple[Step, ...]:
     """
     steps: list[Step] = []
     named: set[str] = set()
-    for row in rows_of(path, COLUMNS):
-        stem = stem_of(row.texts.get("image", ""))
-        if not stem:
-            raise ParameterError("flight.no_image_named", place=row.place)
+    for row in rows_of(path, check_odometry):
+        stem = image_of(row)
         if stem in named:
             raise ParameterError("flight.image_named_twice", place=row.place, image=stem)
         named.add(stem)
-        if not steps or not any(row.texts.get(name) for name in COLUMNS[1:]):
-            # Nothing comes before the first row; a row without numbers says that the motion is unknown.
-            steps.append(Step(stem, is_break=True))
-            continue
-        right, up = (row.within(name, -FARTHEST_M, FARTHEST_M) for name in ("dx_m", "dy_m"))
-        usual = max(SHARE * math.hypot(right, up), LEAST_M)
-        steps.append(
-            Step(
-                stem,
-                right,
-                up,
-                row.within("dheading_deg", -360.0, 360.0),
-                row.within("sigma_m", 1e-3, FARTHEST_M, usual),
-                row.within("sigma_heading_deg", 1e-3, 180.0, HEADING_SPREAD_DEG),
-                row.within("scale", 0.1, 10.0, 1.0),
-                row.within("sigma_scale", 1e-4, 1.0, SCALE_SPREAD),
-            )
-        )
+        steps.append(step_of(row, is_first=not steps))
     return tuple(steps)
+
+
+def step_of(row: Row, is_first: bool) -> Step:
+    """A row's step.
+
+    Args:
+        row: Of the table.
+        is_first: Nothing comes before it.
+
+    Raises:
+        ParameterError: It can't be used; the line is named.
+    """
+    stem = image_of(row)
+    if is_first or not any(row.texts.get(name) for name in COLUMNS[1:]):
+        # Nothing comes before the first row; a row without numbers says that the motion is unknown.
+        return Step(stem, is_break=True)
+    right, up = (row.within(name, -FARTHEST_M, FARTHEST_M) for name in ("dx_m", "dy_m"))
+    usual = max(SHARE * math.hypot(right, up), LEAST_M)
+    return Step(
+        stem,
+        right,
+        up,
+        row.within("dheading_deg", -360.0, 360.0),
+        row.within("sigma_m", 1e-3, FARTHEST_M, usual),
+        row.within("sigma_heading_deg", 1e-3, 180.0, HEADING_SPREAD_DEG),
+        row.within("scale", 0.1, 10.0, 1.0),
+        row.within("sigma_scale", 1e-4, 1.0, SCALE_SPREAD),
+    )
 
 
 def odometry_links(steps: Sequence[Step], names: Sequence[str]) -> list[Link]:
@@ -114,13 +128,19 @@ def odometry_links(steps: Sequence[Step], names: Sequence[str]) -> list[Link]:
             before = number
         elif number is not None:
             if before is not None:
-                links.append(_link(before, number, since))
+                links.append(link_over(before, number, since))
             before, since = number, []
     return links
 
 
-def _link(before: int, after: int, steps: Sequence[Step]) -> Link:
-    """Of the motion that several steps are together; told from the earlier image of the flight."""
+def link_over(before: int, after: int, steps: Sequence[Step]) -> Link:
+    """Of the motion that several steps are together; told from the earlier image of the flight.
+
+    Args:
+        before: Number of the image that the table names first.
+        after: Of the one that it names last; less than ``before`` where the table goes the other way than the flight.
+        steps: Of the rows after ``before`` up to ``after``, none of them a break.
+    """
     place, heading, log_scale = 0j, 0.0, 0.0
     places = []
     for step in steps:

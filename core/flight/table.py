@@ -9,6 +9,7 @@ import stat
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
+from typing import Callable
 
 from ..errors import ParameterError
 from ..labels.class_table import LONGEST_LINE
@@ -99,12 +100,65 @@ class Row:
         return value
 
 
-def rows_of(path: str, needed: Sequence[str]) -> Iterator[Row]:
+@dataclass(frozen=True)
+class Columns:
+    """The header of a table.
+
+    Attributes:
+        path: Of the file.
+        names: Of its columns, in small letters.
+        separator: Between cells.
+        first: The line itself.
+    """
+
+    path: str
+    names: tuple[str, ...]
+    separator: str
+    first: str
+
+    @classmethod
+    def of(cls, path: str, line: str) -> Columns:
+        """Reads a first line whose cells are separated by commas, semicolons or tabs."""
+        first = line.strip()
+        separator = max(",;\t", key=first.count)
+        return cls(path, tuple(name.strip().strip('"').lower() for name in first.split(separator)), separator, first)
+
+    def need(self, names: Sequence[str]) -> None:
+        """Raises ParameterError where a column is missing."""
+        if not set(names) <= set(self.names):
+            raise ParameterError("flight.no_such_table", path=self.path, first=self.first[:200], columns=tuple(names))
+
+    def row(self, line: str, number: int) -> Row:
+        """A row from its line.
+
+        Args:
+            line: Without its end.
+            number: Of the line, from 1.
+
+        Raises:
+            ParameterError: The line is none of a table.
+        """
+        if len(line) > LONGEST_LINE:
+            raise ParameterError("flight.line_too_long", path=self.path, most=LONGEST_LINE)
+        place = Sentence("labels.line", source=self.path, line=number)
+        try:
+            cells = next(csv.reader([line], delimiter=self.separator, skipinitialspace=True), [])
+        except csv.Error as error:
+            # A null character, before Python 3.11.
+            raise ParameterError("flight.unreadable", path=place, reason=str(error)) from None
+        return Row({name: cell.strip() for name, cell in zip(self.names, cells)}, place)
+
+
+Check = Callable[[Columns], None]
+"""Raises ParameterError for a header that is not that of a kind of tables."""
+
+
+def rows_of(path: str, check: Check) -> Iterator[Row]:
     """Rows of a CSV that is separated by commas, semicolons or tabs; empty lines are left out.
 
     Args:
         path: Of the file.
-        needed: Columns that its header must have.
+        check: What its header must have.
 
     Raises:
         ParameterError: The file can't be used.
@@ -112,22 +166,20 @@ def rows_of(path: str, needed: Sequence[str]) -> Iterator[Row]:
     numbered = [(n, line) for n, line in enumerate(text_of(path).splitlines(), start=1) if line.strip()]
     if any(len(line) > LONGEST_LINE for _, line in numbered):
         raise ParameterError("flight.line_too_long", path=path, most=LONGEST_LINE)
-    first = numbered[0][1].strip() if numbered else ""
-    separator = max(",;\t", key=first.count)
-    header = [name.strip().strip('"').lower() for name in first.split(separator)]
-    if not set(needed) <= set(header):
-        raise ParameterError("flight.no_such_table", path=path, first=first[:200], columns=tuple(needed))
+    columns = Columns.of(path, numbered[0][1] if numbered else "")
+    check(columns)
     for number, line in numbered[1:]:
-        place = Sentence("labels.line", source=path, line=number)
-        try:
-            cells = next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
-        except csv.Error as error:
-            # A null character, before Python 3.11.
-            raise ParameterError("flight.unreadable", path=place, reason=str(error)) from None
-        texts = {name: cell.strip() for name, cell in zip(header, cells)}
-        yield Row(texts, place)
+        yield columns.row(line, number)
 
 
 def stem_of(path: str) -> str:
     """An image's name without folders, of any system, and extension."""
     return os.path.splitext(re.split(r"[/\\]", path)[-1])[0]
+
+
+def image_of(row: Row) -> str:
+    """Name of the image of a row, without folders and extension; raises ParameterError where it names none."""
+    stem = stem_of(row.texts.get("image", ""))
+    if not stem:
+        raise ParameterError("flight.no_image_named", place=row.place)
+    return stem

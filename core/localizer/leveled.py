@@ -11,7 +11,7 @@ from ..geometry.leveling import Leveling
 from ..geometry.pose import turn_of
 from ..labels.class_shares import ClassShares, SeenLabels
 from ..localization import Localization, Method, Prior
-from .localizer import Localizer
+from .localizer import Localizer, default_scales
 
 
 def localize_leveled(  # noqa: PLR0913 - what ``Localizer.localize`` takes, and how the image is leveled
@@ -106,4 +106,21 @@ def with_camera(prior: Prior, camera: Camera, shape_hw: tuple[int, int]) -> Prio
         prior = replace(prior, pixel_size_range=camera.pixel_sizes(shape_hw))
     if prior.heading_deg is None and camera.heading_deg is not None:
         prior = replace(prior, heading_deg=camera.heading_deg, heading_range_deg=HEADING_SPREAD_DEG)
+    return prior
+
+
+def prior_of(localizer: Localizer, method: Method, prior: Prior, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
+    """What is searched for an image, by what the user said and its camera knew.
+
+    Args:
+        localizer: Of the database.
+        method: That finds the image.
+        prior: What the user said.
+        camera: Of the image; its meters are map units.
+        shape_hw: (height, width) of the image as it is.
+    """
+    prior = with_camera(prior, camera, shape_hw)
+    if prior.pixel_size_range is None and camera.leveling(shape_hw) is not None:
+        # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+        prior = replace(prior, pixel_size_range=localizer.pixel_sizes(shape_hw, default_scales(method)))
     return prior

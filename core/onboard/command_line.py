@@ -22,6 +22,7 @@ from ..localizer.record import fixes_per_error
 from ..localizer.settings import LOCALIZER
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
+from .cameras import opened_cameras
 from .finder import ERROR, Finding, LabelReader
 from .flight import FlightFinding
 from .format import OnboardDatabase
@@ -29,6 +30,7 @@ from .log import json_line, say, start_log
 from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
 from .read import read_onboard
 from .sinks import is_udp, udp_port
+from .tables import opened_odometry
 from .watch import watch
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
@@ -118,7 +120,8 @@ def _check_values(options: argparse.Namespace) -> None:
 
 def _check_apart(options: argparse.Namespace) -> None:
     """Refuses to write into a file that is read; raises ParameterError."""
-    read = [getattr(options, name, None) for name in ("database", "model", "require_signature")]
+    names = ("database", "model", "require_signature", "cameras", "flight_log", "odometry")
+    read = [getattr(options, name, None) for name in names]
     for where in (getattr(options, name, None) for name in ("state", "fixes", "gga")):
         for path in read:
             if where and path and os.path.exists(where) and os.path.exists(path) and os.path.samefile(where, path):
@@ -176,6 +179,8 @@ def _parser() -> argparse.ArgumentParser:
     watch.add_argument("--flight", action="store_true", help=text)
     text = "with --flight: keeps the flight in this file and goes on from it after a restart"
     watch.add_argument("--state", metavar="FILE", help=text)
+    text = "with --flight: motion from image to image (CSV); it may grow, a line an image"
+    watch.add_argument("--odometry", metavar="TABLE", help=text)
     watch.add_argument("--once", action="store_true", help="end when the images that are there are done")
     watch.set_defaults(command=_watch)
     for command in (localize, watch):
@@ -184,6 +189,7 @@ def _parser() -> argparse.ArgumentParser:
         names = [_option(method) for method in Method]
         command.add_argument("--method", choices=names, default=names[0], help=f"default: {names[0]}")
         near = ("X", "Y", "RADIUS")
+        _add_cameras(command)
         command.add_argument("--near", nargs=3, type=float, metavar=near, help="search there only, map units")
         risk = f"probability of being wrong up to which a place is a fix (default: {RISK:g}, once in {1 / RISK:,.0f})"
         command.add_argument("--risk", type=float, default=RISK, help=risk)
@@ -199,6 +205,13 @@ def _parser() -> argparse.ArgumentParser:
         text = "least severe of the JSON lines of the log on stderr (default: warning)"
         command.add_argument("--log-level", choices=levels, default="warning", help=text)
     return parser
+
+
+def _add_cameras(command: argparse.ArgumentParser) -> None:
+    text = "camera table (CSV) of roll, pitch, lens, height, heading; with watch it may grow, a line an image"
+    command.add_argument("--cameras", metavar="TABLE", help=text)
+    text = "log of the flight (.bin, .ulg, .tlog, .SRT, geo.txt): heading, height, attitude, speed; read at the start"
+    command.add_argument("--flight-log", metavar="FILE", help=text)
 
 
 def _add_mavlink(watch: argparse.ArgumentParser) -> None:
@@ -307,7 +320,15 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
     read_labels = LabelReader(options.model, options.threads, onboard.database.class_table, options.device)
     localizer.heed_biases(read_labels.known.class_biases, read_labels.known.class_spread)
     say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
-    return Finding(onboard, localizer, method, prior, read_labels)
+    # Watching may come before the end of writing; a restart in the air must not end for a table.
+    is_ended = getattr(options, "once", True)
+    cameras = opened_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
+    return Finding(onboard, localizer, method, prior, read_labels, cameras)
+
+
+def _is_restart(options: argparse.Namespace) -> bool:
+    """Whether a flight goes on from a state."""
+    return os.path.exists(getattr(options, "state", None) or "")
 
 
 def _line(found: dict[str, Any]) -> str:
@@ -338,15 +359,19 @@ def _watch(options: argparse.Namespace) -> int:
     if not os.path.isdir(options.folder):
         raise ParameterError("onboard.no_folder", folder=options.folder)
     onboard = read_onboard(options.database, key_file=options.require_signature)
+    is_restart = _is_restart(options)
     find: Finding = _finding(options, onboard)
     after = None
     if options.state and not options.flight:
         raise ParameterError("onboard.state_without_flight")
+    if options.odometry and not options.flight:
+        raise ParameterError("onboard.odometry_without_flight")
     if options.flight:
         if not find.localizer.has_overview:
             raise DatabaseError("onboard.no_overview_for_flights", database=options.database)
         settings = replace(FLIGHT, allowed_risk=options.risk)
-        find = FlightFinding(**vars(find), state_path=options.state or "", settings=settings)
+        odometry = opened_odometry(options.odometry, options.once, not is_restart)
+        find = FlightFinding(**vars(find), state_path=options.state or "", settings=settings, odometry=odometry)
         after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError("onboard.no_lon_lat", database=options.database)

@@ -5,26 +5,26 @@ from __future__ import annotations
 import logging
 import os
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from typing import Any
 
 import numpy as np
 
 from ..errors import ParameterError, SemRefError
-from ..geometry.leveling import Leveling
+from ..geometry.camera import Camera
 from ..labels.class_shares import SeenLabels
 from ..labels.class_table import ClassTable
 from ..labels.image_files import read_label_image, read_photo
 from ..labels.image_source import ArrayImage
-from ..labels.photo_camera import photo_camera
 from ..localization import Localization, Method, Prior
-from ..localizer.leveled import localize_leveled, with_camera
+from ..localizer.leveled import localize_leveled, prior_of
 from ..localizer.localizer import Localizer
 from ..localizer.record import record
 from ..segmentation.class_bias import KnownBiases, known_biases
 from ..segmentation.devices import AUTO
 from ..sentences import english
+from .cameras import Cameras
 from .format import OnboardDatabase
 from .log import say
 
@@ -88,6 +88,7 @@ class Finding:
         method: By which each image is looked at by itself.
         prior: What is known of all images.
         read_labels: Path → labels, with how sure a network is.
+        cameras: Path → camera.
     """
 
     onboard: OnboardDatabase
@@ -95,27 +96,25 @@ class Finding:
     method: Method
     prior: Prior
     read_labels: LabelReader
+    cameras: Cameras = field(default_factory=Cameras)
 
-    def prior_of(self, path: str, shape_hw: tuple[int, int]) -> Prior:
+    def camera_of(self, path: str) -> Camera:
+        """What is known of an image's camera; nothing for the published method, which takes images as they are."""
+        return Camera() if self.method == Method.TOPOLOGY_VECTOR else self.cameras.of(path)
+
+    def prior_of(self, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
         """What is known of an image, with what its camera tells."""
-        if self.method == Method.TOPOLOGY_VECTOR:
-            return self.prior
-        return with_camera(self.prior, photo_camera(path), shape_hw)
+        return prior_of(self.localizer, self.method, self.prior, camera, shape_hw)
 
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for an image by itself. Raises SemRefError."""
-        seen = self.read_labels(path)
+        seen, camera = self.read_labels(path), self.camera_of(path)
         height, width = seen.labels_hw.shape
-        prior = self.prior_of(path, (height, width))
-        method, way = self.method, self.way_of(path, (height, width))
+        way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
         if way is None:
-            return self.told(self.localizer.localize(seen.labels_hw, method, prior, shares=seen.shares))
-        found = localize_leveled(self.localizer, seen.labels_hw, method, prior, way, shares=seen.shares)
+            return self.told(self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares))
+        found = localize_leveled(self.localizer, seen.labels_hw, self.method, prior, way, shares=seen.shares)
         return self.told(found)
-
-    def way_of(self, path: str, shape_hw: tuple[int, int]) -> Leveling | None:
-        """How to straighten what the lens bends in an image; None where nothing is known to be bent."""
-        return None if self.method == Method.TOPOLOGY_VECTOR else photo_camera(path).unbending(shape_hw)
 
     def told(self, result: Localization) -> dict[str, Any]:
         """A result as a record, with longitude and latitude where they are known."""

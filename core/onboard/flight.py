@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import json
 import logging
+import math
 import os
 from dataclasses import dataclass, field
 from typing import Any
@@ -22,6 +23,7 @@ from ..flight.motion import Link
 from ..flight.pixel_features import Features, features_of
 from ..flight.pixel_motion import motion_between
 from ..flight.settings import FLIGHT, FlightSettings
+from ..flight.table import stem_of
 from ..flight.tracker import FlightTracker
 from ..geometry.leveling import Leveling
 from ..localizer.leveled import as_taken, level_labels, of_leveled
@@ -30,6 +32,7 @@ from .arrays import UNREADABLE, number_arrays
 from .finder import Finding, time_of
 from .format import MAXIMUM_HEADER_BYTES
 from .log import say
+from .tables import OdometryTable
 
 FORMAT, VERSION = "semref flight state", 1
 
@@ -48,11 +51,13 @@ class _Memory:
         tracker: That follows it; None before the start.
         features: Of the latest image, for the link to the next one.
         after: The latest image; None before the first.
+        taken_s: When that one was taken, on the cameras' clock; None where unknown.
     """
 
     tracker: FlightTracker | None = None
     features: Features | None = None
     after: Taken | None = None
+    taken_s: float | None = None
 
 
 @dataclass(frozen=True)
@@ -62,11 +67,13 @@ class FlightFinding(Finding):
     Attributes:
         state_path: File that keeps the state; empty for none.
         settings: Of flights.
+        odometry: Table of the motion from image to image; None without one.
         memory: See there.
     """
 
     state_path: str = ""
     settings: FlightSettings = FLIGHT
+    odometry: OdometryTable | None = None
     memory: _Memory = field(default_factory=_Memory)
 
     def start(self) -> Taken | None:
@@ -86,13 +93,14 @@ class FlightFinding(Finding):
 
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for the next image of the flight. Raises SemRefError."""
-        seen = self.read_labels(path)
+        seen, camera = self.read_labels(path), self.camera_of(path)
         height, width = seen.labels_hw.shape
-        prior, way = self.prior_of(path, (height, width)), self.way_of(path, (height, width))
+        way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
         if way is not None:
             seen, prior = level_labels(seen, way), of_leveled(prior, way)
         own = self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares)
-        link = self._link(seen.labels_hw, way)
+        taken_s = self.cameras.time_s(path, camera)
+        link = self._link(path, taken_s, seen.labels_hw, way)
         image = FlightImage(os.path.basename(path), seen.labels_hw, own, time_of(path).timestamp(), prior)
         pose = self._tracker.add(image, link)
         placed = pose.localization()
@@ -100,6 +108,7 @@ class FlightFinding(Finding):
         source = str(pose.source) if pose.is_fix else None
         found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
         self.memory.after = os.stat(path).st_mtime_ns, os.path.basename(path)
+        self.memory.taken_s = taken_s
         self._keep()
         return found
 
@@ -109,18 +118,22 @@ class FlightFinding(Finding):
             self.memory.tracker = FlightTracker(self.localizer, self.settings)
         return self.memory.tracker
 
-    def _link(self, level_hw: np.ndarray, way: Leveling | None) -> Link | None:
-        """From the image before to this one, by what both show; None where that is not known."""
-        photo = self.read_labels.photo
+    def _link(self, path: str, taken_s: float | None, level_hw: np.ndarray, way: Leveling | None) -> Link | None:
+        """From the image before to this one: by the odometry table, else by what both show, else by the log."""
+        memory, photo = self.memory, self.read_labels.photo
         pixels = None if photo is None else photo.read(0, 0, photo.shape_hw[1], photo.shape_hw[0])
         features = features_of(level_hw, pixels, way)
-        before, self.memory.features = self.memory.features, features
-        if before is None:
+        seen_before, memory.features = memory.features, features
+        if memory.after is None:
             return None
-        motion = motion_between(before, features)
-        if motion.link is None:
-            say(logging.INFO, "no_link", reason=None if motion.reason is None else str(motion.reason))
-        return motion.link
+        before, now = stem_of(memory.after[1]), stem_of(path)
+        link = None if self.odometry is None else self.odometry.link(before, now)
+        if link is None and seen_before is not None:
+            motion = motion_between(seen_before, features)
+            link = motion.link
+            if link is None:
+                say(logging.INFO, "no_link", reason=None if motion.reason is None else str(motion.reason))
+        return link or self.cameras.link((before, memory.taken_s), (now, taken_s))
 
     # --- the state ---
 
@@ -144,6 +157,7 @@ class FlightFinding(Finding):
             "version": VERSION,
             "content_hash": self.onboard.content_hash,
             "after": self.memory.after,
+            "times_s": [self.cameras.first_s, self.memory.taken_s],
         }
         text = json.dumps(header).encode("utf-8", "backslashreplace")
         beside = f"{self.state_path}.part"
@@ -168,7 +182,9 @@ class FlightFinding(Finding):
             known_hash, after = header["content_hash"], header["after"]
             if after is not None:
                 after = checked(after[0], int, "a time"), checked(after[1], str, "a name")
-        except (KeyError, TypeError, ValueError, IndexError, RecursionError) as error:
+            # States of versions without it have no times.
+            first_s, taken_s = (_time(value) for value in header.get("times_s", (None, None)))
+        except (KeyError, TypeError, ValueError, IndexError, RecursionError, AttributeError) as error:
             raise ParameterError("onboard.no_flight_state", path=self.state_path) from error
         if not is_ours:
             raise ParameterError("onboard.no_flight_state", path=self.state_path)
@@ -177,6 +193,7 @@ class FlightFinding(Finding):
         state = {name[len("tracker_") :]: value for name, value in arrays.items() if name.startswith("tracker_")}
         memory, tracker = self.memory, FlightTracker.from_state(self.localizer, state, self.settings)
         memory.tracker, memory.features, memory.after = tracker, _features(arrays), after
+        self.cameras.first_s, memory.taken_s = first_s, taken_s
         return tracker
 
 
@@ -188,6 +205,16 @@ def _read_state(path: str) -> dict[str, np.ndarray]:
         return number_arrays(path, MOST_STATE_BYTES)
     except UNREADABLE as error:
         raise ParameterError("onboard.no_flight_state", path=path) from error
+
+
+def _time(value: object) -> float | None:
+    """Seconds, or None; raises ValueError for what is neither."""
+    if value is None:
+        return None
+    seconds = float(checked(value, (int, float), "a time"))
+    if not math.isfinite(seconds):
+        raise ValueError(seconds)
+    return seconds
 
 
 def _features(arrays: dict[str, np.ndarray]) -> Features | None:

@@ -71,13 +71,66 @@ def segment(
 
     Raises ImageError for an image of a few pixels, and what ``source`` and ``model`` raise.
     """
-    height, width = source.shape_hw
+    tiles = tiles_of(model, source.shape_hw, overlap)
+    yield from segment_tiles(model, source, values, overlap, tiles, wanted)
+
+
+@dataclass(frozen=True)
+class Tiles:
+    """Tiles of an image that are looked at together: all, or those of a block.
+
+    Attributes:
+        columns: First pixels of its columns of tiles, those first that only reach into the block.
+        rows: The same of its rows.
+        box: (left, top, right, bottom) of the pixels that are finished with them.
+    """
+
+    columns: Sequence[int]
+    rows: Sequence[int]
+    box: tuple[int, int, int, int]
+
+    def block(self, tile_hw: tuple[int, int], first: tuple[int, int], count: int) -> Tiles:
+        """Some of an image's tiles with the seams that they need: finished, they are pixel by pixel what all give.
+
+        Args:
+            tile_hw: (height, width) of a tile.
+            first: Numbers (column, row) of the block's first tile.
+            count: Of its tiles along each axis, at most.
+        """
+        parts = (self.columns, first[0], tile_hw[1], self.box[2]), (self.rows, first[1], tile_hw[0], self.box[3])
+        (columns, left, right), (rows, top, bottom) = (_with_seam(*part, count) for part in parts)
+        return Tiles(columns, rows, (left, top, right, bottom))
+
+
+def _with_seam(
+    starts: Sequence[int], first: int, size: int, length: int, count: int
+) -> tuple[tuple[int, ...], int, int]:
+    """Starts of the tiles that reach into a block's part of an axis, and its first pixel and the one after the last."""
+    begin = starts[first]
+    end = starts[first + count] if first + count < len(starts) else length
+    return tuple(start for start in starts if begin - size < start < end), begin, end
+
+
+def tiles_of(model: SegmentationModel, shape_hw: tuple[int, int], overlap: float) -> Tiles:
+    """All tiles of an image of that (height, width); raises ImageError for one of a few pixels."""
+    height, width = shape_hw
     if min(height, width) < MINIMUM_EDGE_PX:
         raise ImageError("segmentation.image_too_small", width=width, height=height, least=MINIMUM_EDGE_PX)
-    tile_h, tile_w = model.tile_hw
-    columns, rows = tile_starts(width, tile_w, overlap), tile_starts(height, tile_h, overlap)
-    places = [(column, row) for row in rows for column in columns]
-    blending = _Blending(model, columns, rows, (height, width), np.asarray(values, np.uint8), overlap, wanted)
+    columns, rows = (tile_starts(length, tile, overlap) for length, tile in zip((width, height), model.tile_hw[::-1]))
+    return Tiles(tuple(columns), tuple(rows), (0, 0, width, height))
+
+
+def segment_tiles(  # noqa: PLR0913 - what segment takes, and which tiles
+    model: SegmentationModel,
+    source: ImageSource,
+    values: Sequence[int],
+    overlap: float,
+    tiles: Tiles,
+    wanted: Certainty = LABELS_ALONE,
+) -> Iterator[tuple[float, SegmentedRows | None]]:
+    """As ``segment``, of some tiles: rows have the columns of their box, and are numbered as in the image."""
+    places = [(column, row) for row in tiles.rows for column in tiles.columns]
+    blending = _Blending(model, tiles, np.asarray(values, np.uint8), overlap, wanted)
     groups = [places[n : n + model.tiles_at_once] for n in range(0, len(places), model.tiles_at_once)]
     done = 0
     # While these tiles are blended here, the network looks at the next ones and those after them are read.
@@ -136,67 +189,76 @@ def nearest_labels(labels_hw: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarr
 class _Blending:
     """Sums of weighted scores, kept only where another tile will still add to them."""
 
-    def __init__(  # noqa: PLR0913 - private, called once
-        self,
-        model: SegmentationModel,
-        columns: Sequence[int],
-        rows: Sequence[int],
-        shape_hw: tuple[int, int],
-        values: np.ndarray,
-        overlap: float,
-        wanted: Certainty,
+    def __init__(
+        self, model: SegmentationModel, tiles: Tiles, values: np.ndarray, overlap: float, wanted: Certainty
     ) -> None:
-        (height, width), tile_hw = shape_hw, model.tile_hw
-        self._next_column = dict(zip(columns, [*columns[1:], width]))
-        self._next_row = dict(zip(rows, [*rows[1:], height]))
-        self._height, self._width = height, width
+        columns, rows, (_, _, right, bottom), tile_hw = tiles.columns, tiles.rows, tiles.box, model.tile_hw
+        self._tiles = tiles
+        self._next_column = dict(zip(columns, [*columns[1:], right]))
+        self._next_row = dict(zip(rows, [*rows[1:], bottom]))
+        # Columns are counted from the first tile's.
+        self._width = right - columns[0]
         self._values = values
         ramps = [_ramp(size, overlap) for size in tile_hw]
         self._weights = ramps[0][:, None] * ramps[1]
         self._model, self._wanted = model, wanted
         # Tiles lie in rows and columns: what a pixel's weights add up to is a product of two sums.
-        self._row_sums, self._column_sums = map(_weight_sums, (rows, columns), ramps, shape_hw)
+        starts = ([start - some[0] for start in some] for some in (rows, columns))
+        self._row_sums, self._column_sums = map(_weight_sums, starts, ramps, (bottom - rows[0], self._width))
         # Weighted sums to which tiles of this row or the next one will add: beside, above and below.
         self._left = np.zeros((len(values), tile_hw[0], 0), np.float32)
-        self._above = self._below = np.zeros((len(values), 0, width), np.float32)
-        self._rows = SegmentedRows(0, np.empty((0, width), np.uint8))
+        self._above = self._below = np.zeros((len(values), 0, self._width), np.float32)
+        self._rows = SegmentedRows(0, np.empty((0, self._width), np.uint8))
 
     def add(self, tile: _Tile, scores: np.ndarray | None) -> SegmentedRows | None:
         """Adds a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
         next_row = self._next_row[tile.row]
         rows = next_row - tile.row
-        if tile.column == 0:
-            self._begin_row(tile.row, rows, is_last=next_row == self._height)
+        begin = tile.column - self._tiles.columns[0]
+        if begin == 0:
+            self._begin_row(tile.row, rows, is_last=next_row == self._tiles.box[3])
         if scores is None:
             scores = np.zeros((len(self._values), *self._weights.shape), np.float32)
         for channel in scores:
             cv2.multiply(channel, self._weights, dst=channel)
         scores[:, :, : self._left.shape[2]] += self._left
         # Left of the next tile nothing will be added in this row of tiles.
-        last = self._next_column[tile.column]
-        columns = last - tile.column
+        last = self._next_column[tile.column] - self._tiles.columns[0]
+        columns = last - begin
         complete = scores[:, :, :columns]
-        complete[:, : self._above.shape[1]] += self._above[:, :, tile.column : last]
+        complete[:, : self._above.shape[1]] += self._above[:, :, begin:last]
         best = _best_channel(complete[:, :rows])
         no_data = None if tile.has_data is None else ~tile.has_data[:rows, :columns]
-        labels = self._rows.labels_hw[:, tile.column : last]
+        labels = self._rows.labels_hw[:, begin:last]
         labels[:] = self._values[best]
         if no_data is not None:
             labels[no_data] = UNLABELED
-        if self._model.tells_how_sure:
+        left, top, _, _ = self._tiles.box
+        if self._model.tells_how_sure and tile.column >= left and tile.row >= top:
             self._look_how_sure(tile, complete[:, :rows], best, no_data)
         if self._wanted.is_wanted:
             self._tell_certainty(tile, complete[:, :rows], best, no_data)
-        self._below[:, :, tile.column : last] = complete[:, rows : rows + self._below.shape[1]]
+        self._below[:, :, begin:last] = complete[:, rows : rows + self._below.shape[1]]
         self._left = scores[:, :, columns:]
-        return self._rows if last == self._width else None
+        return self._finished() if last == self._width and tile.row >= top else None
+
+    def _finished(self) -> SegmentedRows:
+        """The rows without the columns that other blocks finish."""
+        rows, first = self._rows, self._tiles.box[0] - self._tiles.columns[0]
+        if not first:
+            return rows
+        percent, percents = (
+            None if some is None else some[..., first:] for some in (rows.percent_hw, rows.percents_chw)
+        )
+        return SegmentedRows(rows.first, rows.labels_hw[:, first:], percent, percents, rows.sure)
 
     def _look_how_sure(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
         """Of finished (C, rows, columns) sums of scores: at a few pixels, which costs next to nothing."""
         few = slice(None, None, SAMPLED_PX)
         _, rows, columns = sums.shape
-        across = self._column_sums[tile.column : tile.column + columns][few]
-        weights = self._row_sums[tile.row : tile.row + rows][few, None] * across
+        begin, top = tile.column - self._tiles.columns[0], tile.row - self._tiles.rows[0]
+        across = self._column_sums[begin : begin + columns][few]
+        weights = self._row_sums[top : top + rows][few, None] * across
         probable = self._model.probabilities(sums[:, few, few] / weights)
         of_label = np.take_along_axis(probable, best[None, few, few].astype(np.intp), axis=0)[0]
         self._rows.sure.add(of_label if no_data is None else of_label[~no_data[few, few]])
@@ -204,8 +266,9 @@ class _Blending:
     def _tell_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
         """Of finished (C, rows, columns) sums of scores, whose highest channel is ``best``."""
         _, rows, columns = sums.shape
-        part = slice(tile.column, tile.column + columns)
-        weights = self._row_sums[tile.row : tile.row + rows, None] * self._column_sums[part]
+        begin, top = tile.column - self._tiles.columns[0], tile.row - self._tiles.rows[0]
+        part = slice(begin, begin + columns)
+        weights = self._row_sums[top : top + rows, None] * self._column_sums[part]
         found = percents(self._model.probabilities(sums / weights))
         if no_data is not None:
             found[:, no_data] = NO_DATA

@@ -23,6 +23,18 @@ SENTENCES = {
     "flight.out_of_range": "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.",
     "flight.no_image_named": "{place}: no image is named; give each image one line.",
     "flight.image_named_twice": "{place}: the image {image} is named a second time; give each image one line.",
+    # Camera tables
+    "flight.cameras_of_other_images": (
+        "{path} names none of the images, for example {image}; its column image holds their file names."
+    ),
+    "flight.no_camera_table": (
+        "{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}."
+    ),
+    "flight.times_mixed": "{path} has times in seconds and times with dates; use one of them throughout.",
+    "flight.roll_without_pitch": "{place}: roll or pitch is empty; give both, or neither.",
+    "flight.lens_twice": "{place}: {kinds} say the same thing twice; give one of them.",
+    "flight.lens_impossible": "{place}: {kind} is {value:g}, which no camera has.",
+    "flight.no_time": ("{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250."),
     # The joint answer
     "flight.link_of_no_image": "A link leads to image {second}, but the flight has {count} images.",
     "flight.no_state": "The saved state of the flight can't be read.",

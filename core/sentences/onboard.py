@@ -11,6 +11,7 @@ SENTENCES = {
         "{database} has no overview, by which tracks are told apart; export it with one."
     ),
     "onboard.state_without_flight": "Only of a flight is a state kept: add --flight, or leave --state out.",
+    "onboard.odometry_without_flight": "Only of a flight is motion told: add --flight, or leave --odometry out.",
     "onboard.no_flight_state": "{path} is no state of a flight that this SemRef wrote, or is damaged.",
     "onboard.state_of_other_database": "{path} is the state of a flight in another database.",
     "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",

@@ -8,6 +8,7 @@ from ...core.errors import ClassTableError, ParameterError
 from ..framework import offers
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
 from ..framework.declarations import FileOutput, Number, NumberResult, Text
+from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled, scheduler
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -16,7 +17,6 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.database.build import BuildSettings, DatabaseBuilder
-    from ...core.database.model import ReferenceDatabase
     from ...core.geometry.frame import MapFrame
     from ...core.labels.class_table import ClassTable
     from ...storage.rasters import GdalLabels
@@ -95,6 +95,7 @@ class BuildDatabase(SemRefAlgorithm):
             offers.open_output(),
             NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
             NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
+            scheduler(),
         )
 
     def _windows(self) -> tuple[Declared, ...]:
@@ -141,11 +142,36 @@ class BuildDatabase(SemRefAlgorithm):
         size, stride = values.number(self.WINDOW_SIZE), values.number(self.STRIDE)
         if stride > size:
             raise ParameterError("algorithms.stride_above_size", stride=stride, size=size)
+        require_scheduler(values)
 
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.LABELS)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        counts = self._scheduled if values.has(SCHEDULER) else self._built
+        windows, references, lacking = counts(values, outputs, feedback)
+        self._say_result(windows, references, lacking, feedback)
+        return {self.WINDOW_COUNT: windows, self.REFERENCE_COUNT: references}
+
+    def _scheduled(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> tuple[int, int, int]:
+        """As ``_built``, by the workers of SCHEDULER."""
+        settings = self._settings(values)
+        options = {
+            "--reference-classes": ";".join(values.parts(self.REFERENCE_CLASSES)),
+            "--window-size": settings.window_size,
+            "--stride": settings.stride,
+            "--levels": ";".join(map(repr, settings.levels)),
+            "--references-per-vector": settings.references_per_vector,
+            "--minimum-area": settings.minimum_area,
+            "--map-accuracy": settings.map_accuracy,
+        }
+        given = [f"{name}={value}" for name, value in options.items()]
+        with outputs.database(self.DATABASE) as path:
+            found = scheduled(values, ["build", self._layer.path, "--database", path, *given], feedback)
+        return found["windows"], found["references"], found["windows_without_vector"]
+
+    def _built(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> tuple[int, int, int]:
+        """Builds the database; numbers of windows, of landmarks and of windows without a vector."""
         from ...core.database.build import DatabaseBuilder
         from ...storage.database.writer import DatabaseWriter
         from ...storage.rasters import GdalLabels, HeldLabels
@@ -160,7 +186,7 @@ class BuildDatabase(SemRefAlgorithm):
         held = HeldLabels(labels)
         builder = DatabaseBuilder(labels, frame, table, settings, plugin_version())
         self._say_rounding(builder, frame, settings, feedback)
-        with outputs.file(self.DATABASE) as path:
+        with outputs.database(self.DATABASE) as path:
             follow(held.steps(), feedback, 0, 10)
             builder.read_from(held.source)
             follow(builder.steps(), feedback, 10, 75)
@@ -170,9 +196,8 @@ class BuildDatabase(SemRefAlgorithm):
             styles = database_styles(database.class_table)
             writer = DatabaseWriter(path, database, *degrees, builder.overview, styles)
             follow(writer.steps(), feedback, 85, 100)
-        outputs.open_database(self.DATABASE)
-        self._say_result(database, feedback)
-        return {self.WINDOW_COUNT: len(database.windows), self.REFERENCE_COUNT: len(database.references)}
+        windows = database.windows
+        return len(windows), len(database.references), int((~windows.described).sum())
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
         """The map's class table with the asked reference classes."""
@@ -217,17 +242,12 @@ class BuildDatabase(SemRefAlgorithm):
                     )
                 )
 
-    def _say_result(self, database: ReferenceDatabase, feedback: QgsProcessingFeedback) -> None:
-        windows = database.windows
-        lacking = int((~windows.described).sum())
-        feedback.pushInfo(
-            tr("{windows} windows, {references} landmarks.").format(
-                windows=len(windows), references=len(database.references)
-            )
-        )
+    def _say_result(self, windows: int, references: int, lacking: int, feedback: QgsProcessingFeedback) -> None:
+        text = tr("{windows} windows, {references} landmarks.")
+        feedback.pushInfo(text.format(windows=windows, references=references))
         if lacking:
             feedback.pushWarning(
                 tr("{lacking} windows ({share:.0%}) show fewer than three landmarks and have no vector.").format(
-                    lacking=lacking, share=lacking / len(windows)
+                    lacking=lacking, share=lacking / windows
                 )
             )

@@ -13,7 +13,7 @@ from ..framework.base import Declared, cancelable, check_canceled, follow, inter
 from ..framework.declarations import Number, NumberResult, PolygonOutput
 from ..packages.components import OPENCV, SHAPELY
 from ..translation import tr
-from ..wording.annotation_messages import FIELDS, row_of, sentence
+from ..wording.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -110,7 +110,7 @@ class CheckAnnotation(AnnotationAlgorithm):
             for finding in findings:
                 sink.add(geometry_of(finding.wkb, multi=True), row_of(finding, sentence(finding, names)))
         for (kind, severity), number in Counter((f.kind, f.severity) for f in findings).items():
-            feedback.pushInfo(f"{kind} ({severity}): {number}")
+            feedback.pushInfo(f"{kind_titles()[kind]} ({severity_title(severity)}): {number}")
         errors = sum(finding.severity == ERROR for finding in findings)
         feedback.pushInfo(tr("{issues} findings, {errors} of them errors").format(issues=len(findings), errors=errors))
         if outputs.wants(self.REPORT):

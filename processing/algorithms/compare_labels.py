@@ -77,7 +77,10 @@ class CompareLabels(SemRefAlgorithm):
             Number(
                 self.MINIMUM_AREA,
                 tr("Minimum area"),
-                tr("Smaller disagreements give no polygon; square map units, pixels without georeference."),
+                tr(
+                    "Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, "
+                    "pixels without georeference."
+                ),
                 optional=True,
                 default=10.0,
                 minimum=0.0,
@@ -88,7 +91,11 @@ class CompareLabels(SemRefAlgorithm):
                 tr("One polygon a connected place where the same two classes are confused, ranked by area."),
             ),
             offers.report(
-                tr("A page with the confusion matrix as a picture and the figures of each class."), by_default=False
+                tr(
+                    "A page with the confusion matrix as a picture, the figures of each class and the landmarks that "
+                    "were missed, invented and misnamed. Assessments take it as COMPARISON."
+                ),
+                by_default=False,
             ),
             offers.model(
                 tr("The network that made the predicted map, if the bias of its classes is to be written into a copy."),
@@ -121,6 +128,7 @@ class CompareLabels(SemRefAlgorithm):
         from ...storage.comparing import DisagreementMap, LabelMapPair
         from ..exchange.layers import require_one_crs
         from ..framework.class_biases import measured_shifts, say_shifts
+        from ..framework.compared_landmarks import measured_errors
         from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
@@ -137,7 +145,8 @@ class CompareLabels(SemRefAlgorithm):
         feedback.setProgressText(tr("Comparing landmarks"))
         shifts = measured_shifts(pair, match, comparison, self._layers[0].crs, feedback)
         if outputs.wants(self.REPORT):
-            outputs.text(self.REPORT, comparison_html(comparison, match, shifts, *paths))
+            errors = measured_errors(pair, match, comparison, shifts, values.number(self.MINIMUM_AREA), feedback)
+            outputs.text(self.REPORT, comparison_html(comparison, match, shifts, errors, *paths))
         self._write_model(values, outputs, shifts)
         self._write(outputs, polygons, match)
         feedback.pushInfo(tr("{count} places disagree.").format(count=len(polygons)))

@@ -96,6 +96,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             *self._ranges_offered(),
             *self._judging(),
             offers.network(),
+            offers.comparison(),
             PointOutput(
                 self.OUTPUT,
                 tr("Trials"),
@@ -201,10 +202,14 @@ class EvaluateLocalization(SemRefAlgorithm):
     def _ranges(self, values: Values) -> TrialRanges:
         """Raises ParameterError for ranges that can't be."""
         from ...core.evaluation.evaluation import TrialRanges
+        from ..framework.network_noise import compared_network
 
         factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
+        compared = compared_network(values)
 
         def limits(one: NumberRange) -> tuple[float, float]:
+            if one.key in compared:
+                return compared[one.key], compared[one.key]
             if factor is None or one.key not in offers.OF_NETWORKS:
                 return values.range(one.key)
             low, high = (factor * float(part) for part in one.default.split(","))

@@ -15,6 +15,7 @@ from ..framework.declarations import Number, NumberResult, PolygonOutput, Raster
 from ..framework.label_polygons import write_polygons
 from ..framework.photo_labels import Pace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
+from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled, scheduler
 from ..framework.segmented_files import SeenGrid, SegmentedFiles
 from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, how_to_install, missing
 from ..translation import tr
@@ -96,6 +97,7 @@ class SegmentImage(SemRefAlgorithm):
             *self._certainty_parameters(),
             *pace_results(),
             NumberResult(self.CERTAINTY, tr("How sure the network is of its labels (%, mean)")),
+            scheduler(),
         )
 
     def _tile_parameters(self) -> tuple[Declared, ...]:
@@ -172,6 +174,8 @@ class SegmentImage(SemRefAlgorithm):
         lacking = missing([SHAPELY]) if values.has(self.POLYGONS) else []
         if lacking:
             raise ParameterError(how_to_install(lacking))
+        only_here = self.EXTENT, self.MASK, self.POLYGONS, self.CONFIDENCE, self.PROBABILITIES
+        require_scheduler(values, only_here)
 
     def read_layers(self, values: Values) -> None:
         from ..exchange.areas import drawn_area
@@ -183,10 +187,11 @@ class SegmentImage(SemRefAlgorithm):
         from ...core.segmentation.certainty import Certainty, Sureness
         from ...core.segmentation.tiling import segment
 
-        table = values.class_table(self.CLASS_TABLE)
         feedback.setProgressText(tr("Loading the model"))
-        model = open_model(values.file(self.MODEL), table)
+        model = open_model(values.file(self.MODEL), values.class_table(self.CLASS_TABLE))
         check_canceled(feedback)
+        if values.has(SCHEDULER):
+            return self._scheduled(model, values, outputs, feedback)
         resolution_cm = values.optional_number(self.RESOLUTION)
         resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
         photo = self._source.open(resolution_m, feedback)
@@ -210,6 +215,24 @@ class SegmentImage(SemRefAlgorithm):
         feedback.pushInfo(pace.told())
         write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
         return {**pace.results, **self._told(sure, feedback)}
+
+    def _scheduled(
+        self, model: SegmentationModel, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        """The label map by the workers of SCHEDULER."""
+        from ...core.segmentation.certainty import Sureness
+
+        options = {
+            "--class-table": values.file(self.CLASS_TABLE) if values.has(self.CLASS_TABLE) else None,
+            "--resolution": values.optional_number(self.RESOLUTION),
+            "--overlap": values.optional_number(self.OVERLAP),
+        }
+        given = [f"{name}={value}" for name, value in options.items() if value is not None]
+        image = self._source.path()
+        with outputs.label_map(self.OUTPUT, model.classes.table) as path:
+            found = scheduled(values, ["segment", image, "--model", model.path, "--labels", path, *given], feedback)
+        certainty = found["certainty"]
+        return self._told(Sureness() if certainty is None else Sureness(certainty, 1), feedback)
 
     def _told(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         """How sure the network is; nothing of one that gives class numbers alone, or of an image without data."""

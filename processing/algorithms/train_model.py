@@ -84,11 +84,7 @@ class TrainModel(AnnotationAlgorithm):
                     "tiles and web maps are drawn by QGIS; they need extent and resolution."
                 ),
             ),
-            *(
-                replace(parameter, optional=True)
-                for parameter in offers.annotation()
-                if parameter.key != self.PRIORITY_FIELD
-            ),
+            *(replace(parameter, optional=True) for parameter in offers.annotation()),
             replace(
                 offers.label_map(
                     tr("Instead of an annotation: a raster of class values of the same ground, 0 without a label.")
@@ -314,9 +310,11 @@ class TrainModel(AnnotationAlgorithm):
         if self._labels is not None:
             return {**found, "labels": stamp(self._labels.path)}
         source = self._source
+        # What lies on top counts only where it is asked: runs canceled before it could be are gone on with.
+        fields = filter(None, (values.text(self.CLASS_FIELD), values.text(self.PRIORITY_FIELD)))
         return {
             **found,
-            "labels": [source.name, source.count, source.extent.toString(3), values.text(self.CLASS_FIELD)],
+            "labels": [source.name, source.count, source.extent.toString(3), *fields],
         }
 
     def _ground(self, values: Values, feedback: QgsProcessingFeedback) -> TrainingGround:

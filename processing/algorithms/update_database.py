@@ -104,12 +104,11 @@ class UpdateDatabase(SemRefAlgorithm):
         updater = DatabaseUpdater(
             labels, frame, stored.database, self._areas(frame, values, feedback), plugin_version(), worker_threads()
         )
-        with outputs.file(self.OUTPUT) as path:
+        with outputs.database(self.OUTPUT) as path:
             follow(updater.steps(), feedback, 0, 80)
             follow(DatabaseEditor(path, stored, updater.changes).steps(), feedback, 80, 100)
         # Else the update would undo what others have written since, where it replaces the database.
         outputs.require(stored.require_as_read)
-        outputs.open_database(self.OUTPUT)
         self._say_result(stored.database, updater.changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:

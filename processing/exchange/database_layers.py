@@ -65,6 +65,7 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     from .styles import apply_overview_style
 
     apply_overview_style(added[-1], path)
+    _tell_of(added[-1], added[-2])
     project.addMapLayers(added, False)
     root = project.layerTreeRoot()
     group = root.insertGroup(0, Path(path).stem)
@@ -78,6 +79,14 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
         if before is not None:
             before.parent().removeChildNode(before)
     return group
+
+
+def _tell_of(overview: QgsRasterLayer, windows: QgsVectorLayer) -> None:
+    """Has the overview tell what made the database: QGIS reads the note of no raster in a GeoPackage."""
+    told = windows.metadata()
+    told.setTitle(overview.name())
+    told.setAbstract(tr("The label map reduced to the most frequent class of each block."))
+    overview.setMetadata(told)
 
 
 def database_file(layer: QgsMapLayer) -> str:

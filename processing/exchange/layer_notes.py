@@ -8,71 +8,35 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
-from collections.abc import Iterable
-from dataclasses import dataclass, field
-from datetime import datetime, timezone
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
 
-from qgis.core import (
-    QgsBox3d,
-    QgsLayerMetadata,
-    QgsMapLayer,
-    QgsProcessingAlgorithm,
-    QgsProcessingContext,
-    QgsProcessingFeatureSourceDefinition,
-    QgsProcessingUtils,
-    QgsProviderRegistry,
-)
+from qgis.core import QgsBox3d, QgsLayerMetadata, QgsMapLayer, QgsProviderRegistry, QgsVectorLayer
 
-LONGEST_COMMAND = 20_000
-"""Characters of a lineage: a run of thousands of images names each."""
-
-_SQLITE_STANDARD = "http://mrcc.com/qgis.dtd"
-"""What QGIS calls the standard of its own metadata in a GeoPackage."""
-
-
-@dataclass(frozen=True)
-class Lineage:
-    """How a run made what it writes.
-
-    Attributes:
-        command: That makes it again, as Python.
-        version: Of the plugin.
-        licenses: That input layers name, each once.
-        rights: That input layers name, each once.
-        sources: Titles of the input layers.
-    """
-
-    command: str = ""
-    version: str = ""
-    licenses: tuple[str, ...] = ()
-    rights: tuple[str, ...] = ()
-    sources: tuple[str, ...] = ()
-
-    def history(self) -> list[str]:
-        """One line that says what made the layer, and when."""
-        now = datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
-        return [f"{now}, SemRef {self.version}: {self.command}"] if self.command else []
+from ...storage.vector_files import leave_wal
+from ..translation import tr
+from .database_layers import REFERENCES, WINDOWS
+from .lineage import QGIS_STANDARD, Lineage, each_once
 
 
 @dataclass(frozen=True)
 class Note:
-    """What a layer tells about itself."""
+    """What a layer tells about itself; ``earlier``: lines of its history before this run."""
 
     title: str
     abstract: str
     lineage: Lineage = field(default_factory=Lineage)
+    earlier: tuple[str, ...] = ()
 
     def metadata(self, layer: QgsMapLayer) -> QgsLayerMetadata:
         """For QGIS; ``layer``: whose CRS and extent it tells."""
         made = QgsLayerMetadata()
         made.setType("dataset")
         made.setTitle(self.title)
-        made.setAbstract(self.abstract)
+        made.setAbstract(self._abstract())
         made.setLicenses(list(self.lineage.licenses))
         made.setRights(list(self.lineage.rights))
-        made.setHistory(self.lineage.history())
+        made.setHistory([*self.earlier, *self.lineage.history()])
         made.setCrs(layer.crs())
         extent = QgsLayerMetadata.Extent()
         spatial = QgsLayerMetadata.SpatialExtent()
@@ -83,20 +47,21 @@ class Note:
         made.setExtent(extent)
         return made
 
+    def after(self, told: QgsLayerMetadata) -> Note:
+        """Of a layer that this run changed: it stays what it was, and what made it before is its history, too."""
+        own = self.lineage
+        lineage = replace(
+            own,
+            licenses=each_once((*told.licenses(), *own.licenses)),
+            rights=each_once((*told.rights(), *own.rights)),
+            sources=() if told.abstract() else own.sources,
+        )
+        return replace(self, abstract=told.abstract() or self.abstract, lineage=lineage, earlier=tuple(told.history()))
 
-def lineage_of(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, version: str
-) -> Lineage:
-    """How a run makes what it will write; call it where layers live, after they were read."""
-    layers = list(_input_layers(algorithm, parameters, context))
-    told = [layer.metadata() for layer in layers]
-    return Lineage(
-        _command(algorithm, parameters, context),
-        version,
-        _each_once(text for one in told for text in one.licenses()),
-        _each_once(text for one in told for text in one.rights()),
-        _each_once(layer.name() for layer in layers),
-    )
+    def _abstract(self) -> str:
+        if not self.lineage.sources:
+            return self.abstract
+        return f"{self.abstract}\n\n{tr('Made of: {sources}').format(sources='; '.join(self.lineage.sources))}"
 
 
 def keep_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:
@@ -111,7 +76,7 @@ def keep_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:
     QgsProviderRegistry.instance().saveLayerMetadata("ogr", whole, note.metadata(layer))
     with contextlib.closing(sqlite3.connect(path)) as connection:
         query = "SELECT metadata FROM gpkg_metadata WHERE md_standard_uri = ? ORDER BY id DESC LIMIT 1"
-        row = connection.execute(query, (_SQLITE_STANDARD,)).fetchone()
+        row = connection.execute(query, (QGIS_STANDARD,)).fetchone()
     return row is not None and str(row[0]).rstrip().endswith("</qgis>")
 
 
@@ -126,33 +91,48 @@ def keep_beside(path: str, layer: QgsMapLayer, note: Note) -> None:
     layer.saveNamedMetadata(str(Path(path).with_suffix(".qmd")))
 
 
-def _command(algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> str:
+def keep_in_database(path: str, note: Note) -> bool:
+    """Writes a note into a reference database, to each of its layers; whether they are there.
+
+    Of one that was changed, lines are added to the history that it has.
+    """
+    kept = True
     try:
-        text = algorithm.asPythonCommand(parameters, context)
-    except Exception:
-        # QGIS raises anything for values that it can't write down; the layer is worth more than its lineage.
-        text = f"processing.run({algorithm.id()!r}, …)"
-    return text if len(text) <= LONGEST_COMMAND else f"{text[:LONGEST_COMMAND]}…"
+        for table, title, abstract in _tables():
+            source = f"{path}|layername={table}"
+            layer = QgsVectorLayer(source, table, "ogr")
+            own = replace(note, title=title, abstract=f"{abstract}\n\n{note.abstract}").after(layer.metadata())
+            kept = layer.isValid() and keep_in_file(source, layer, own) and kept
+            del layer
+        leave_wal(path)
+        _drop_copies(path)
+    except sqlite3.Error:
+        return False
+    return kept
 
 
-def _input_layers(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> Iterable[QgsMapLayer]:
-    """The layers among the inputs that are loaded; none is loaded for this."""
-    for definition in algorithm.parameterDefinitions():
-        value = parameters.get(definition.name())
-        if definition.isDestination() or definition.type() not in ("source", "vector", "raster", "multilayer"):
-            continue
-        for one in value if isinstance(value, (list, tuple)) else (value,):
-            if isinstance(one, QgsProcessingFeatureSourceDefinition):
-                one = one.source.staticValue()
-            if isinstance(one, QgsMapLayer):
-                yield one
-            elif isinstance(one, str) and one:
-                layer = QgsProcessingUtils.mapLayerFromString(one, context, False)
-                if layer is not None:
-                    yield layer
+def _drop_copies(path: str) -> None:
+    """Removes what GDAL writes of one table's note while that of the next is written: the same again, as its own."""
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        copies = connection.execute(
+            "SELECT id FROM gpkg_metadata WHERE md_standard_uri = 'http://gdal.org' "
+            "AND metadata LIKE '%<MDI key=\"GPKG_METADATA_ITEM_%'"
+        ).fetchall()
+        connection.executemany("DELETE FROM gpkg_metadata_reference WHERE md_file_id = ?", copies)
+        connection.executemany("DELETE FROM gpkg_metadata WHERE id = ?", copies)
 
 
-def _each_once(texts: Iterable[str]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(text for text in texts if text))
+def _tables() -> tuple[tuple[str, str, str], ...]:
+    """(table, title, what it holds) of a database's layers that can hold a note."""
+    return (
+        (
+            REFERENCES,
+            tr("Landmarks"),
+            tr("The landmarks of the whole map: center of gravity, class and area of each region of their classes."),
+        ),
+        (
+            WINDOWS,
+            tr("Windows"),
+            tr("The windows that slide over the map, each described by the topology vector of its landmarks."),
+        ),
+    )

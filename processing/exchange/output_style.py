@@ -33,7 +33,7 @@ from .palette import CASING, INK
 STYLE_OF_SEMREF = "Style of SemRef"
 """Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
 
-_KEPT: list[_Styler] = []
+_KEPT: list[QgsProcessingLayerPostProcessorInterface] = []
 _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 
@@ -136,6 +136,20 @@ def style_when_loaded(destination: str, look: Look, context: QgsProcessingContex
         _KEPT.append(_Styler(look))
         del _KEPT[:-_MOST_KEPT]
         context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_KEPT[-1])
+
+
+def style_from_beside(path: str, context: QgsProcessingContext) -> None:
+    """Has the raster that QGIS will load take the style beside it, which Processing leaves alone."""
+    if context.willLoadLayerOnCompletion(path):
+        _KEPT.append(_BesideStyler())
+        del _KEPT[:-_MOST_KEPT]
+        context.layerToLoadOnCompletionDetails(path).setPostProcessor(_KEPT[-1])
+
+
+class _BesideStyler(QgsProcessingLayerPostProcessorInterface):
+    def postProcessLayer(self, layer, context, feedback):
+        layer.loadDefaultStyle()
+        layer.triggerRepaint()
 
 
 class _Styler(QgsProcessingLayerPostProcessorInterface):

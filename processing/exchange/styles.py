@@ -40,7 +40,7 @@ WINDOW_COLOR = "#1f5fbf"
 SEVERITY_STYLES = (
     (findings.ERROR, BAD, "0.6"),
     (findings.WARNING, WARNING, "0.5"),
-    (findings.INFORMATION, INFORMATION, "0.3"),
+    (findings.INFORMATION, INFORMATION, "0.2"),
 )
 """Severity of a finding, color, width of its outline in millimeters."""
 
@@ -101,6 +101,8 @@ def issues_renderer() -> QgsCategorizedSymbolRenderer:
         fill.setAlpha(0 if severity == findings.INFORMATION else 60)
         symbol = QgsFillSymbol.createSimple({"outline_color": color, "outline_width": width})
         symbol.symbolLayer(0).setFillColor(fill)
+        # There may be thousands, of which the most say that all is as it was meant.
+        symbol.setOpacity(0.5 if severity == findings.INFORMATION else 1.0)
         categories.append(QgsRendererCategory(severity, symbol, severity_title(severity)))
     renderer = QgsCategorizedSymbolRenderer("severity", categories)
     clause = QgsFeatureRequest.OrderByClause("array_find(array('information', 'warning', 'error'), \"severity\")")

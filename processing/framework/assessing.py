@@ -17,6 +17,7 @@ from ..wording.sentences import worded
 from . import offers
 from .base import SemRefAlgorithm, cancelable, check_canceled
 from .declarations import Number, Parameter, Switch
+from .network_noise import compared_network
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -90,6 +91,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             offers.seed(),
             *(_noise(*what) for what in offers.shared_errors()),
             offers.network(),
+            offers.comparison(),
         )
 
     def check(self, values: Values) -> None:
@@ -101,8 +103,11 @@ class AssessAlgorithm(SemRefAlgorithm):
         from ...core.simulation.noise import LabelNoise
 
         factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
+        compared = compared_network(values)
 
         def number(key: str) -> float:
+            if key in compared:
+                return compared[key]
             is_given = factor is None or key not in offers.OF_NETWORKS
             return values.number(key) if is_given else factor * _USUAL[key][0]
 

@@ -15,7 +15,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
 from ...core.sentences import legible
-from ..exchange.layer_notes import Lineage, lineage_of
+from ..exchange.lineage import Lineage, lineage_of
 from ..packages.components import OPENCV, Package, how_to_install, missing
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
@@ -23,6 +23,7 @@ from ..wording.sentences import worded
 from .apart import clear_beside_inputs, require_outputs_apart
 from .declarations import Parameter, Told
 from .outputs import Outputs
+from .time_left import TellingFeedback
 from .values import Values
 
 Declared = Union[Parameter, Told]
@@ -184,7 +185,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
                 raise self._refusal
             values = Values(self, parameters, context)
             with Outputs(values, self._lineage) as outputs:
-                numbers = self.work(values, outputs, feedback)
+                numbers = self.work(values, outputs, TellingFeedback(feedback))
                 outputs.commit()
             return {**outputs.results, **(numbers or {})}
         except SemRefError as error:

@@ -33,7 +33,7 @@ def measured_shifts(
     for share, annotated, predicted in pair.pieces(PIECE_PX):
         check_canceled(feedback)
         pieces += piece_shifts(annotated, match.values[predicted], values)
-        feedback.setProgress(96 + 3 * share)
+        feedback.setProgress(96 + 1.5 * share)
     has_ground = pair.reference.dataset.GetGeoTransform(can_return_null=True) is not None
     rows = tuple(_row(shift, match.name(shift.value), pair.geotransform, has_ground) for shift in class_shifts(pieces))
     unit = PIXEL if not has_ground else METER if is_metric(crs) else MAP_UNIT

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable
 
 from ...core.errors import ParameterError, SemRefError
@@ -85,6 +85,7 @@ def with_log(
     Raises:
         ParameterError: The log tells nothing of these images.
     """
+    from ...core.flight.cameras import completed
     from ...core.flight.table import stem_of
     from ...core.flight.telemetry import log_cameras, log_links
     from ...core.geometry.camera import Camera as NoCamera
@@ -95,15 +96,7 @@ def with_log(
     told = log_cameras(log, names, times_s)
     if all(one == NoCamera() for one in told) and not log_links(log, names, times_s):
         raise ParameterError("algorithms.log_of_other_images", image=os.path.basename(paths[0]))
-    return [
-        replace(
-            camera,
-            attitude=camera.attitude or (one.attitude if with_attitude else None),
-            height=camera.height or one.height,
-            heading_deg=one.heading_deg if camera.heading_deg is None else camera.heading_deg,
-        )
-        for camera, one in zip(cameras, told)
-    ]
+    return [completed(camera, one, with_attitude) for camera, one in zip(cameras, told)]
 
 
 class FlightReader:
@@ -144,7 +137,7 @@ class FlightReader:
 
         localizer = self._localizer
         try:
-            seen, known = self._read_labels.seen(path), self._read_labels.biases(path)
+            (seen, pixels), known = self._read_labels.seen_with_pixels(path), self._read_labels.biases(path)
             localizer.heed_biases(known.class_biases, known.class_spread)
             labels_hw, shape_hw = seen.labels_hw, seen.labels_hw.shape
             prior, way = self._prior_of(shape_hw, camera), camera.leveling(shape_hw)
@@ -152,7 +145,7 @@ class FlightReader:
                 seen, prior = level_labels(seen, way), of_leveled(prior, way)
             own = localizer.localize(seen.labels_hw, self._method, prior, self._with_matches, seen.shares)
             flown = FlightImage(os.path.basename(path), seen.labels_hw, own, camera.time_s, prior)
-            features = features_of(seen.labels_hw, self._read_labels.photo(path), way)
+            features = features_of(seen.labels_hw, pixels, way)
         except SemRefError as error:
             self.taken.append(TakenImage(path, camera, error=worded(error)))
             return

@@ -164,7 +164,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         self, values: Values, method: Method, feedback: QgsProcessingFeedback, needed: bool = True
     ) -> tuple[list[str], list[Camera]]:
         """Paths of the images and how their cameras were held. Raises ParameterError for none that are ``needed``."""
-        from ...storage.camera_files import read_cameras
+        from ...core.flight.cameras import read_cameras
         from ...storage.rasters import image_files
 
         paths = image_files(values.files(self.IMAGES))
@@ -203,21 +203,16 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
     ) -> Callable[[tuple[int, int], Camera], Prior]:
         """The function (shape, Camera) → what is known of an image beforehand."""
-        from ...core.localizer.leveled import with_camera
-        from ...core.localizer.localizer import default_scales
+        from ...core.localizer.leveled import prior_of
 
         scales = priors.scales(values, method)
         known = priors.prior(values, crs)
 
-        def prior_of(shape_hw: tuple[int, int], camera: Camera) -> Prior:
+        def prior_of_image(shape_hw: tuple[int, int], camera: Camera) -> Prior:
             sizes = scales and localizer.pixel_sizes(shape_hw, scales)
-            prior = with_camera(replace(known, pixel_size_range=sizes), camera, shape_hw)
-            if prior.pixel_size_range is None and camera.leveling(shape_hw) is not None:
-                # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
-                prior = replace(prior, pixel_size_range=localizer.pixel_sizes(shape_hw, default_scales(method)))
-            return prior
+            return prior_of(localizer, method, replace(known, pixel_size_range=sizes), camera, shape_hw)
 
-        return prior_of
+        return prior_of_image
 
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """The function path → labels: of label images, or with a model of photos."""

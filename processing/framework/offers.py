@@ -33,6 +33,7 @@ BACKGROUND, DISPLACED, SHIFTED, LEANING = "BACKGROUND", "DISPLACED", "SHIFTED", 
 LENS, TILT = "LENS", "TILT"
 OPEN_OUTPUT = "OPEN_OUTPUT"
 NETWORK = "NETWORK"
+COMPARISON = "COMPARISON"
 
 NETWORK_FACTORS = (None, 0.5, 1.0, 2.0)
 """By option of NETWORK: multiplies what is assumed of a network; None leaves it to the numbers that are given."""
@@ -164,6 +165,16 @@ def network() -> Choice:
         "poor twice as much. Errors of map and camera stay as the numbers say."
     )
     return Choice(NETWORK, tr("Network"), text, optional=True, default=0, options=options)
+
+
+def comparison() -> File:
+    """How poor labels are, as a comparison has measured it."""
+    text = tr(
+        "The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed "
+        "background and shifted classes that it found count instead of the network in a word and of these numbers. "
+        "Errors of map and camera stay as the numbers say."
+    )
+    return File(COMPARISON, tr("Comparison report"), text, True, filter=tr("HTML files (*.html)"))
 
 
 def noises() -> tuple[tuple[str, str, str], ...]:

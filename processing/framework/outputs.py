@@ -22,8 +22,9 @@ from ...storage.files import Batch
 from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
 from ..exchange.database_layers import open_when_done
-from ..exchange.layer_notes import Lineage, Note
-from ..exchange.output_style import Look, style_in_file, style_in_memory, style_when_loaded
+from ..exchange.layer_notes import Note, keep_in_database
+from ..exchange.lineage import Lineage
+from ..exchange.output_style import Look, style_from_beside, style_in_file, style_in_memory, style_when_loaded
 from . import offers
 
 if TYPE_CHECKING:
@@ -87,6 +88,7 @@ class Outputs:
         require_whole_raster(temporary, target)
         if write_style is not None:
             write_style(temporary)
+            style_from_beside(target, self._values.context)
         self.results[key] = target
 
     def label_map(self, key: str, table: ClassTable) -> AbstractContextManager[str]:
@@ -109,8 +111,17 @@ class Outputs:
             raise ParameterError("framework.not_written", name=target)
         self.results[key] = target
 
-    def open_database(self, key: str) -> None:
-        """Has QGIS open the reference database of an output, where whoever started the algorithm wants that."""
+    @contextmanager
+    def database(self, key: str) -> Iterator[str]:
+        """Gives a path to write a reference database to, which gets its note; QGIS opens it where the user wants that.
+
+        Raises:
+            ParameterError: The disk can't take the note.
+        """
+        with self.file(key) as temporary:
+            yield temporary
+            if not keep_in_database(temporary, self._note(key)):
+                raise ParameterError("framework.not_written", name=key)
         if self._values.switch(offers.OPEN_OUTPUT):
             self._opened.append(key)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 from qgis.core import QgsProcessingFeedback
@@ -21,10 +21,12 @@ from .declarations import NumberResult, TextResult
 
 if TYPE_CHECKING:
     from ...core.labels.class_shares import SeenLabels
+    from ...core.labels.image_source import ImageSource
     from ...core.segmentation.class_bias import KnownBiases
     from ...core.segmentation.model import SegmentationModel
     from ...storage.images import GdalImage
 
+    Pixels = tuple[np.ndarray, Optional[np.ndarray]]
 
 DEVICE, TILES_PER_SECOND = "DEVICE", "TILES_PER_SECOND"
 """Keys of what algorithms tell of a network's run."""
@@ -107,36 +109,30 @@ class PhotoLabels:
 
         return class_bias_text(self._model.class_bias)
 
-    def photo(self, path: str) -> tuple[np.ndarray, np.ndarray | None]:
-        """(H, W, 3) uint8 pixels of a photo and (H, W) bool, where it has data; None everywhere."""
-        from ...storage.images import GdalImage
-
-        image = GdalImage(path)
-        height, width = image.shape_hw
-        return image.read(0, 0, width, height)
-
     def __call__(self, path: str) -> np.ndarray:
         return self.seen(path).labels_hw
 
     def seen(self, path: str) -> SeenLabels:
         """Labels of a photo, and how sure the network is where it tells."""
+        photo = _opened(path)
+        return self._seen(path, photo, photo)
+
+    def seen_with_pixels(self, path: str) -> tuple[SeenLabels, Pixels]:
+        """The same, and (H, W, 3) uint8 pixels with (H, W) bool, where there is data: read once, all in memory."""
+        from ...core.labels.image_source import ArrayImage
+
+        photo = _opened(path)
+        height, width = photo.shape_hw
+        pixels = photo.read(0, 0, width, height)
+        return self._seen(path, photo, ArrayImage(*pixels)), pixels
+
+    def _seen(self, path: str, photo: GdalImage, source: ImageSource) -> SeenLabels:
+        """Labels of a photo whose pixels come from ``source``."""
         from ...core.labels.class_shares import SeenLabels
-        from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
         from ...core.segmentation.photo_labels import PhotoLabels as Labels
-        from ...storage.images import GdalImage
         from ..exchange.images import pixel_size_m, stated_crs
 
-        photo = GdalImage(path)
-        height, width = photo.shape_hw
-        if height * width > MAXIMUM_IMAGE_PIXELS:
-            raise ImageError(
-                "labels.image_too_large",
-                path=path,
-                width=width,
-                height=height,
-                most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
-            )
-        labels = Labels(self._model, photo, self._values, pixel_size_m(photo, stated_crs(path)))
+        labels = Labels(self._model, source, self._values, pixel_size_m(photo, stated_crs(path)))
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
@@ -161,9 +157,6 @@ class LabelImageReader:
     def __init__(self, table: ClassTable) -> None:
         self._table = table
 
-    def photo(self, path: str) -> None:
-        """There is none: labels are all that is known."""
-
     def __call__(self, path: str) -> np.ndarray:
         from ...storage.rasters import read_label_image
 
@@ -175,6 +168,10 @@ class LabelImageReader:
 
         return SeenLabels(self(path))
 
+    def seen_with_pixels(self, path: str) -> tuple[SeenLabels, None]:
+        """The same; there are no other pixels."""
+        return self.seen(path), None
+
     def biases(self, path: str) -> KnownBiases:
         """How the labels of an image are shifted: as the network says that made it, if one did."""
         from ...core.segmentation.class_bias import KEY, KnownBiases, known_biases, read_class_bias
@@ -184,6 +181,24 @@ class LabelImageReader:
         if stated is None:
             return KnownBiases()
         return known_biases(read_class_bias({KEY: stated}, None, path), self._table)
+
+
+def _opened(path: str) -> GdalImage:
+    """A photo; raises ImageError for one that is too large."""
+    from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
+    from ...storage.images import GdalImage
+
+    photo = GdalImage(path)
+    height, width = photo.shape_hw
+    if height * width > MAXIMUM_IMAGE_PIXELS:
+        raise ImageError(
+            "labels.image_too_large",
+            path=path,
+            width=width,
+            height=height,
+            most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
+        )
+    return photo
 
 
 def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessingFeedback) -> None:

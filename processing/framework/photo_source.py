@@ -85,6 +85,12 @@ class PhotoSource:
             return Photo(file, file, file.geotransform, crs)
         return self._part(file, crs)
 
+    def path(self) -> str:
+        """The file of a layer that needs no drawing; raises ParameterError for others, which workers can't draw."""
+        if self._file is None:
+            raise ParameterError("framework.drawn_layer")
+        return self._file.path
+
     def file(self, resolution_m: float, feedback: QgsProcessingFeedback) -> str:
         """The path of a file that shows what is wanted; one that had to be made lasts as long as QGIS runs.
 

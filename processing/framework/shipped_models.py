@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from qgis.core import QgsProcessingModelAlgorithm
+from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
@@ -122,9 +122,23 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         for child in model["children"].values():
             for output in child["outputs"].values():
                 output["component_description"] = tr(output["component_description"])
-        helps = {"ALG_DESC": texts.summary, **texts.helps}
+        helps = {"ALG_DESC": texts.summary, **self._helps_of_steps(), **texts.helps}
         model["help"] = {**model["help"], **helps}
         self.loadVariant(model)
+
+    def _helps_of_steps(self) -> dict[str, str]:
+        """What the algorithms say of the parameters that the model hands on to them."""
+        helps: dict[str, str] = {}
+        registry = QgsApplication.processingRegistry()
+        for child in self.childAlgorithms().values():
+            algorithm = registry.algorithmById(child.algorithmId())
+            for key, sources in child.parameterSources().items():
+                definition = algorithm and algorithm.parameterDefinition(key)
+                # Only what the model hands on from its own parameters names one.
+                for name in (one.parameterName() for one in sources if definition):
+                    if name:
+                        helps.setdefault(name, definition.help())
+        return helps
 
     # --- QgsProcessingAlgorithm ---
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterator
 from contextlib import closing
@@ -14,14 +13,11 @@ from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 from ...core.errors import TrainingError
 from ...core.sentences import Sentence
 from ..translation import tr
-from .base import check_canceled
+from .told_process import ToldProcess
 
 PROGRAM = Path(__file__).resolve().parents[2] / "training"
 
-_LOOKED_EVERY_MS = 200
 _KILLED_WITHIN_MS = 5000
-_LAST_LINES = 20
-"""Of what it says beside events; the last of them tell why it ended."""
 
 _QGIS_OWN = ("PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP")
 """Variables by which QGIS leads its own Python, and another one astray."""
@@ -49,60 +45,18 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     process.start(python, [str(PROGRAM), *arguments])
     if not process.waitForStarted():
         raise TrainingError("training.not_started", python=python, reason=process.errorString())
-    lines = _Lines(process)
+    told = ToldProcess(process)
     try:
-        with closing(lines.read(feedback)) as read:
-            yield from read
+        with closing(told.read(feedback)) as events:
+            for event in events:
+                _require_no_failure(event, feedback)
+                yield event
     finally:
         if process.state() != QProcess.ProcessState.NotRunning:
             process.kill()
             process.waitForFinished(_KILLED_WITHIN_MS)
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
-        raise TrainingError("training.ended", python=python, reason=lines.reason or process.errorString())
-
-
-class _Lines:
-    """What a process prints: events on its output, and the last words beside them."""
-
-    def __init__(self, process: QProcess) -> None:
-        self._process = process
-        self._rest = b""
-        self._said: list[str] = []
-
-    @property
-    def reason(self) -> str:
-        """Its last words, as part of a sentence."""
-        return self._said[-1].rstrip(".") if self._said else ""
-
-    def read(self, feedback: QgsProcessingFeedback) -> Iterator[dict]:
-        """Every event until the process ends; raises TrainingError for one that says that it failed."""
-        running = True
-        while running:
-            check_canceled(feedback)
-            running = self._process.state() != QProcess.ProcessState.NotRunning
-            if running:
-                self._process.waitForReadyRead(_LOOKED_EVERY_MS)
-            for event in self._events():
-                _require_no_failure(event, feedback)
-                yield event
-
-    def _events(self) -> Iterator[dict]:
-        errors = bytes(self._process.readAllStandardError()).decode("utf-8", "replace")
-        self._said = [*self._said, *filter(None, map(str.strip, errors.splitlines()))][-_LAST_LINES:]
-        *lines, self._rest = (self._rest + bytes(self._process.readAllStandardOutput())).split(b"\n")
-        for line in lines:
-            event = _event(line)
-            if event is not None:
-                yield event
-
-
-def _event(line: bytes) -> dict | None:
-    """What a line tells; None for one that is no event: libraries print, too."""
-    try:
-        found = json.loads(line.decode("utf-8", "replace"))
-    except ValueError:
-        return None
-    return found if isinstance(found, dict) and isinstance(found.get("event"), str) else None
+        raise TrainingError("training.ended", python=python, reason=told.reason or process.errorString())
 
 
 def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:

@@ -46,6 +46,8 @@ class Package:
     """Names under which the same module is packaged, too."""
     own_folder: str = ""
     """Of those that SemRef installed; that of its module where this is empty."""
+    comes_with: tuple[str, ...] = ()
+    """Other packages that it needs and QGIS may lack, by pip's names; they lie in its folder."""
 
     @property
     def folder(self) -> Path:
@@ -65,11 +67,18 @@ class Package:
         """The versions that tests passed with, such as ``>=4.5,<4.12``."""
         return self.limits_before_numpy_2 if _numpy_1(numpy_version) else self.limits
 
+    def asked(self, numpy_version: str) -> list[str]:
+        """What pip is asked for where it may choose: the package, and what comes with it."""
+        pinned = (line.partition(" --hash")[0] for line in self.pinned(numpy_version))
+        others = [re.sub(r"==\S+", "", line) for line in pinned if not line.startswith(f"{self.pip_name}==")]
+        return [self.requirement(numpy_version), *dict.fromkeys(others)]
+
     def pinned(self, numpy_version: str) -> list[str]:
         """The versions that are installed from the index, with the hashes of their wheels: lines for pip."""
         file = Path(__file__).parent / f"wheels_numpy{1 if _numpy_1(numpy_version) else 2}.txt"
         lines = file.read_text(encoding="ascii").splitlines()
-        return [line for line in lines if line.startswith(f"{self.pip_name}==")]
+        starts = tuple(f"{name}==" for name in (self.pip_name, *self.comes_with))
+        return [line for line in lines if line.startswith(starts)]
 
 
 def _numpy_1(version: str) -> bool:
@@ -134,7 +143,26 @@ ONNXRUNTIME_VARIANTS = tuple(
 """The same module with more devices (core/segmentation/devices.py); a folder of its own keeps what runs from being
 replaced, and the newest one comes first."""
 
-PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME)
+DASK = Package(
+    title="Dask",
+    module="distributed",
+    pip_name="distributed",
+    debian="python3-distributed",
+    fedora="python3-distributed",
+    arch="python-distributed",
+    conda="distributed",
+    limits=">=2024.8,<2027",
+    limits_before_numpy_2=">=2024.8,<2027",
+    comes_with=(
+        *("dask", "click", "cloudpickle", "fsspec", "importlib_metadata", "jinja2", "locket", "markupsafe", "msgpack"),
+        *("packaging", "partd", "psutil", "pyyaml", "sortedcontainers", "tblib", "toolz", "tornado", "urllib3"),
+        *("zict", "zipp"),
+    ),
+)
+
+PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME, DASK)
+OPTIONAL = (DASK,)
+"""Not suggested: nothing but SCHEDULER needs them."""
 
 
 def purpose(package: Package) -> str:
@@ -143,6 +171,7 @@ def purpose(package: Package) -> str:
         OPENCV: tr("Everything: label maps, databases, localization"),
         SHAPELY: tr("Checking and repairing annotations, making the sample project"),
         ONNXRUNTIME: tr("Segmenting photos with a network"),
+        DASK: tr("Building databases and label maps by many processes or machines"),
     }[package]
 
 
@@ -251,7 +280,8 @@ def install_command(packages: list[Package]) -> str:
 
 def _pip_install(packages: list[Package]) -> str:
     # Without dependencies: pip must not replace QGIS's numpy.
-    requirements = (f'"{package.requirement(np.__version__)}"' for package in packages)
+    asked = (name for package in packages for name in package.asked(np.__version__))
+    requirements = ("'" + text + "'" if '"' in text else f'"{text}"' for text in asked)
     python = os.path.join(sys.prefix, "bin", "python3")
     # pip refuses to install beside the distribution's packages unless it is told to; --user leaves those alone.
     managed = os.path.isfile(os.path.join(sysconfig.get_path("stdlib"), "EXTERNALLY-MANAGED"))

@@ -168,7 +168,7 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     requirement = package.requirement(np.__version__)
     title = tr("Installing {package}…").format(package=package.pip_name)
     variables = pip_variables(str(temporary))
-    asked = [requirement] if wheels else _with_hashes(package, temporary)
+    asked = package.asked(np.__version__) if wheels else _with_hashes(package, temporary)
     pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
         raise ComponentError(why_pip_failed(requirement, pip.output, wheels))

@@ -120,8 +120,10 @@ def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_a
         for at, (group, y) in enumerate(zip(one.x, one.y)):
             left = group + 0.12 + number * width
             (x0, top), (x1, floor) = frame.point(left, y), frame.point(left + width * 0.9, y_axis.limits[0])
+            # On a logarithmic axis that begins at one, one is seen, too.
+            top = min(top, floor - (2.0 if y_axis.logarithmic else 0.5))
             parts.append(
-                f'<rect x="{x0:.1f}" y="{top:.1f}" width="{x1 - x0:.1f}" height="{max(floor - top, 0.5):.1f}" '
+                f'<rect x="{x0:.1f}" y="{top:.1f}" width="{x1 - x0:.1f}" height="{floor - top:.1f}" '
                 f'style="fill:{one.color or _color(number)}"/>'
             )
             if one.low is not None:

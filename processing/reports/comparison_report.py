@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 from ...core.labels.comparison import ClassMatch, LabelComparison
 from ...core.landmarks.class_shifts import PIECE_PX
+from ...core.landmarks.compared import LandmarkErrors
 from ..translation import tr
 from ..wording.numbers import count as number_text
 from ..wording.numbers import shown
 from . import charts, page
+from .network_noise import LEAST_LANDMARKS, network_line
 
 METER, PIXEL, MAP_UNIT = "m", "px", ""
 
@@ -37,8 +39,22 @@ class MeasuredShifts:
     piece_px: int = PIECE_PX
 
 
+@dataclass(frozen=True)
+class MeasuredErrors:
+    """Landmarks: (name, errors) of each class, of all, and what assessments are to assume, by their keys."""
+
+    rows: tuple[tuple[str, LandmarkErrors], ...]
+    total: LandmarkErrors
+    numbers: dict[str, float | None]
+
+
 def comparison_html(
-    comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts, reference: str, predicted: str
+    comparison: LabelComparison,
+    match: ClassMatch,
+    shifts: MeasuredShifts,
+    errors: MeasuredErrors,
+    reference: str,
+    predicted: str,
 ) -> str:
     """The whole page; ``reference``, ``predicted``: paths of the maps."""
     count = tr("{count} pixels compared").format(count=number_text(comparison.pixels))
@@ -60,14 +76,16 @@ def comparison_html(
         title,
         subtitle,
         figures,
-        page.next_steps(tr("What to do next"), _next(comparison, match, shifts)),
+        page.next_steps(tr("What to do next"), _next(comparison, match, shifts, errors)),
         page.section(tr("Confusion matrix"), matrix),
         page.section(tr("Classes"), _classes(comparison, match)),
+        page.section(tr("Landmarks"), *_landmarks(errors)),
         page.section(tr("Bias of classes"), *_biases(shifts)),
+        head=network_line(errors.numbers, errors.total.annotated),
     )
 
 
-def _next(comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts) -> list[str]:
+def _next(comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts, errors: MeasuredErrors) -> list[str]:
     steps = [tr("Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.")]
     values = [value for value in comparison.values if value and comparison.annotated[value]]
     if values:
@@ -76,7 +94,32 @@ def _next(comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts
         steps.append(text.format(name=match.name(worst), iou=page.percent(comparison.iou(worst))))
     if shifts.rows:
         steps.append(tr("Give the network’s file as MODEL, and positions are freed of the biases below."))
+    if errors.total.annotated >= LEAST_LANDMARKS:
+        steps.append(
+            tr("Give this page as “Comparison report” to “Assess reference database”: will such labels be found?")
+        )
     return steps
+
+
+def _landmarks(errors: MeasuredErrors) -> list[str]:
+    """How many were missed, misnamed and invented, a class a row."""
+    if not errors.rows:
+        return [page.paragraph(tr("Neither map has a landmark of a size that counts."))]
+    header = [tr("Class"), tr("annotated"), tr("missed"), tr("misnamed"), tr("invented")]
+    rows = [
+        [name, number_text(found.annotated), *_shares(found)]
+        for name, found in (*errors.rows, (tr("all"), errors.total))
+    ]
+    text = tr(
+        "A landmark is found where the prediction has one of about its place and size. Shares are of the annotated "
+        "ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed."
+    )
+    return [page.table(header, rows, range(1, len(header))), page.paragraph(text.format(edge=PIECE_PX))]
+
+
+def _shares(found: LandmarkErrors) -> list[str]:
+    counts = found.missed, found.misnamed, found.invented
+    return [page.percent(count / found.annotated) if found.annotated else number_text(count) for count in counts]
 
 
 def _biases(shifts: MeasuredShifts) -> list[str]:

@@ -169,7 +169,7 @@ def _image_table(points: Sequence[FlightPoint]) -> list[str]:
             *(shown(value, ".1f") for value in point.position or ()),
             *([page.NOTHING] * (0 if point.position else 2)),
             page.NOTHING if point.heading_deg is None else f"{shown(point.heading_deg, '.1f')}°",
-            page.number(point.radius_95, "m"),
+            page.NOTHING if point.radius_95 is None else f"{shown(point.radius_95, ',.2f')}{page.NO_BREAK}m",
             page.NOTHING if point.fixes_per_error is None else shown(point.fixes_per_error, ",.0f"),
             point.reason,
         ]

@@ -66,13 +66,8 @@ _STYLE = (
     f":root {{ color-scheme: light dark; {_LIGHT} }}\n"
     f"@media (prefers-color-scheme: dark) {{ :root {{ {_DARK} }} }}\n"
     f"@media print {{ :root {{ color-scheme: light; {_PAPER} }} }}\n"
-    """@page { margin: 16mm 14mm; }
-@media print { section, figure, .figures, .next { break-inside: avoid; } table { break-inside: auto; }
-  tr { break-inside: avoid; } thead { display: table-header-group; } h2 { break-after: avoid; }
-  main { max-width: none; padding: 0; } .scroll { overflow: visible; }
-  svg, .figures div, .next, td { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
-body { margin: 0; background: var(--ground); color: var(--text); font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans",
-  sans-serif; }
+    """body { margin: 0; background: var(--ground); color: var(--text); font: 15px/1.5 system-ui, "Segoe UI",
+  "Noto Sans", sans-serif; }
 main { max-width: 1020px; margin: 0 auto; padding: 28px 24px 48px; }
 h1 { font-size: 26px; line-height: 1.25; margin: 0 0 4px; }
 h2 { font-size: 18px; margin: 36px 0 8px; padding-top: 14px; border-top: 1px solid var(--line); }
@@ -100,16 +95,23 @@ td.good { color: var(--good); } td.bad { color: var(--bad); }
 .next h2 { border: 0; margin: 0 0 6px; padding: 0; font-size: 15px; }
 .next ul { margin: 0 0 8px; padding-left: 18px; } .next li { margin: 0 0 4px; max-width: 78ch; }
 @media (max-width: 520px) { .columns { grid-template-columns: 1fr; } }
+@page { margin: 16mm 14mm; }
+@media print { figure, .figures, .next, tr { break-inside: avoid; } thead { display: table-header-group; }
+  h2 { break-after: avoid; } main { max-width: none; padding: 0; } .scroll { overflow: visible; }
+  .figures { grid-template-columns: repeat(4, 1fr); } .figures b { font-size: 20px; }
+  table { font-size: 11px; } th, td { padding-right: 8px; } td.number, th.number { white-space: normal; }
+  svg { max-height: 120mm; }
+  svg, .figures div, .next, td { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 """
 )
 
 
-def page(title: str, subtitle: str, *parts: str) -> str:
-    """A whole HTML document; title and subtitle are text, parts HTML."""
+def page(title: str, subtitle: str, *parts: str, head: str = "") -> str:
+    """A whole HTML document; title and subtitle are text, parts and lines of its head HTML."""
     return (
         '<!DOCTYPE html>\n<html>\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{escape(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n<main>\n"
+        f"{head}<title>{escape(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n<main>\n"
         f'<h1>{escape(title)}</h1>\n<p class="soft">{escape(subtitle)}</p>\n'
         + "\n".join(parts)
         + "\n</main>\n</body>\n</html>\n"

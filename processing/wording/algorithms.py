@@ -65,6 +65,14 @@ SENTENCES = {
         "No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave "
         "MODEL_OUTPUT empty."
     ),
+    "algorithms.no_comparison": (
+        "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page "
+        "as COMPARISON."
+    ),
+    "algorithms.few_compared": (
+        "{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger area, or "
+        "leave COMPARISON empty."
+    ),
     "algorithms.no_methods": "METHODS is empty; choose at least one method.",
     "algorithms.map_in_other_crs": (
         "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS."

@@ -35,14 +35,14 @@ def sentence(finding: Finding, class_names: dict[int, str]) -> str:
     return _filled(_check_template(finding), finding, class_names)
 
 
-def severity_title(severity: str) -> str:
-    """A severity in the user's language."""
-    return {kinds.ERROR: tr("errors"), kinds.WARNING: tr("warnings"), kinds.INFORMATION: tr("information")}[severity]
-
-
 def severity_words() -> dict[str, str]:
-    """Words for each key of ``severity``, of one finding."""
-    return {kinds.ERROR: tr("error"), kinds.WARNING: tr("warning"), kinds.INFORMATION: tr("information")}
+    """THE word for each key of ``severity``: in reports, legends, tables and the dock alike."""
+    return {kinds.ERROR: tr("Error"), kinds.WARNING: tr("Warning"), kinds.INFORMATION: tr("Information")}
+
+
+def severity_title(severity: str) -> str:
+    """A severity in the user's language; what this version does not know stands for itself."""
+    return severity_words().get(severity, severity)
 
 
 def kind_titles() -> dict[str, str]:
@@ -81,9 +81,27 @@ def _filled(template: str, finding: Finding, class_names: dict[int, str]) -> str
         name=class_names.get(finding.class_value, ""),
         other_name=class_names.get(finding.other_class, ""),
         area=finding.area or 0.0,
-        reason=finding.reason,
+        reason=_reason(finding),
         number=finding.number,
     )
+
+
+def _reason(finding: Finding) -> str:
+    """As GEOS says it, in the user's language where it is one of its usual reasons."""
+    if finding.kind != kinds.INVALID:
+        return finding.reason
+    words = {
+        "Self-intersection": tr("Self-intersection"),
+        "Ring Self-intersection": tr("Ring Self-intersection"),
+        "Too few points in geometry component": tr("Too few points in geometry component"),
+        "Hole lies outside shell": tr("Hole lies outside shell"),
+        "Holes are nested": tr("Holes are nested"),
+        "Nested shells": tr("Nested shells"),
+        "Interior is disconnected": tr("Interior is disconnected"),
+        "Duplicate Rings": tr("Duplicate Rings"),
+    }
+    name, bracket, place = finding.reason.partition(" (")
+    return words.get(name, name) + bracket + place
 
 
 def _check_template(finding: Finding) -> str:

@@ -179,6 +179,11 @@ def source_words() -> dict[str, str]:
     return {"own": tr("fix of its own"), "flight": tr("the flight")}
 
 
+def trial_words() -> dict[str, str]:
+    """Words for each key of ``kind`` of a trial."""
+    return {"map": tr("image of the map"), "mirrored": tr("mirrored image")}
+
+
 def verdict_words() -> dict[str, str]:
     """Words for each key of ``verdict``, from the worst to the best."""
     return {
@@ -198,7 +203,7 @@ def column_words(names: Collection[str]) -> dict[str, dict[str, str]]:
         "source": source_words(),
         "verdict": verdict_words(),
         "severity": severity_words(),
-        # Trials have kinds of their own.
-        **({"kind": kind_titles()} if "severity" in names else {}),
+        "kind": kind_titles() if "severity" in names else trial_words(),
+        "road": method_words(),
     }
     return {name: found for name, found in words.items() if name in names}

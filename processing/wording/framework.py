@@ -1,6 +1,12 @@
 """Sentences of what all algorithms share."""
 
 SENTENCES = {
+    "framework.scheduler": (
+        "{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a scheduler, "
+        "such as tcp://10.0.0.5:8786."
+    ),
+    "framework.drawn_layer": "QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.",
+    "framework.not_scheduled": "{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.",
     "inspection.elsewhere": (
         "“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database."
     ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
 
 import numpy as np
 
@@ -49,16 +50,17 @@ def overview_checksum(connection: sqlite3.Connection) -> str:
     tiles = connection.execute(
         "SELECT zoom_level, tile_column, tile_row, tile_data FROM overview ORDER BY zoom_level, tile_column, tile_row"
     )
-    columns = [
+    # One after the other: of a continent they don't fit into memory.
+    columns = (
         part
         for zoom, column, row, data in tiles
         for part in (np.array([zoom, column, row], "<i8"), data if isinstance(data, bytes) else repr(data).encode())
-    ]
+    )
     matrix = connection.execute(
         "SELECT zoom_level, matrix_width, matrix_height, tile_width, tile_height, pixel_x_size, pixel_y_size "
         "FROM gpkg_tile_matrix WHERE table_name = 'overview' ORDER BY zoom_level"
     )
-    return digest([*columns, repr(matrix.fetchall()).encode()])
+    return digest(chain(columns, [repr(matrix.fetchall()).encode()]))
 
 
 _SHOWN_ROWS = {

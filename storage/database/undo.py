@@ -22,7 +22,7 @@ def file_before(path: str) -> str:
 
 def can_undo(path: str) -> bool:
     """Whether a database has its state before the last update beside it."""
-    return bool(path) and os.path.isfile(file_before(path))
+    return bool(Path(path).name) and os.path.isfile(file_before(path))
 
 
 def replace_keeping(path: str, updated: str) -> None:

@@ -17,6 +17,7 @@ from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal
 from . import schema
+from .overview_file import OverviewFile
 from .reader import store_checksums
 
 _FEATURES_A_STEP = 2000
@@ -34,7 +35,7 @@ class DatabaseWriter:
         database: ReferenceDatabase,
         longitudes: np.ndarray,
         latitudes: np.ndarray,
-        overview: np.ndarray,
+        overview: np.ndarray | OverviewFile,
         styles: dict[str, str],
         moment: str = "",
     ) -> None:
@@ -45,7 +46,7 @@ class DatabaseWriter:
             database: With the windows' distinctiveness, NaN is written as NULL.
             longitudes: (N,) degrees, of the windows' centers; NaN is written as NULL.
             latitudes: (N,) degrees, as well.
-            overview: (h, w) uint8.
+            overview: (h, w) uint8, or the file that holds it.
             styles: QML by table.
             moment: What the file says of when it was written (ISO 8601, UTC), so that the same map gives the same
                 bytes; empty for now.
@@ -151,8 +152,9 @@ class DatabaseWriter:
             yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
 
     def _write_overview(self, srs: osr.SpatialReference) -> None:
-        # Shares the array's memory, as GDAL's drivers copy from datasets only.
-        memory = gdal_array.OpenArray(self._overview)
+        # GDAL's drivers copy from datasets only; one of an array shares its memory.
+        held = isinstance(self._overview, np.ndarray)
+        memory = gdal_array.OpenArray(self._overview) if held else self._overview.dataset()
         memory.SetGeoTransform(self._database.parameters.overview_frame.geotransform)
         memory.SetProjection(srs.ExportToWkt())
         band = memory.GetRasterBand(1)

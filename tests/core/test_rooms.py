@@ -182,7 +182,9 @@ def test_cluster_imports_dask_and_the_rooms_below_it(path):
 
 @each([path for room in ROOMS if room != "cluster" for path in source_files(room)])
 def test_nothing_else_needs_dask_or_imports_the_cluster(path):
-    assert imports_of(path, "dask", "distributed", "cloudpickle", "cluster") == set()
+    """But for what a failure is said in: QGIS starts the cluster's process, and words what that tells."""
+    shared = {"cluster.sentences"} if path.name == "scheduled.py" else set()
+    assert imports_of(path, "dask", "distributed", "cloudpickle", "cluster") - shared == set()
 
 
 @each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "command_line", "options", "sentences")])

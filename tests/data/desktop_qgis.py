@@ -40,8 +40,8 @@ def run_desktop(
         "DISPLAY": display,
         "HOME": str(home),
         "XDG_RUNTIME_DIR": str(runtime),
-        # OpenCV, where a virtual environment has it: QGIS runs the system's Python.
-        "PYTHONPATH": sysconfig.get_path("purelib"),
+        # OpenCV, where a virtual environment has it: QGIS runs the system's Python; and what scripts share.
+        "PYTHONPATH": os.pathsep.join([sysconfig.get_path("purelib"), str(Path(__file__).parent)]),
         "SEMREF_DESKTOP_RESULT": str(result),
         **variables,
     }
@@ -55,6 +55,19 @@ def run_desktop(
     seen = json.loads(result.read_text(encoding="utf-8"))
     assert "error" not in seen, seen["error"]
     return {**seen, "exit_status": status, "output": said}
+
+
+def walk(repository: Path, home: Path, display: str, script: Path, variables: dict[str, str]) -> dict:
+    """As run_desktop, in a profile that has the plugin; SEMREF_PICTURES names a folder to keep what was seen in."""
+    profile = home / "profiles" / "default"
+    install_package(repository, profile / "python" / "plugins")
+    (profile / "QGIS").mkdir()
+    (profile / "QGIS" / "QGIS3.ini").write_text("[PythonPlugins]\nsemref=true\n", encoding="utf-8")
+    seen = run_desktop(home, display, script, variables)
+    if "SEMREF_PICTURES" in os.environ:
+        name = script.stem.replace("_session", ".json")
+        (Path(os.environ["SEMREF_PICTURES"]) / name).write_text(json.dumps(seen, indent=1), encoding="utf-8")
+    return seen
 
 
 def install_package(repository: Path, plugins: Path) -> None:

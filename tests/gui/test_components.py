@@ -9,11 +9,11 @@ import pytest
 
 @pytest.fixture
 def lacking(monkeypatch):
-    """OpenCV and ONNX Runtime are missing until taken out of this list."""
+    """OpenCV, ONNX Runtime and Dask are missing until taken out of this list."""
     from semref.processing.packages import components
     from semref.ui.packages import components_page
 
-    packages = [components.OPENCV, components.ONNXRUNTIME]
+    packages = [components.OPENCV, components.ONNXRUNTIME, components.DASK]
     for module in (components, components_page):
         monkeypatch.setattr(module, "is_missing", lambda package: package in packages)
     return packages
@@ -54,7 +54,9 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
     from semref.processing.packages.components import ONNXRUNTIME, install_command
 
     states = [page.list.topLevelItem(row).text(2) for row in range(page.list.topLevelItemCount())]
-    assert states == ["Missing", "Ready", "Missing"]
+    assert states == ["Missing", "Ready", "Missing", "Missing"]
+    # Dask is there for who wants it; nothing suggests it.
+    assert page.list.topLevelItem(3).checkState(0) == Qt.CheckState.Unchecked
     assert page.install.isEnabled() and not page.progress.isVisible() and not page.log.isVisible()
     page.list.topLevelItem(0).setCheckState(0, Qt.CheckState.Unchecked)
     page.copy.click()

@@ -242,3 +242,31 @@ def test_a_done_place_leaves_the_list_of_what_is_open(dock, issues):
 def test_messages_have_two_lines(dock, issues):
     places = dock.content.correct.places
     assert places.rowHeight(0) >= 2 * places.fontMetrics().lineSpacing()
+
+
+def test_the_path_of_a_database_may_be_typed_letter_by_letter(tab):
+    for path in ("/", "/d", ".", "", "/data/area.gpkg"):
+        tab.updating.use_database(path)
+        assert not tab.updating.undo.isVisibleTo(tab)
+
+
+def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_left(qgis_app):
+    from qgis.PyQt.QtCore import Qt
+    from qgis.PyQt.QtWidgets import QApplication
+
+    from semref.ui.tabs.correct.places_table import Place, PlacesTable
+
+    table = PlacesTable()
+    table.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
+    table.resize(300, 200)
+    table.show()
+    font = table.font()
+    font.setPointSizeF(2 * font.pointSizeF())
+    table.setFont(font)
+    for number in range(3):
+        table.add(Place(number, "error", ["overlap", "two claim it", "1.0"]))
+    QApplication.processEvents()
+    assert table.rowHeight(2) >= 2 * table.fontMetrics().lineSpacing()
+    table.selectRow(1)
+    assert table.selected_row() == 1
+    table.deleteLater()

@@ -73,7 +73,7 @@ def test_a_model_that_is_trained_from_the_dock_is_the_chosen_one(tab, tmp_path, 
         algorithmFinished = pyqtSignal(bool, dict)
 
     asked = []
-    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda name: asked.append(name) or Dialog())
+    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda name, given: asked.append(name) or Dialog())
     tab.images.train.click()
     dialog = tab.images.training
     assert dialog.isVisible() and asked == ["semref:trainmodel"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from dock_area import corners, cut_extent, localize, messages, rubber_bands, wait_until
+from dock_area import corners, cut_extent, localize, messages, rubber_bands, settle, wait_until
 
 
 def test_a_window_is_inspected_by_name_with_its_vector_and_its_look_alikes(dock, iface, area):
@@ -30,6 +30,36 @@ def test_a_click_on_the_map_inspects_the_window_whose_middle_is_nearest(dock, if
     dock.content.inspect.tool.picked.emit(QgsPointXY(middle.x() + 9, middle.y() - 9))
     wait_until(lambda: dock.content.inspect.name.text(), "the window")
     assert dock.content.inspect.name.text() == "150_250"
+
+
+def test_the_first_press_of_the_next_button_shows_the_first_window(dock, area):
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.tabs.setCurrentIndex(1)
+    dock.content.inspect.after.click()
+    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
+    first = str(dock.read_database().windows.names[0])
+    assert dock.content.inspect.name.text() == first
+    dock.content.inspect.before.click()
+    assert dock.content.inspect.name.text() == str(dock.read_database().windows.names[-1])
+
+
+def test_the_tables_fit_a_narrow_dock(dock, area):
+    inspect = dock.content.inspect
+    dock.content.tabs.setCurrentIndex(1)
+    dock.setFloating(True)
+    dock.resize(344, 900)
+    settle()
+    assert inspect.numbers.horizontalScrollBar().maximum() == 0
+    localize(dock, area.database, [area.image])
+    wait_until(inspect.compare.isEnabled, "the image's vector")
+    inspect.show_window("200_200")
+    wait_until(lambda: inspect.numbers.rowCount(), "the window")
+    inspect.compare.click()
+    settle()
+    assert not inspect.numbers.isColumnHidden(3)
+    assert inspect.numbers.horizontalScrollBar().maximum() == 0
+    last = inspect.look_alikes.horizontalHeader()
+    assert last.length() == inspect.look_alikes.viewport().width()
 
 
 def test_an_unknown_window_name_is_said(dock, iface, area):

@@ -41,6 +41,16 @@ def test_an_empty_dock_says_what_to_do(dock, area, tab):
     assert tab.localize_button.isEnabled()
 
 
+def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
+    photo = tmp_path / "DJI_0018.JPG"
+    photo.write_bytes(b"")
+    dock.content.database.file.setFilePath(area.database)
+    tab.images.list.add([str(photo)])
+    assert tab.state.text_shown == "These are photos: choose a model. Else colors are taken for classes."
+    tab.images.model.setFilePath(str(tmp_path / "model.onnx"))
+    assert tab.state.text_shown == "Ready to localize."
+
+
 def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
     localize(dock, area.database, [area.image])
     assert table(dock) == [["on_window.tif", "", "", "", "Unverified match", "150_250", "0.000"]]

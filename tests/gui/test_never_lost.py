@@ -124,7 +124,7 @@ def test_a_reset_makes_the_dock_new_and_forgets_settings(dock, iface, area, tab,
 
 
 def test_a_run_says_how_long_it_still_takes(qgis_app):
-    from semref.ui.widgets.remaining_bar import remaining_text
+    from semref.processing.framework.time_left import remaining_text
 
     assert remaining_text(1.0, 50) == "" and remaining_text(100, 1) == "" and remaining_text(100, 100) == ""
     assert remaining_text(10, 50) == "about 10 s left"

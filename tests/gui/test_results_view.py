@@ -46,10 +46,37 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_odds(dock, i
     from semref.ui.tabs.localize.results_model import SUMMARY
 
     first, second = (table.model().index(row, SUMMARY).data().split("\n") for row in range(2))
-    assert first[0] == "on_window.tif · Fix"
-    assert first[1].startswith("7.6") and " ± " in first[1] and " m · 1 in " in first[1]
-    assert first[1].endswith(" wrong")
+    assert first[0].startswith("on_window.tif · Fix · 1 in ") and first[0].endswith(" wrong")
+    assert first[1].startswith("7.6") and " ± " in first[1] and first[1].endswith(" m")
     assert second[0] == "broken.tif · Unreadable" and "can't be read" in second[1]
+
+
+def test_both_lines_of_a_row_are_painted(dock, iface, found):
+    from semref.ui.tabs.localize.results_model import SUMMARY
+    from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX
+
+    as_wide_as(dock, iface, 320)
+    table = found.results.table
+    row = table.visualRect(table.model().index(1, SUMMARY)).adjusted(_ICON_AND_MARGINS_PX, 2, -2, -2)
+    image = table.viewport().grab(row).toImage()
+    ground = image.pixel(0, 0)
+    inked = [y for y in range(image.height()) if any(image.pixel(x, y) != ground for x in range(image.width()))]
+    assert inked[-1] - inked[0] > 1.3 * table.fontMetrics().height()
+
+
+@pytest.mark.parametrize("odds", ["1 in 1,000,000 wrong", "1 von 1.000.000 falsch", "1 sur 1 000 000 est fausse"])
+@pytest.mark.parametrize("width", [320, 400])
+def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
+    from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX, fitted
+
+    as_wide_as(dock, iface, width)
+    table = found.results.table
+    metrics, room = table.fontMetrics(), table.viewport().width() - _ICON_AND_MARGINS_PX
+    for name in ("photo_01.jpg", "DJI_20261122_143201_0018_Wide_Mission_7.JPG"):
+        above, below = fitted(f"{name} · Fix · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split("\n")
+        assert above.endswith(f" · Fix · {odds}") and above[:2] == name[:2]
+        assert max(metrics.horizontalAdvance(line) for line in (above, below)) <= room
+    assert not table.horizontalScrollBar().isVisible()
 
 
 def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, iface, found):
@@ -138,3 +165,97 @@ def test_all_tabs_are_seen_in_a_narrow_dock_in_other_languages(dock, iface, titl
     places = [tabs.tabBar().tabRect(number) for number in range(3)]
     assert all(place.width() > 50 for place in places) and places[-1].right() <= right
     assert tabs.tabToolTip(0) == "Localize"
+
+
+def test_at_every_width_there_are_headings_just_where_there_are_columns(qgis_app, made_findings):
+    from qgis.PyQt.QtWidgets import QApplication
+
+    from semref.ui.tabs.localize.results_table import ResultsTable
+
+    table = ResultsTable()
+    table.resize(300, 92)
+    table.show()
+    table.show_findings(made_findings(4))
+    seen = set()
+    for width in (*range(300, 900, 8), *range(900, 300, -8)):
+        table.resize(width, 92)
+        QApplication.processEvents()
+        assert table.horizontalHeader().isVisible() != table.is_narrow, width
+        # The gap beside the other scroll bar at most, for which there is no bar.
+        assert table.horizontalScrollBar().maximum() <= 4 and not table.horizontalScrollBar().isVisible(), width
+        seen.add(table.is_narrow)
+    assert seen == {True, False}
+    table.deleteLater()
+
+
+@pytest.fixture
+def made_findings(qgis_app):
+    """`made_findings(count)`: fixes that differ by their numbers."""
+    from qgis.core import QgsCoordinateReferenceSystem
+
+    from semref.ui.findings import Finding
+
+    def make(count: int) -> list:
+        nothing = dict.fromkeys(Finding.__dataclass_fields__)
+        known = {
+            "status": "fix",
+            "x": 5e5,
+            "y": 5e6,
+            "longitude": 9.68160,
+            "latitude": 48.94774,
+            "heading": 90.6,
+            "confidence": 0.999999,
+            "error_95": 1.4,
+            "method": "constellation",
+            "crs": QgsCoordinateReferenceSystem("EPSG:32632"),
+            "possible": (),
+            "labels": "",
+        }
+        return [Finding(**{**nothing, **known, "image": f"/photos/photo_{n:02d}.jpg"}) for n in range(count)]
+
+    return make
+
+
+def test_what_the_picture_leaves_blank_is_the_tables(dock, iface, found):
+    from qgis.core import QgsSettings
+
+    QgsSettings().remove("semref/dock/results_parts_2")
+    as_wide_as(dock, iface, 320)
+    iface.window.resize(1000, 1400)
+    settle()
+    table, canvas = found.results.table, found.results.image.canvas
+    shown = table.verticalHeader().length()
+    assert table.viewport().height() >= shown
+    assert canvas.height() > canvas.width() * 0.8
+
+
+def test_without_results_there_are_no_headings_where_they_would_not_fit(qgis_app):
+    from qgis.PyQt.QtWidgets import QApplication
+
+    from semref.ui.tabs.localize.results_table import ResultsTable
+
+    table = ResultsTable()
+    table.show()
+    for width in (600, 280, 284, 280, 281):
+        table.resize(width, 120)
+        QApplication.processEvents()
+    assert table.is_narrow and not table.horizontalHeader().isVisible()
+    table.deleteLater()
+
+
+def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_app):
+    from qgis.PyQt.QtCore import Qt
+
+    qgis_app.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
+    try:
+        choose_method(dock, AUTOMATIC)
+        localize(dock, area.database, [area.image, area.unreadable])
+        table = tab.results.table
+        assert table.model().rowCount() == 2 and table.selected() is not None
+        table.selectRow(1)
+        table.selectRow(0)
+        settle()
+        assert table.selected().image.endswith("on_window.tif")
+        assert tab.results.image.canvas.scene().items()
+    finally:
+        qgis_app.setLayoutDirection(Qt.LayoutDirection.LeftToRight)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
-import sysconfig
 from pathlib import Path
 
 import pytest
-from desktop_qgis import install_package, run_desktop
+from desktop_qgis import walk
 
 pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
@@ -15,14 +13,7 @@ pytestmark = pytest.mark.slow  # a QGIS of its own is started
 @pytest.fixture(scope="module")
 def walks(repository, display, tmp_path_factory) -> dict:
     """What walks_session.py saw."""
-    home = tmp_path_factory.mktemp("walks")
-    profile = home / "profiles" / "default"
-    install_package(repository, profile / "python" / "plugins")
-    (profile / "QGIS").mkdir()
-    (profile / "QGIS" / "QGIS3.ini").write_text("[PythonPlugins]\nsemref=true\n", encoding="utf-8")
-    # Made inputs that the tests share.
-    paths = os.pathsep.join([sysconfig.get_path("purelib"), str(repository / "tests" / "data")])
-    return run_desktop(home, display, Path(__file__).with_name("walks_session.py"), {"PYTHONPATH": paths})
+    return walk(repository, tmp_path_factory.mktemp("walks"), display, Path(__file__).with_name("walks_session.py"), {})
 
 
 def test_no_walk_ends_in_a_python_error(walks):

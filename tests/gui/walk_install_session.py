@@ -3,11 +3,9 @@
 SEMREF_ZIP and SEMREF_SAMPLE name the zip and an empty folder. Writes what it saw, with clicks and seconds, as JSON.
 """
 
-import json
 import os
 import socket
 import time
-import traceback
 from pathlib import Path
 
 import pyplugin_installer
@@ -15,12 +13,10 @@ import qgis.utils
 from pyplugin_installer import installer_data
 from pyplugin_installer.installer_data import plugins
 from qgis.core import QgsProject, QgsSettings
-from qgis.PyQt.QtCore import QCoreApplication, QObject, QTimer, pyqtSlot
+from qgis.PyQt.QtCore import QObject, pyqtSlot
 from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QAction, QDialogButtonBox
-
-LIMIT_S = 300
-messages = []
+from walking import start, wait_until
 
 
 class Browser(QObject):
@@ -35,15 +31,6 @@ class Browser(QObject):
     @pyqtSlot("QUrl")
     def open(self, address):
         self.opened.append(address.toString())
-
-
-def wait_until(condition, what):
-    end = time.monotonic() + LIMIT_S
-    while not condition():
-        if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
-        QCoreApplication.processEvents()
-        time.sleep(0.02)
 
 
 def action(name):
@@ -129,26 +116,4 @@ def session():
     return seen
 
 
-def run():
-    try:
-        result = session()
-    except Exception:
-        result = {"error": traceback.format_exc()}
-    result["messages"] = messages
-    with open(os.environ["SEMREF_DESKTOP_RESULT"], "w", encoding="utf-8") as file:
-        json.dump(result, file, indent=1)
-    # Nothing of the walk is to be kept, and nobody is there to say so.
-    QgsSettings().setValue("app/askToSaveMemoryLayers", False)
-    QgsSettings().setValue("qgis/askToSaveProjectChanges", False)
-    QgsProject.instance().clear()
-    qgis.utils.iface.actionExit().trigger()
-
-
-def note_exception(kind, value, trace, text, *arguments, **options):
-    """In place of QGIS's dialog, which would wait for a click."""
-    messages.append("".join(traceback.format_exception(kind, value, trace)))
-
-
-qgis.utils.showException = note_exception
-# The window is complete only when its event loop runs.
-QTimer.singleShot(2000, run)
+start(session)

@@ -1,37 +1,18 @@
 """Runs inside desktop QGIS (--code): goes the ways of a newcomer with mouse and keys, and writes what came of it."""
 
-import json
 import os
 import tempfile
 import time
-import traceback
 from pathlib import Path
 
 import qgis.utils
 from dock_area import CRS, label_map, write_raster
 from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsProject, QgsVectorLayer
-from qgis.PyQt.QtCore import QCoreApplication, Qt, QTimer
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QDialogButtonBox, QDockWidget
+from walking import dock, run_button, settle, start, wait_until
 
-LIMIT_S = 200
-messages = []
 clicks = 0
-
-
-def settle(seconds: float = 0.3) -> None:
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        QCoreApplication.processEvents()
-        time.sleep(0.01)
-
-
-def wait_until(condition, what: str) -> None:
-    end = time.monotonic() + LIMIT_S
-    while not condition():
-        if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
-        settle(0.05)
 
 
 def click(widget) -> None:
@@ -49,15 +30,6 @@ def type_on(widget) -> None:
     widget.setFocus()
     QTest.keyClick(widget, Qt.Key.Key_Space)
     settle()
-
-
-def dock():
-    return qgis.utils.iface.mainWindow().findChild(QDockWidget, "SemRefDock")
-
-
-def run_button(dialog):
-    buttons = dialog.buttonBox()
-    return buttons.button(QDialogButtonBox.StandardButton.Ok) or dialog.runButton()
 
 
 def groups() -> list:
@@ -151,7 +123,7 @@ def corrected(folder: Path, press) -> dict:
     processing.run("semref:builddatabase", {"LABELS": labels, **sizes})
     dock().choose_database(database)
     dock().content.tabs.setCurrentIndex(2)
-    clicks = 0
+    clicks, begun = 0, time.monotonic()
     issues = processing.run("semref:checkannotation", {**same, "MINIMUM_AREA": 5, "ISSUES": "memory:issues"})["ISSUES"]
     QgsProject.instance().addMapLayer(issues)
     settle(0.5)
@@ -175,6 +147,7 @@ def corrected(folder: Path, press) -> dict:
         "has_undo": has_undo,
         "state": state,
         "left": tab.places.rowCount(),
+        "seconds": round(time.monotonic() - begun, 1),
     }
 
 
@@ -193,23 +166,4 @@ def session() -> dict:
     }
 
 
-def run() -> None:
-    try:
-        result = session()
-    except Exception:
-        result = {"error": traceback.format_exc()}
-    result["messages"] = messages
-    Path(os.environ["SEMREF_DESKTOP_RESULT"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
-    # QGIS asks about layers that lie in memory before it quits.
-    QgsProject.instance().clear()
-    qgis.utils.iface.actionExit().trigger()
-
-
-def note_exception(kind, value, trace, text, *arguments, **options) -> None:
-    """In place of QGIS's dialog, which would wait for a click."""
-    messages.append("".join(traceback.format_exception(kind, value, trace)))
-
-
-qgis.utils.showException = note_exception
-# The window is complete only when its event loop runs.
-QTimer.singleShot(2500, run)
+start(session)

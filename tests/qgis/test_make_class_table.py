@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from made_inputs import square, write_layer
-from osgeo import gdal
+from osgeo import gdal, ogr
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsFillSymbol,
@@ -109,3 +109,31 @@ def test_a_new_label_map_in_an_old_ones_place_has_its_own_attribute_table(made, 
     raster = gdal.Open(output)
     attributes = raster.GetRasterBand(1).GetDefaultRAT()
     assert [attributes.GetValueAsString(r, 1) for r in range(attributes.GetRowCount())] == ["grass", "road"]
+
+
+@pytest.mark.real_data
+def test_the_classes_of_lcdb_are_called_as_its_data_call_them(real_data):
+    """Every class that the layer has at any of its dates, by number and name."""
+    source = ogr.Open(str(real_data("lcdb5_christchurch/lcdb5_christchurch.gpkg")))
+    name = source.GetLayer(0).GetName()
+    table = {c.value: c.name for c in next(p for p in PRESETS if p.file == "lcdb.csv").table()}
+    for year in (1996, 2001, 2008, 2012, 2018):
+        found = source.ExecuteSQL(f'SELECT DISTINCT "Class_{year}", "Name_{year}" FROM "{name}"')
+        rows = {int(row.GetField(0)): row.GetField(1) for row in found}
+        assert rows == {value: table[value] for value in rows}
+        source.ReleaseResultSet(found)
+
+
+def test_the_classes_of_urban_atlas_are_called_as_its_data_call_them():
+    """Values of the attribute class_2018, as others quote them from its files."""
+    names = {c.name.partition(" ")[2] for c in next(p for p in PRESETS if p.file == "urban_atlas.csv").table()}
+    assert {
+        "Continuous urban fabric (S.L. : > 80%)",
+        "Discontinuous dense urban fabric (S.L. : 50% -  80%)",
+        "Discontinuous very low density urban fabric (S.L. : < 10%)",
+        "Herbaceous vegetation associations (natural grassland, moors...)",
+        "Open spaces with little or no vegetation (beaches, dunes, bare rocks, glaciers)",
+        "Wetlands",
+        "Water",
+    } <= names
+    assert len(names) == 27

@@ -50,9 +50,9 @@ def test_an_evaluation_takes_the_presets_too(qgis_app):
     assert ranges({"MISSED": "1,2"}).missed == (1, 2)
 
 
-@pytest.mark.parametrize(("name", "most"), [("assessroute", 5), ("assessdatabase", 3)])
+@pytest.mark.parametrize(("name", "most"), [("assessroute", 6), ("assessdatabase", 4)])
 def test_only_what_matters_is_unfolded(qgis_app, name, most):
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(f"semref:{name}")
     folded = QgsProcessingParameterDefinition.FlagAdvanced
     shown = [p.name() for p in algorithm.parameterDefinitions() if not p.isDestination() and not p.flags() & folded]
-    assert len(shown) == most and shown[-1] == "NETWORK"
+    assert len(shown) == most and shown[-2:] == ["NETWORK", "COMPARISON"]

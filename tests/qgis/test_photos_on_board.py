@@ -17,6 +17,7 @@ from semref.core.onboard.finder import LabelReader
 from semref.core.segmentation.class_bias import KnownBiases
 from semref.core.segmentation.onnx_file import with_metadata
 from semref.processing.framework.photo_labels import PhotoLabels
+from semref.storage.images import GdalImage
 
 TABLE = class_table_from_csv(CLASSES_CSV)
 NOISE = np.random.default_rng(6).normal(0, 25, (150, 190, 3))
@@ -73,6 +74,20 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
     np.testing.assert_array_equal(on_board.labels_hw, in_qgis)
     np.testing.assert_array_equal(on_board.shares.shares, seen.shares.shares)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
+
+
+@pytest.mark.parametrize("name", PHOTOS)
+def test_a_photo_read_once_for_labels_and_motion_is_the_same(qgis_app, model, tmp_path, name, monkeypatch):
+    path = str(PHOTOS[name](tmp_path / "photo.tif"))
+    reader, opened = PhotoLabels(model, TABLE, QgsProcessingFeedback(False)), []
+    apart = reader.seen(path)
+    read = GdalImage.read
+    monkeypatch.setattr(GdalImage, "read", lambda self, *window: opened.append(window) or read(self, *window))
+    seen, (pixels, has_data) = reader.seen_with_pixels(path)
+    assert opened == [(0, 0, PHOTO.shape[1], PHOTO.shape[0])]
+    np.testing.assert_array_equal(seen.labels_hw, apart.labels_hw)
+    np.testing.assert_array_equal(seen.shares.shares, apart.shares.shares)
+    assert pixels.shape == PHOTO.shape and (has_data is None or has_data.shape == PHOTO.shape[:2])
 
 
 def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_app, model, tmp_path):

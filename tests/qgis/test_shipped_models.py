@@ -113,3 +113,10 @@ def content(model) -> tuple:
         if not p.isDestination()
     ]
     return model.name(), children, sorted(parameters, key=lambda parameter: parameter[0]), model.helpContent()
+
+
+@each_id
+def test_every_parameter_is_explained(create, name):
+    model = create(name)
+    asked = [p.name() for p in model.parameterDefinitions() if not p.isDestination() and p.name() != "VERBOSE_LOG"]
+    assert [key for key in asked if not model.helpContent().get(key)] == []

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 import time
 from pathlib import Path
 
@@ -15,6 +14,7 @@ import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from made_models import write_model
+from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
 from tile_server import tile_server
 
@@ -22,35 +22,6 @@ TRAIN = "semref:trainmodel"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 LABELS = scattered_objects(640, 768, 300, seed=5)
 PHOTO = np.stack([LABELS * 20 + band for band in range(3)]).astype(np.uint8)
-
-TRAINER = """#!{python}
-import json, os, shutil, sys, time
-def tell(event, **values):
-    print(json.dumps({{"event": event, **values}}), flush=True)
-if len(sys.argv) == 2:
-    {ready}
-    sys.exit(0)
-job = json.load(open(sys.argv[2]))
-folder = job["folder"]
-row = {{"epoch": 1, "training_loss": 1.5, "mean_iou": 0.4, "iou_building": 0.5, "iou_water": 0.3,
-        "learning_rate": "1e-3", "seconds": 1.0}}
-tell("begun", device="CPU", training=7, validation=2, weights=300000, class_weights=[0, 1])
-print("a library says something", flush=True)
-{training}
-shutil.copy({model!r}, job["output"])
-classes = [dict(value=n, name=name, color="#3366cc", role="reference")
-           for n, name in enumerate(["unlabeled", "building", "water"])]
-json.dump(dict(classes=classes, history=[row, {{**row, "epoch": 2}}], best_epoch=2, mean_iou=0.4, seconds=60,
-               stopped_by="minutes",
-               confusion=[[0, 0, 0], [0, 90, 10], [0, 20, 80]], device="CPU", training=7, validation=2, bytes=10 ** 6,
-               difference=0.0, encoder="x", depth=5), open(os.path.join(folder, "result.json"), "w"))
-tell("done", best_epoch=2)
-"""
-READY = 'tell("ready", torch="2.0", device="CPU")'
-EPOCH = (
-    'open(os.path.join(folder, "last.pt"), "w").close(); tell("step", share=0.2, epoch=1, loss=1.5); '
-    'tell("epoch", share=0.5, **row)'
-)
 
 
 class Said(QgsProcessingFeedback):
@@ -75,11 +46,7 @@ def trainer(tmp_path):
     """`trainer(training, ready)`: the path of a program that answers as the training does."""
 
     def make(training=EPOCH, ready=READY):
-        model = str(write_model(tmp_path / "made.onnx"))
-        path = tmp_path / "python_that_trains"
-        path.write_text(TRAINER.format(python=sys.executable, ready=ready, training=training, model=model))
-        path.chmod(0o755)
-        return str(path)
+        return str(write_trainer(tmp_path / "python_that_trains", write_model(tmp_path / "made.onnx"), training, ready))
 
     return make
 
@@ -141,6 +108,16 @@ def test_polygons_are_burnt_on_the_pixels_of_the_extent(train, tmp_path):
     assert burnt.shape == (400, 500)
     np.testing.assert_array_equal(np.bincount(burnt.ravel())[1:], [80 * 80, 90 * 90])
     assert burnt[250, 50] == 1 and burnt[250, 250] == 2 and burnt[249, 50] == 0
+
+
+def test_the_polygon_of_higher_priority_is_learned_where_two_overlap(train, tmp_path):
+    kept = tmp_path / "kept"
+    polygons = [(square(200, 200, 90), "building", 60), (square(100, 100, 400), "field", 10)]
+    layer = write_layer(tmp_path / "drawn.gpkg", polygons, [("class", "text"), ("zorder", "integer")])
+    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
+    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, **annotation)
+    burnt = read_pixels(kept / "labels.tif")
+    assert sorted(np.bincount(burnt.ravel())[1:]) == [90 * 90, 400 * 400 - 90 * 90]
 
 
 @pytest.mark.parametrize("something_else", [0, 1])

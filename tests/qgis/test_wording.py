@@ -56,3 +56,32 @@ def test_what_everybody_has_is_told_everywhere():
 def test_words_for_a_key_name_it(code):
     key, template = SENTENCES_BY_KEY[code]
     assert key in template
+
+
+def test_a_severity_is_called_the_same_in_legend_table_report_dock_and_log(qgis_app, run_algorithm, tmp_path):
+    from made_inputs import square, write_layer
+    from qgis.core import QgsProcessingFeedback, QgsVectorLayer
+
+    path = write_layer(tmp_path / "annotation.gpkg", [(square(10, 10, 30), "a"), (square(10, 10, 30), "b")])
+    feedback = QgsProcessingFeedback(False)
+    issues, report = str(tmp_path / "issues.gpkg"), tmp_path / "report.html"
+    given = {"INPUT": str(path), "CLASS_FIELD": "class", "ISSUES": issues, "REPORT": str(report)}
+    run_algorithm("semref:checkannotation", given, feedback)
+    layer = QgsVectorLayer(issues, "issues", "ogr")
+    words = ["Error", "Warning", "Information"]
+    assert [category.label() for category in layer.renderer().categories()] == words
+    setup = layer.editorWidgetSetup(layer.fields().lookupField("severity")).config()["map"]
+    assert [word for entry in setup for word in entry] == words
+    page = report.read_text(encoding="utf-8")
+    assert all(f">{word}<" in page for word in words) and "errors</" not in page
+    assert "duplicate (Error): 1" in feedback.textLog()
+
+
+def test_kinds_and_roads_of_trials_have_words(qgis_app):
+    from semref.core.evaluation.evaluation import MAP, MIRRORED
+    from semref.core.localization import Method
+    from semref.processing.wording.columns import column_words
+
+    words = column_words(["kind", "road", "trial"])
+    assert {MAP, MIRRORED} == set(words["kind"])
+    assert {method.key for method in Method} == set(words["road"])

@@ -64,6 +64,11 @@ class Flown:
 
 def draw(ground: Ground, kind: Kind, rng: np.random.Generator) -> Flown:
     """A flight over a ground's extent whose images all show the map; ValueError where there is none."""
+    return fly(ground, kind, *route(ground, kind, rng), rng)
+
+
+def route(ground: Ground, kind: Kind, rng: np.random.Generator) -> tuple[list[View], list[np.ndarray]]:
+    """Views of a flight, all of the map, and what they show of it; ValueError where there is none."""
     left, bottom, right, top = ground.extent
     for _ in range(LARGEST_TRIES):
         views = _views(ground, kind, rng)
@@ -74,7 +79,7 @@ def draw(ground: Ground, kind: Kind, rng: np.random.Generator) -> Flown:
             continue
         seen = [cut(ground.labels_hw, ground.frame, view) for view in views]
         if min((labels > 0).mean() for labels in seen) >= LEAST_LABELED:
-            return Flown(*_told(ground, kind, views, seen, rng), views)
+            return views, seen
     raise ValueError(f"{LARGEST_TRIES} flights left the map.")
 
 
@@ -91,10 +96,8 @@ def _views(ground: Ground, kind: Kind, rng: np.random.Generator) -> list[View]:
     return views
 
 
-def _told(
-    ground: Ground, kind: Kind, views: list[View], seen: list[np.ndarray], rng: np.random.Generator
-) -> tuple[list[FlightImage], list[Link]]:
-    """Images and links as a flight has them."""
+def fly(ground: Ground, kind: Kind, views: list[View], seen: list[np.ndarray], rng: np.random.Generator) -> Flown:
+    """Images and links as a flight along a route has them: another one each time."""
     bias = complex(*rng.normal(0, kind.drift, 2))
     links = [link_between(number, pair, kind.drift, bias, rng) for number, pair in enumerate(zip(views, views[1:]))]
     if kind.missing:
@@ -107,4 +110,4 @@ def _told(
             labels = spoil_labels(labels, noise, rng, ground.spoiled_values, None, smallest)
         sizes = view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN
         images.append(FlightImage(f"{number:03d}", labels, time_s=float(number), prior=Prior(pixel_size_range=sizes)))
-    return images, links
+    return Flown(images, links, views)

@@ -40,12 +40,27 @@ CHINESE_FONT = "fonts-wqy-microhei"
 
 @dataclass(frozen=True)
 class Variant:
-    """One session of QGIS; ``scenes``: name of a picture → (scene, suffix that makes the picture's name)."""
+    """One session of QGIS.
+
+    Attributes:
+        scenes: (scene, suffix that makes the pictures' names) of each.
+        theme: QGIS's.
+        language: As QGIS names it.
+        scale: Of the whole desktop.
+        palette: One of ``screenshot_window.PALETTES``; empty for the theme's.
+        font_pt: Size of QGIS's font; 0 for the usual one.
+        reverse: Laid out from right to left.
+        module: That has the scenes.
+    """
 
     scenes: tuple[tuple[str, str], ...]
     theme: str = "default"
     language: str = "en_US"
     scale: int = 1
+    palette: str = ""
+    font_pt: int = 0
+    reverse: bool = False
+    module: str = "screenshot_scenes"
 
 
 LIGHT = (
@@ -57,7 +72,6 @@ LIGHT = (
     "prior",
     "toolbox",
     "algorithm_dialog",
-    "train_model",
     "models",
     "model_designer",
     "options",
@@ -144,17 +158,8 @@ def say_what_is_missing(variants: list[Variant]) -> None:
 
 def take(variant: Variant, package: Path, sample: Path, home: Path, models: str = "") -> list[Path]:
     """The pictures of one session, as large as they came from the screen."""
-    profile = home / "profiles" / "default"
-    pictures = home / "pictures"
-    runtime = home / "runtime"
-    temporary = home / "tmp"
-    for folder in (profile / "QGIS", profile / "python" / "plugins", pictures, temporary):
-        folder.mkdir(parents=True)
-    runtime.mkdir(mode=0o700)
-    with zipfile.ZipFile(package) as archive:
-        archive.extractall(profile / "python" / "plugins")
-    (profile / "QGIS" / "QGIS3.ini").write_text(settings(variant), encoding="utf-8")
-    job, result = home / "job.json", home / "result.json"
+    pictures, job, result = home / "pictures", home / "job.json", home / "result.json"
+    home.mkdir(parents=True)
     job.write_text(
         json.dumps(
             {
@@ -163,11 +168,39 @@ def take(variant: Variant, package: Path, sample: Path, home: Path, models: str 
                 "pictures": str(pictures),
                 "models": models and str(Path(models).absolute()),
                 "scenes": variant.scenes,
+                "module": variant.module,
+                "palette": variant.palette,
+                "reverse": variant.reverse,
                 "result": str(result),
             }
         ),
         encoding="utf-8",
     )
+    seen = in_desktop(variant, package, home, SESSION, {"SEMREF_SCREENSHOTS": str(job)})
+    return [pictures / name for name in seen["taken"]]
+
+
+def in_desktop(
+    variant: Variant, package: Path, home: Path, session: Path, variables: dict[str, str], limit_s: int = LIMIT_S
+) -> dict:
+    """What a session in a desktop QGIS with a fresh profile wrote to ``home/result.json``; ends where it failed.
+
+    Args:
+        variant: Language, theme and scale.
+        package: The plugin's zip.
+        home: Folder of the user; gets ``pictures``, too.
+        session: The script that QGIS runs.
+        variables: Of its environment, beside the usual ones.
+        limit_s: After which it is ended.
+    """
+    profile = home / "profiles" / "default"
+    runtime, temporary, result = home / "runtime", home / "tmp", home / "result.json"
+    for folder in (profile / "QGIS", profile / "python" / "plugins", home / "pictures", temporary):
+        folder.mkdir(parents=True)
+    runtime.mkdir(mode=0o700)
+    with zipfile.ZipFile(package) as archive:
+        archive.extractall(profile / "python" / "plugins")
+    (profile / "QGIS" / "QGIS3.ini").write_text(settings(variant), encoding="utf-8")
     environment = {
         "PATH": os.environ["PATH"],
         "LANG": "C.UTF-8",
@@ -178,7 +211,7 @@ def take(variant: Variant, package: Path, sample: Path, home: Path, models: str 
         # OpenCV, where a virtual environment has it: QGIS runs the system's Python.
         "PYTHONPATH": sysconfig.get_path("purelib"),
         "QT_SCALE_FACTOR": str(variant.scale),
-        "SEMREF_SCREENSHOTS": str(job),
+        **variables,
     }
     command = [
         "xvfb-run",
@@ -190,16 +223,16 @@ def take(variant: Variant, package: Path, sample: Path, home: Path, models: str 
         "--profiles-path",
         str(home),
         "--code",
-        str(SESSION),
+        str(session),
     ]
-    said = run(command, environment, home / "output.txt", result)
+    said = run(command, environment, home / "output.txt", result, limit_s)
     if not result.exists():
         sys.exit(f"QGIS ended without a result; it said:\n{said}")
     seen = json.loads(result.read_text(encoding="utf-8"))
     problems = [seen.get("error", ""), *seen["messages"]]
     if any(problems):
         sys.exit("\n".join(filter(None, problems)))
-    return [pictures / name for name in seen["taken"]]
+    return seen
 
 
 def settings(variant: Variant) -> str:
@@ -208,18 +241,20 @@ def settings(variant: Variant) -> str:
         "[PythonPlugins]\nsemref=true\nprocessing=true\n\n"
         f"[locale]\noverrideFlag=true\nuserLocale={variant.language}\nglobalLocale={variant.language}\n\n"
         f"[UI]\nUITheme={variant.theme}\n\n"
-        "[qgis]\ncheckVersion=false\naskToSaveProjectChanges=false\n\n"
+        "[qgis]\ncheckVersion=false\naskToSaveProjectChanges=false\n"
+        + (f"stylesheet\\fontPointSize={variant.font_pt}\n" if variant.font_pt else "")
+        + "\n"
         "[app]\naskToSaveMemoryLayers=false\n"
     )
 
 
-def run(command: list[str], environment: dict[str, str], log: Path, result: Path) -> str:
+def run(command: list[str], environment: dict[str, str], log: Path, result: Path, limit_s: int) -> str:
     """What the command printed; once its result is there it has a little time to end, and is ended then."""
     with log.open("wb") as stream:
         process = subprocess.Popen(
             command, env=environment, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, start_new_session=True
         )
-        end = time.monotonic() + LIMIT_S
+        end = time.monotonic() + limit_s
         while process.poll() is None and time.monotonic() < end and not result.exists():
             time.sleep(0.5)
         try:

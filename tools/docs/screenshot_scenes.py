@@ -253,17 +253,6 @@ def algorithm_dialog(session: Session) -> None:
     show_dialog(session, dialog, 1000, 720, "build_database")
 
 
-def train_model(session: Session) -> None:
-    """The dialog that makes a network of the sample's orthophoto and polygons."""
-    import processing
-
-    sample = Path(session.job["sample"])
-    annotation = {"INPUT": str(sample / "landcover.shp"), "CLASS_FIELD": "class"}
-    given = {"IMAGE": str(sample / "orthophoto.tif"), **annotation, "CLASS_TABLE": str(sample / "classes.csv")}
-    dialog = processing.createAlgorithmDialog("semref:trainmodel", {**given, "MINUTES": 10})
-    show_dialog(session, dialog, 1000, 760, "train_model")
-
-
 def models(session: Session) -> None:
     """The models at hand with their cards."""
     from semref.processing.inspection.models import choose_models_folder

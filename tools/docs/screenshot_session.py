@@ -2,10 +2,11 @@
 
 SEMREF_SCREENSHOTS names the job, a JSON file that make_screenshots.py writes: ``tools`` (the folder of this file, which
 QGIS does not tell), ``sample`` (folder of the sample project, made here when it is missing), ``pictures`` (folder),
-``scenes`` (names of functions of screenshot_scenes.py, each with the pictures' suffix) and ``result`` (JSON, written at
-the end).
+``scenes`` (names of functions of ``module``, each with the pictures' suffix), ``palette``,
+``reverse`` (what the session is to be seen in) and ``result`` (JSON, written at the end).
 """
 
+import importlib
 import json
 import os
 import sys
@@ -25,7 +26,7 @@ def run() -> None:
     result = {}
     try:
         sys.path.append(job["tools"])
-        import screenshot_scenes
+        scenes = importlib.import_module(job["module"])
         from screenshot_window import Session
 
         session = Session(job)
@@ -33,7 +34,7 @@ def run() -> None:
         for scene, suffix in job["scenes"]:
             session.suffix = suffix
             print(scene, flush=True)
-            getattr(screenshot_scenes, scene)(session)
+            getattr(scenes, scene)(session)
     except Exception:
         result["error"] = traceback.format_exc()
     result["taken"] = session.taken if session else []

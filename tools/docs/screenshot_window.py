@@ -9,8 +9,8 @@ import qgis.utils
 from moving_webp import frame_name
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QCoreApplication, QPoint, QRect, Qt
-from qgis.PyQt.QtGui import QGuiApplication
-from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
+from qgis.PyQt.QtGui import QColor, QGuiApplication, QPalette
+from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar
 
 WINDOW = 1280, 900
 """Size of QGIS's window, in device-independent pixels."""
@@ -19,6 +19,27 @@ DOCK_WIDTH = 400
 LIMIT_S = 300
 # Toolbars that SemRef's users do not need; they would fill the window with rows of icons.
 KEPT_TOOLBARS = ("mFileToolBar", "mMapNavToolBar", "mAttributesToolBar", "mPluginToolBar")
+
+
+PALETTES = {
+    "contrast": {
+        "Window": "#000000",
+        "WindowText": "#ffffff",
+        "Base": "#000000",
+        "AlternateBase": "#202020",
+        "Text": "#ffffff",
+        "Button": "#000000",
+        "ButtonText": "#ffffff",
+        "BrightText": "#ffff00",
+        "ToolTipBase": "#000000",
+        "ToolTipText": "#ffffff",
+        "Highlight": "#1aebff",
+        "HighlightedText": "#000000",
+        "Link": "#ffff00",
+        "PlaceholderText": "#c0c0c0",
+    }
+}
+"""Roles of a palette and their colors: those of Windows's “High contrast black”."""
 
 
 class Session:
@@ -35,7 +56,8 @@ class Session:
         self.localized = False
         self.taken = []
 
-    def open(self) -> None:
+    def tidy(self) -> None:
+        """The window without what SemRef's users do not need."""
         for bar in self.window.findChildren(QToolBar):
             if bar.parent() is self.window:
                 bar.setVisible(bar.objectName() in KEPT_TOOLBARS)
@@ -45,6 +67,11 @@ class Session:
                 dock.hide()
         self.window.showNormal()
         self.resize(*WINDOW)
+
+    def open(self) -> None:
+        """The sample project, made first where it is missing."""
+        dress(self.job)
+        self.tidy()
         self.plugin._entry._sample_project().make(Path(self.job["sample"]))
         wait_until(lambda: self.is_open() or failures(), "the sample project")
         if failures():
@@ -116,6 +143,26 @@ class Session:
         if picture.isNull() or not picture.save(str(file)):
             raise RuntimeError(f"{file} could not be written")
         self.taken.append(file.name)
+
+
+def dress(job: dict) -> None:
+    """The palette and the direction that the session is to be seen in."""
+    application = QApplication.instance()
+    if job.get("reverse"):
+        application.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
+    colors = PALETTES.get(job.get("palette", ""))
+    if colors:
+        palette = QPalette()
+        for role, color in colors.items():
+            palette.setColor(getattr(QPalette.ColorRole, role), QColor(color))
+        for role in ("WindowText", "Text", "ButtonText"):
+            palette.setColor(QPalette.ColorGroup.Disabled, getattr(QPalette.ColorRole, role), QColor("#3ff23f"))
+        # Under a style sheet a palette reaches only windows to come.
+        sheet = application.styleSheet()
+        application.setStyleSheet("")
+        application.setStyle("Fusion")
+        application.setPalette(palette)
+        application.setStyleSheet(sheet)
 
 
 def settle(seconds: float) -> None:

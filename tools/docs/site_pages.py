@@ -42,6 +42,7 @@ MENU: dict[str, tuple[tuple[str, str], ...]] = {
     "How well, and why": (
         ("Methods", "method.md"),
         ("Benchmarks", "benchmarks.md"),
+        ("Countries and continents", "scale.md"),
         ("The published method", "published_method.md"),
         ("Reliability", "reliability.md"),
         ("Calibration", "calibration.md"),

@@ -53,8 +53,19 @@ def _is_seen(path: Path, folder: Path) -> bool:
     return path.is_file() and not any(part.startswith(".") for part in path.relative_to(folder).parts)
 
 
+def differing(one: State, other: State) -> list[str]:
+    """Files that are not the same in both, and of a GeoPackage the tables that aren't."""
+    found = []
+    for path in sorted(one.keys() | other.keys()):
+        parts = [set(state.get(path, "").split()) for state in (one, other)]
+        tables = {part.partition("=")[0] for part in parts[0] ^ parts[1] if "=" in part}
+        found += [f"{path} ({', '.join(sorted(tables))})" if tables else path] if parts[0] != parts[1] else []
+    return found
+
+
 def _database_digest(path: Path) -> str:
-    found = hashlib.sha256()
+    """``table=digest`` of each table, apart by spaces."""
+    found = []
     with contextlib.closing(sqlite3.connect(f"{path.as_uri()}?mode=ro", uri=True)) as connection:
         if connection.execute("PRAGMA integrity_check").fetchone() != ("ok",):
             raise sqlite3.DatabaseError(f"{path} is damaged")
@@ -62,8 +73,9 @@ def _database_digest(path: Path) -> str:
         for (table,) in tables:
             if table.startswith("rtree_"):
                 continue
-            cursor = connection.execute(f'SELECT * FROM "{table}"')
+            cursor, rows = connection.execute(f'SELECT * FROM "{table}"'), hashlib.sha256()
             kept = [n for n, column in enumerate(cursor.description) if column[0] not in _VOLATILE]
             for row in cursor:
-                found.update(_MADE_UP.sub("", repr([table, *(row[n] for n in kept)])).encode())
-    return found.hexdigest()
+                rows.update(_MADE_UP.sub("", repr([row[n] for n in kept])).encode())
+            found.append(f"{table}={rows.hexdigest()}")
+    return " ".join(found)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from . import children
-from .content import state
+from .content import differing, state
 from .trials import Plan, Row
 from .writers import runner
 
@@ -57,7 +57,9 @@ def read_while_updated(provider: Any, folder: Path, times: int) -> Row:
             found.counts["refused reads" if isinstance(what, str) else "whole reads"] = (
                 found.counts.get("refused reads" if isinstance(what, str) else "whole reads", 0) + 1
             )
-            found.expect(isinstance(what, str) or what in known[name], f"{name}: a result of neither state")
+            is_known = isinstance(what, str) or what in known[name]
+            apart = [] if is_known else min((differing(what, state) for state in known[name]), key=len)
+            found.expect(is_known, f"{name}: a result of neither state; other than the nearest: {apart}")
     return found
 
 

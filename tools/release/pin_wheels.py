@@ -22,7 +22,28 @@ INDEX = "https://pypi.org/simple/{name}/"
 FORMAT = "application/vnd.pypi.simple.v1+json"
 OLD, MIDDLE, NEW = 'python_version < "3.10"', 'python_version >= "3.10"', 'python_version >= "3.14"'
 BEFORE_NEW = 'python_version >= "3.10" and python_version < "3.14"'
+DASK = (
+    ("distributed", "2024.8.0", OLD),
+    ("dask", "2024.8.0", OLD),
+    ("msgpack", "1.1.2", OLD),
+    ("urllib3", "2.8.0", OLD),
+    ("distributed", "2026.8.0", MIDDLE),
+    ("dask", "2026.8.0", MIDDLE),
+    ("msgpack", "1.2.4", MIDDLE),
+    *(("click", "8.5.0", ""), ("cloudpickle", "3.1.2", ""), ("fsspec", "2026.9.0", ""), ("jinja2", "3.1.6", "")),
+    *(
+        ("importlib_metadata", "9.0.1", ""),
+        ("locket", "1.0.0", ""),
+        ("markupsafe", "3.0.4", ""),
+        ("tblib", "3.2.2", ""),
+    ),
+    *(("packaging", "26.3", ""), ("partd", "1.4.2", ""), ("psutil", "7.2.2", ""), ("pyyaml", "6.0.3", "")),
+    *(("sortedcontainers", "2.4.0", ""), ("toolz", "1.2.0", ""), ("tornado", "6.5.10", ""), ("zict", "3.0.0", "")),
+    ("zipp", "4.1.0", ""),
+)
+"""With all that it needs of others, which come with it."""
 SHARED = (
+    *DASK,
     ("shapely", "2.0.7", OLD),
     ("shapely", "2.1.2", MIDDLE),
     ("onnxruntime", "1.19.2", OLD),

@@ -43,7 +43,7 @@ def main() -> int:
         else:
             from .watching import watch_images
 
-            rows = watch_images(options.images, folder, options.flight)
+            rows, _ = watch_images(options.images, folder, options.flight)
     finally:
         if options.folder is None:
             shutil.rmtree(folder)

@@ -26,6 +26,12 @@ def held(done: int, process_id: int) -> Held:
     return Held(done, int(state["VmRSS"].split()[0]) / 1024, descriptors, int(state["Threads"]))
 
 
+def processor_s(process_id: int) -> float:
+    """Seconds of the processor that a process has had, in steps of a hundredth; others on the machine don't count."""
+    words = Path(f"/proc/{process_id}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    return (int(words[11]) + int(words[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def line(row: Held) -> str:
     """For printing."""
     return "done {:6d}  memory {:6.1f} MB  descriptors {:3d}  threads {:3d}".format(*row)

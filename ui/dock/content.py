@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
@@ -123,13 +123,21 @@ class DockContent(QWidget):
         QgsSettings().setValue(_TAB_SETTING, tab)
 
 
+class _Page(QScrollArea):
+    """As wide as its page asks at least, with whatever font."""
+
+    def minimumSizeHint(self) -> QSize:
+        least = super().minimumSizeHint()
+        width = self.widget().minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
+        return QSize(max(least.width(), width), least.height())
+
+
 def _scrolling(page: QWidget) -> QScrollArea:
     """The dock can be made lower than a page's content, but not narrower."""
-    area = QScrollArea()
+    area = _Page()
     area.setFrameShape(QFrame.Shape.NoFrame)
     # The Tab key stops at what is in it, not at it.
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     area.setWidgetResizable(True)
     area.setWidget(page)
-    area.setMinimumWidth(page.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width())
     return area

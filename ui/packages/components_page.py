@@ -28,6 +28,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ...core.errors import ComponentError
 from ...processing.packages.components import (
+    OPTIONAL,
     PACKAGES,
     Package,
     components_root,
@@ -171,9 +172,10 @@ class ComponentsPage(QgsOptionsPageWidget):
             item.setToolTip(0, package.pip_name)
             item.setData(0, Qt.ItemDataRole.UserRole, package)
             if is_missing(package):
-                item.setCheckState(0, Qt.CheckState.Checked)
+                is_wanted = package not in OPTIONAL
+                item.setCheckState(0, Qt.CheckState.Checked if is_wanted else Qt.CheckState.Unchecked)
             else:
-                item.setToolTip(2, importlib.util.find_spec(package.module).origin)
+                item.setToolTip(2, _file(package))
             self.list.addTopLevelItem(item)
         row_height = self.list.sizeHintForRow(0)
         self.list.setFixedHeight(self.list.header().sizeHint().height() + (len(PACKAGES) + 1) * row_height)
@@ -280,5 +282,10 @@ def _state(package: Package) -> str:
     version = installed_version(package)
     if version and not is_tested(version, package.tested(np.__version__)):
         return tr("{version}, which was not tested").format(version=version)
-    origin = importlib.util.find_spec(package.module).origin
-    return tr("Installed by SemRef") if origin.startswith(str(components_root())) else tr("Ready")
+    return tr("Installed by SemRef") if _file(package).startswith(str(components_root())) else tr("Ready")
+
+
+def _file(package: Package) -> str:
+    """That Python imports; empty where it was imported once and has been removed from the disk since."""
+    found = importlib.util.find_spec(package.module)
+    return "" if found is None else found.origin or ""

@@ -108,6 +108,7 @@ class _Feedback(QgsProcessingFeedback):
 
     said = pyqtSignal(str)
     logged = pyqtSignal(str)
+    shows_time_left = True  # The dock's bar does.
 
     def __init__(self) -> None:
         super().__init__(False)

@@ -11,11 +11,14 @@ from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
 from ...processing.translation import tr
+from ..at_hand import annotation_at_hand
 from ..fields.known import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
 from .buttons import tool_button
 from .layouts import name_fold, narrow, row_of
+
+MAKE_DATABASE = "semref:annotationtodatabase"
 
 
 class DatabaseBox(QgsCollapsibleGroupBox):
@@ -46,14 +49,17 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         self.in_project.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.in_project.setMinimumContentsLength(8)
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
+        self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Make a reference database of polygons…"))
+        self.making: QWidget | None = None
         layout = narrow(QVBoxLayout(self))
-        layout.addLayout(row_of((self.file, 1), self.add_to_map))
+        layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))
         layout.addWidget(self.in_project)
         name_fold(self)
         self.chosen = self.path()
         self.file.fileChanged.connect(self._remember)
         self.in_project.activated.connect(self._choose_in_project)
         self.add_to_map.clicked.connect(self.addToMapAsked)
+        self.make.clicked.connect(self._make_database)
         self.add_to_map.setEnabled(bool(self.path()))
         # Layers come into the project before they come into its tree, which has the names of their groups.
         self._soon = QTimer(self)
@@ -81,6 +87,13 @@ class DatabaseBox(QgsCollapsibleGroupBox):
             self.changed.emit()
         else:
             self.file.setFilePath(path)
+
+    def _make_database(self) -> None:
+        """Opens the dialog, beside which QGIS can be used; the database is opened, and chosen here, when it is made."""
+        from processing import createAlgorithmDialog
+
+        self.making = createAlgorithmDialog(MAKE_DATABASE, annotation_at_hand(QgsProject.instance()))
+        self.making.show()
 
     def _list_soon(self, *_layers) -> None:
         self._soon.start(0)

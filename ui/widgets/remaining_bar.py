@@ -6,13 +6,7 @@ import time
 
 from qgis.PyQt.QtWidgets import QProgressBar
 
-from ...processing.translation import tr
-
-_AFTER_S, _AFTER_PERCENT = 3.0, 2.0
-"""Before that an estimate would be a guess."""
-
-_MINUTE_S, _HOUR_S = 60, 3600
-_ROUND_S = 5
+from ...processing.framework.time_left import remaining_text
 
 
 class RemainingBar(QProgressBar):
@@ -33,15 +27,3 @@ class RemainingBar(QProgressBar):
         self.setValue(round(percent))
         left = remaining_text(time.monotonic() - self._began, percent)
         self.setFormat(f"%p% · {left}" if left else "%p%")
-
-
-def remaining_text(elapsed_s: float, percent: float) -> str:
-    """“about 2 min left”; empty while it is too early to tell, and at the end."""
-    if elapsed_s < _AFTER_S or not _AFTER_PERCENT <= percent < 100:
-        return ""
-    left = elapsed_s * (100 - percent) / percent
-    if left >= _HOUR_S:
-        return tr("about {hours:.1f} h left").format(hours=left / _HOUR_S)
-    if left >= _MINUTE_S:
-        return tr("about {minutes:.0f} min left").format(minutes=left / _MINUTE_S)
-    return tr("about {seconds:.0f} s left").format(seconds=max(_ROUND_S * round(left / _ROUND_S), _ROUND_S))

@@ -178,3 +178,16 @@ def test_only_the_user_may_read_the_secret_and_the_index(database, tmp_path):
     opened(database, landmarks())
     for path in (tmp_path / "cache" / "semref" / "index.secret", index_path(database)):
         assert path.stat().st_mode & 0o077 == 0, path
+
+
+def test_what_a_killed_writer_left_goes_with_the_next_write(database):
+    """And nothing that is still written, or is another database's."""
+    folder = index_path(database).parent
+    left, written, others = (folder / f".{name}.semref-index.new" for name in ("area.gpkg.a1", "area.gpkg.b2", "b.c3"))
+    for path in (left, written, others):
+        path.write_bytes(b"half")
+    for path in (left, others):
+        os.utime(path, (0, 0))
+    opened(database, landmarks())
+    assert index_path(database).exists()
+    assert sorted(path.name for path in folder.glob(".*.new")) == sorted([written.name, others.name])

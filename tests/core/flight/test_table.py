@@ -13,6 +13,10 @@ def write(tmp_path, data):
     return str(path)
 
 
+def need_image(columns):
+    columns.need(["image"])
+
+
 def code_of(call):
     with pytest.raises(ParameterError) as caught:
         call()
@@ -20,7 +24,7 @@ def code_of(call):
 
 
 def test_rows_keep_the_number_of_their_line(tmp_path):
-    rows = list(rows_of(write(tmp_path, b"\xef\xbb\xbfImage,B\n\na,1\n\nb\n"), ["image"]))
+    rows = list(rows_of(write(tmp_path, b"\xef\xbb\xbfImage,B\n\na,1\n\nb\n"), need_image))
     assert [row.texts for row in rows] == [{"image": "a", "b": "1"}, {"image": "b"}]
     assert [english(row.place)[-6:] for row in rows] == ["line 3", "line 5"]
 
@@ -35,7 +39,7 @@ def test_rows_keep_the_number_of_their_line(tmp_path):
     ],
 )
 def test_what_is_no_table_is_refused(tmp_path, data, code):
-    assert code_of(lambda: list(rows_of(write(tmp_path, data), ["image"]))) == code
+    assert code_of(lambda: list(rows_of(write(tmp_path, data), need_image))) == code
 
 
 def test_files_that_cannot_be_read_are_refused(tmp_path):
@@ -62,6 +66,6 @@ def test_the_stem_is_the_name_without_folders_and_extension(path):
 def test_a_null_character_ends_nothing(tmp_path):
     # Before Python 3.11 csv takes none.
     try:
-        assert [row.texts["image"] for row in rows_of(write(tmp_path, b"image,b\na\0,1\n"), ["image"])] == ["a\0"]
+        assert [row.texts["image"] for row in rows_of(write(tmp_path, b"image,b\na\0,1\n"), need_image)] == ["a\0"]
     except ParameterError as error:
         assert error.sentence.code == "flight.unreadable"

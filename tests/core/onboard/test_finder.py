@@ -63,7 +63,7 @@ def test_a_fault_of_the_program_stops_no_other_image(finding, image, monkeypatch
 
 def test_topology_vectors_are_told_nothing_of_the_camera(finding, image):
     published = replace(finding, method=Method.TOPOLOGY_VECTOR, prior=Prior((1.0, 2.0), 3.0))
-    assert published.prior_of(image, (10, 10)) == published.prior
+    assert published.prior_of(published.camera_of(image), (10, 10)) == published.prior
 
 
 def test_the_time_of_a_file_that_is_gone_is_no_time(tmp_path):

@@ -18,7 +18,8 @@ from onboard_area import MAP, SIZE, write_area
 from semref.core.geometry.camera import Camera, Lens
 from semref.core.geometry.lens_distortion import LensDistortion
 from semref.core.geometry.leveling import Attitude, leveling
-from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
+from semref.core.localizer.leveled import level_labels
+from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
 from semref.core.onboard.flight import FORMAT
 
 STEP = 60
@@ -105,7 +106,7 @@ def bent(number):
 @pytest.mark.parametrize("is_stated", [True, False])
 def test_a_lens_that_its_image_states_is_straightened_in_a_flight_too(watch, folder, monkeypatch, is_stated):
     camera = Camera(lens=Lens("focal_length_px", 0.95 * SIZE), distortion=LENS if is_stated else None)
-    monkeypatch.setattr("semref.core.onboard.finder.photo_camera", lambda path: camera)
+    monkeypatch.setattr("semref.core.onboard.cameras.photo_camera", lambda path: camera)
     for number in range(4):
         cv2.imwrite(str(folder / f"{number}.png"), bent(number))
         os.utime(folder / f"{number}.png", ns=(number * 10**9, number * 10**9))
@@ -255,3 +256,83 @@ def test_one_bad_image_does_not_end_the_flight(watch, folder):
     code, records = watch()
     assert code == REFUSED and records[1]["status"] == "error"
     assert records[-1]["status"] == "fix" and off(records[-1], COUNT - 1) < 3
+
+
+ODOMETRY = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
+
+
+def row(number):
+    """Of the odometry table: to the right and down, as the images go on."""
+    return f"{number}.png,{STEP},-8,0,1\n" if number else "0.png,,,,\n"
+
+
+@pytest.fixture
+def blind(monkeypatch):
+    """Pixels tell no motion."""
+    from semref.core.flight.pixel_motion import Motion
+
+    monkeypatch.setattr("semref.core.onboard.flight.motion_between", lambda before, now: Motion(None))
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("blind")
+@pytest.mark.parametrize("is_told", [True, False])
+def test_a_table_of_motion_holds_the_track_where_pixels_tell_none(watch, folder, tmp_path, is_told):
+    put(folder, range(4), blank=[2])
+    table = tmp_path / "odometry.csv"
+    table.write_text(ODOMETRY + "".join(map(row, range(4))), encoding="utf-8")
+    _, records = watch(*(["--odometry", str(table)] if is_told else []))
+    assert (records[2]["status"] == "fix" and records[2]["source"] == "flight") == is_told
+    assert (records[3]["track"] == records[0]["track"]) == is_told
+
+
+@pytest.mark.usefixtures("blind")
+def test_a_restart_goes_on_with_the_table_of_motion(watch, folder, tmp_path):
+    table, state = tmp_path / "odometry.csv", str(tmp_path / "flight.npz")
+    table.write_text(ODOMETRY + "".join(map(row, range(2))), encoding="utf-8")
+    put(folder, range(2))
+    _, before = watch("--odometry", str(table), "--state", state)
+    with open(table, "a", encoding="utf-8") as file:
+        file.write(row(2) + "broken\n")
+    put(folder, [2], blank=[2])
+    _, (after,) = watch("--odometry", str(table), "--state", state)
+    assert (after["status"], after["source"], after["track"]) == ("fix", "flight", before[-1]["track"])
+    assert off(after, 2) < 10
+
+
+@pytest.mark.slow
+def test_what_comes_later_in_the_table_changes_nothing_that_was_said(watch, folder, tmp_path):
+    table = tmp_path / "odometry.csv"
+    put(folder, range(2))
+    told = []
+    for last in (2, 5):
+        table.write_text(ODOMETRY + "".join(map(row, range(last))), encoding="utf-8")
+        told.append(watch("--odometry", str(table))[1])
+    assert told[0] == told[1]
+
+
+def test_bad_tables_are_one_sentence_before_the_start(watch, folder, database, tmp_path, capsys):
+    put(folder, range(1))
+    table = tmp_path / "odometry.csv"
+    for text, message in (("x,y\n1,2\n", "dheading_deg"), (ODOMETRY + "0,,,\n1,a,1,1\n", "dx_m is “a”")):
+        table.write_text(text, encoding="utf-8")
+        assert watch("--odometry", str(table)) == (REFUSED, [])
+        assert message in capsys.readouterr().err
+    assert watch("--odometry", str(tmp_path / "nowhere.csv"))[0] == REFUSED
+    assert main(["watch", str(folder), "--database", database, "--once", "--odometry", str(table)]) == REFUSED
+    assert "--flight" in capsys.readouterr().err
+    assert watch("--odometry", str(table), "--state", str(table))[0] == WRONG_USAGE
+
+
+def test_a_tilted_camera_of_a_table_is_leveled(watch, folder, tmp_path, monkeypatch):
+    """What is tilted on the image is where it was on the ground: as QGIS levels it."""
+    put(folder, range(1))
+    seen = []
+    original = "semref.core.onboard.flight.level_labels"
+    monkeypatch.setattr(original, lambda labels, way: seen.append(way) or level_labels(labels, way))
+    table = tmp_path / "cameras.csv"
+    table.write_text("image,roll,pitch,field_of_view,height\n0.png,2,-3,60,173\n", encoding="utf-8")
+    watch("--cameras", str(table))
+    (way,) = seen
+    expected = leveling(Attitude(2, -3), SIZE / 2 / math.tan(math.radians(30)), (SIZE, SIZE))
+    assert way.corners == pytest.approx(expected.corners)

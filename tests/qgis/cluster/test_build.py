@@ -173,3 +173,31 @@ def test_what_happens_is_told_as_json_to_who_asks(cluster, label_map, tmp_path):
     assert result.returncode == 0 and events[-1]["event"] == "done" and events[-1]["windows"] > 50
     shares = [event["share"] for event in events if event["event"] == "step"]
     assert shares == sorted(shares) and shares[0] >= 0 and shares[-1] == pytest.approx(1)
+
+
+def test_an_overview_that_lies_in_a_file_meanwhile_gives_the_same_bytes(label_map, tmp_path, monkeypatch):
+    pytest.importorskip("distributed")
+    from argparse import Namespace
+
+    from semref.cluster import build as builds
+
+    options = {"labels": str(label_map), "reference_classes": "building;water", "window_size": 320.0, "stride": 140.0}
+    options |= {"levels": "1", "references_per_vector": 10, "minimum_area": 40.0, "map_accuracy": 1.1}
+    cache = gdal.GetCacheMax()
+    try:
+        for name, held in (("held.gpkg", 1 << 30), ("filed.gpkg", 0)):
+            monkeypatch.setattr(builds, "_HELD_OVERVIEW", held)
+            workers = {"scheduler": None, "local": 1, "worker_memory": None}
+            builds.build(Namespace(**options, **workers, database=str(tmp_path / name)), SilentTeller())
+    finally:
+        gdal.SetCacheMax(cache)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["filed.gpkg", "held.gpkg"]
+    assert (tmp_path / "filed.gpkg").read_bytes() == (tmp_path / "held.gpkg").read_bytes()
+
+
+class SilentTeller:
+    def step(self, text, share):
+        assert 0 <= share <= 1
+
+    def say(self, text):
+        assert text

@@ -251,7 +251,7 @@ def label_images(world: World) -> Tools:
 
 
 def photos(world: World) -> Tools:
-    from semref.storage.camera_files import read_cameras
+    from semref.core.flight.cameras import read_cameras
     from semref.storage.images import GdalImage
 
     places = _places(world)

@@ -85,7 +85,7 @@ def class_tables(world: World) -> Tools:
 
 
 def camera_tables(world: World) -> Tools:
-    from semref.storage.camera_files import read_cameras
+    from semref.core.flight.cameras import read_cameras
 
     placed = Placed(world.folder, "cameras.csv")
 

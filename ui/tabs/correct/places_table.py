@@ -5,17 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from qgis.core import QgsApplication, QgsFeature, QgsFeatureRequest, QgsMapLayer, QgsVectorLayer
-from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
+from qgis.core import QgsFeature, QgsFeatureRequest, QgsMapLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import QEvent, Qt
+from qgis.PyQt.QtGui import QIcon, QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from ....core.annotation.findings import ERROR, INFORMATION, WARNING
+from ....core.annotation.findings import WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.translation import tr
-from ....processing.wording.annotation_messages import kind_titles
+from ....processing.wording.annotation_messages import kind_titles, severity_title
 from ...widgets.numbers import number_text
 from ...widgets.placeholder import paint_placeholder
+from ...widgets.rows import changes_font, select_row
+from ...widgets.severity_icons import severity_icon
 from ...widgets.tips import plain_tip
 
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, AREA_COLUMN = range(4)
@@ -29,7 +31,6 @@ KIND = "kind"
 _COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"), ("area",))
 """Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
 
-_ICONS = {ERROR: "/mIconCritical.svg", WARNING: "/mIconWarning.svg", INFORMATION: "/mIconInfo.svg"}
 _LINES = 2
 """Of a message, before it is cut: most have no more in a dock of the usual width."""
 _MARGIN_PX = 6
@@ -50,6 +51,7 @@ class PlacesTable(QTableWidget):
 
     def __init__(self) -> None:
         super().__init__(0, 1 + len(_COLUMNS))
+        self._icons: dict[str, QIcon] = {}
         self.setObjectName("SemRefPlaces")
         self.setAccessibleName(tr("Places"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -58,18 +60,22 @@ class PlacesTable(QTableWidget):
         self.setWordWrap(True)
         self.setTabKeyNavigation(False)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(_LINES * self.fontMetrics().lineSpacing() + _MARGIN_PX)
         header = self.horizontalHeader()
         header.setMinimumSectionSize(self.fontMetrics().height())
         header.setSectionResizeMode(MESSAGE_COLUMN, QHeaderView.ResizeMode.Stretch)
         self.show_titles(None)
+        self._fit_rows()
+
+    def _fit_rows(self) -> None:
+        self.verticalHeader().setDefaultSectionSize(_LINES * self.fontMetrics().lineSpacing() + _MARGIN_PX)
+        self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
     def show_titles(self, layer: QgsVectorLayer | None) -> None:
         """Headings for a layer; those of a check before one is chosen."""
         names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
         self.setHorizontalHeaderLabels(["", *(_title(name) for name in names)])
         self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
-        self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(QgsApplication.getThemeIcon("/mIconWarning.svg"))
+        self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(severity_icon(WARNING))
         self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
@@ -79,8 +85,8 @@ class PlacesTable(QTableWidget):
         self.setRowCount(number + 1)
         severity = QTableWidgetItem()
         if place.severity:
-            severity.setIcon(QgsApplication.getThemeIcon(_ICONS.get(place.severity, _ICONS[WARNING])))
-            title = severity_name(place.severity)
+            severity.setIcon(self._icon(place.severity))
+            title = severity_title(place.severity)
             severity.setToolTip(title)
             severity.setData(Qt.ItemDataRole.AccessibleTextRole, title)
         for column, item in enumerate((severity, *(QTableWidgetItem(text) for text in place.texts))):
@@ -92,9 +98,18 @@ class PlacesTable(QTableWidget):
             self.setItem(number, column, item)
         return number
 
+    def _icon(self, severity: str) -> QIcon:
+        """Each is painted once: there are thousands of places."""
+        if severity not in self._icons:
+            self._icons[severity] = severity_icon(severity)
+        return self._icons[severity]
+
     def id_of(self, row: int) -> int:
         """Of the feature that a row shows."""
         return self.item(row, 0).data(Qt.ItemDataRole.UserRole)
+
+    def selectRow(self, row: int) -> None:
+        select_row(self, row)
 
     def selected_row(self) -> int:
         """−1 without one."""
@@ -119,11 +134,21 @@ class PlacesTable(QTableWidget):
         width = self.viewport().width()
         self.setColumnWidth(KIND_COLUMN, min(max(self.columnWidth(KIND_COLUMN), 1), width // 3))
         # The line below the list tells the area as well.
-        self.setColumnHidden(AREA_COLUMN, width < _WIDE_LETTERS * self.fontMetrics().averageCharWidth())
+        has_room = width >= _WIDE_LETTERS * self.fontMetrics().averageCharWidth()
+        if has_room and self.isColumnHidden(AREA_COLUMN):
+            self.setColumnHidden(AREA_COLUMN, False)
+            # A hidden column is as wide as its rows: nobody asks for its heading.
+            self.resizeColumnToContents(AREA_COLUMN)
+        self.setColumnHidden(AREA_COLUMN, not has_room)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit_width()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if changes_font(event):
+            self._fit_rows()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -157,14 +182,9 @@ def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
     """All that is known of a place."""
     severity = feature[SEVERITY] if has_severity(layer) else None
-    first = "" if is_null(severity) else severity_name(severity)
+    first = "" if is_null(severity) else severity_title(severity)
     kind, message, area = _texts(feature, _fields(layer), kind_titles())
     return " · ".join(filter(None, (first, kind, message, f"{area} m²" if area else "")))
-
-
-def severity_name(severity: str) -> str:
-    """Of one place; what this version does not know stands for itself."""
-    return {ERROR: tr("Error"), WARNING: tr("Warning"), INFORMATION: tr("Information")}.get(severity, severity)
 
 
 def _fields(layer: QgsVectorLayer) -> list[str | None]:

@@ -13,9 +13,10 @@ from qgis.core import (
     QgsProject,
 )
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
+    QHeaderView,
     QLabel,
     QLineEdit,
     QPushButton,
@@ -40,12 +41,16 @@ from ...canvas.window_tool import WindowTool
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
 from ...widgets.numbers import number_text
+from ...widgets.rows import changes_font
 from .vector_plot import VectorPlot
 
 if TYPE_CHECKING:
     import numpy as np
 
     from ....core.database.model import ReferenceDatabase
+
+_APART = 3
+"""The column of how far a compared image differs."""
 
 _DIFFERS = 0.1
 """Elements of two vectors farther apart than this are marked: over all 30 they make a distance of 0.5."""
@@ -67,11 +72,22 @@ class InspectTab(QWidget):
         self._image_name = ""
         self._wanted_name = ""
         self._wanted_point: QgsPointXY | None = None
+        self._wanted_step = 0
         self.tool = WindowTool(canvas)
         self._marks = WindowMarks(canvas)
         self._lay_out()
+        self._fit_rows()
         self._connect()
         self._show_nothing()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if changes_font(event):
+            self._fit_rows()
+
+    def _fit_rows(self) -> None:
+        for table in self.findChildren(QTableWidget):
+            table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 8)
 
     def _lay_out(self) -> None:
         self.pick = tool_button(
@@ -99,7 +115,8 @@ class InspectTab(QWidget):
         self.numbers.horizontalHeaderItem(2).setToolTip(
             tr("Angle to the next landmark; in brackets over the largest angle, as the vector has it")
         )
-        self.numbers.horizontalHeaderItem(3).setToolTip(tr("How far the compared image’s vector differs here"))
+        self.numbers.setColumnHidden(_APART, True)
+        self.numbers.horizontalHeaderItem(_APART).setToolTip(tr("How far the compared image’s vector differs here"))
         self.look_alikes = QTableWidget(0, 2)
         self.look_alikes.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.look_alikes.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -115,8 +132,8 @@ class InspectTab(QWidget):
             table.setAccessibleName(name)
             # Else the walk by the Tab key would end in the table.
             table.setTabKeyNavigation(False)
+            table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
             table.horizontalHeader().setStretchLastSection(True)
-            table.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 8)
         self.look_alikes.setToolTip(tr("Windows elsewhere with the nearest vectors; double-click to inspect one"))
         self.compare = QPushButton(tr("Compare with the selected image"))
         self.compare.setCheckable(True)
@@ -156,12 +173,14 @@ class InspectTab(QWidget):
         if database is None:
             return
         self._crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
-        name, point = self._wanted_name, self._wanted_point
-        self._wanted_name, self._wanted_point = "", None
+        name, point, step = self._wanted_name, self._wanted_point, self._wanted_step
+        self._wanted_name, self._wanted_point, self._wanted_step = "", None, 0
         if name:
             self.show_window(name)
         elif point is not None:
             self._show_at(point)
+        elif step:
+            self._step(step)
 
     def show_window(self, name: str) -> None:
         """Inspects the window of this name, once the database is read."""
@@ -213,9 +232,11 @@ class InspectTab(QWidget):
 
     def _step(self, step: int) -> None:
         if self._database is None:
+            self._wanted_step = step
             self.databaseWanted.emit()
             return
-        start = -min(step, 0) if self._window is None else self._window.index
+        # None yet: the next one is the first, the one before it the last.
+        start = -max(step, 0) if self._window is None else self._window.index
         self._show((start + step) % len(self._database.windows))
 
     def _pick(self, on: bool) -> None:
@@ -263,20 +284,19 @@ class InspectTab(QWidget):
             texts = [ray.class_name, distance, angle, "" if apart is None else number_text(apart, 3)]
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
-                if apart is not None and apart > _DIFFERS:
+                # This one alone: all of a row in bold is wider than the dock.
+                if column == _APART and apart is not None and apart > _DIFFERS:
                     font = item.font()
                     font.setBold(True)
                     item.setFont(font)
                 self.numbers.setItem(number, column, item)
-        self.numbers.setColumnHidden(3, compared is None)
-        self.numbers.resizeColumnsToContents()
+        self.numbers.setColumnHidden(_APART, compared is None)
 
     def _fill_look_alikes(self, window: InspectedWindow) -> None:
         self.look_alikes.setRowCount(len(window.look_alikes))
         for number, other in enumerate(window.look_alikes):
             self.look_alikes.setItem(number, 0, QTableWidgetItem(other.name))
             self.look_alikes.setItem(number, 1, QTableWidgetItem(number_text(other.distance, 3)))
-        self.look_alikes.resizeColumnsToContents()
 
 
 def _title(window: InspectedWindow, compared: Comparison | None, image: str) -> str:

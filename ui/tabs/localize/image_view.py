@@ -87,6 +87,12 @@ class ImageView(QWidget):
         """Shows only a text."""
         self.canvas.clear(text)
 
+    def height_for_all(self, width: int) -> int:
+        """What it takes to show the picture as wide as that; 0 without a picture."""
+        scene = self.canvas.sceneRect()
+        beside = self.height() - self.canvas.height()
+        return round(width * scene.height() / scene.width()) + beside if self.canvas.scene().items() else 0
+
     def point_at(self, number: int) -> None:
         """Stresses one of the matched landmarks; 0 for none."""
         self.canvas.point_at(number)

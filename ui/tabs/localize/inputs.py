@@ -23,6 +23,7 @@ from ....core.localization import Method
 from ....processing.inspection.flight import looks_like_flight
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
+from ...at_hand import training_at_hand
 from ...fields.known import MODEL, note_used
 from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...models.model_list import ModelsDialog
@@ -150,7 +151,7 @@ class ImageBox(QgsCollapsibleGroupBox):
         """Opens the algorithm's dialog, beside which QGIS can be used; its model becomes the chosen one."""
         from processing import createAlgorithmDialog
 
-        self.training = createAlgorithmDialog(TRAIN_MODEL)
+        self.training = createAlgorithmDialog(TRAIN_MODEL, training_at_hand(QgsProject.instance()))
         self.training.algorithmFinished.connect(self._take_model)
         self.training.show()
 

@@ -7,6 +7,7 @@ from functools import partial
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QByteArray, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from ....processing.translation import tr
@@ -26,6 +27,16 @@ _SHARES = 1, 5, 0
 
 _PLAY_EVERY_MS = 700
 """Long enough to see where an image lies, short enough for a hundred of them."""
+
+
+class _Parts(QSplitter):
+    """Tells when it is resized, after its parts were."""
+
+    resized = pyqtSignal()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.resized.emit()
 
 
 class ResultsBox(QgsCollapsibleGroupBox):
@@ -88,7 +99,8 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.drape.setToolTip(tr("Adds the image to the project as a half-transparent layer, placed by its fix"))
 
     def _lay_out(self) -> None:
-        self.parts = QSplitter(Qt.Orientation.Vertical)
+        self.parts = _Parts(Qt.Orientation.Vertical)
+        self.parts.resized.connect(self._share_room)
         self.parts.setChildrenCollapsible(False)
         for part in (self.table, self.image, self.details):
             self.parts.addWidget(part)
@@ -102,6 +114,19 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout.addLayout(row_of(self.before, self.after, self.play, self.zoom, (self.copy, 1)))
         layout.addLayout(row_of(self.drape, self.keep))
         name_fold(self)
+
+    def _share_room(self) -> None:
+        """What the picture leaves blank goes to the table, as long as it has rows; who moved the parts has them so."""
+        if QgsSettings().contains(_PARTS_SETTING):
+            return
+        room = sum(self.parts.sizes())
+        # What is known of a result is read, too; it gets less only where there is hardly room for the rest.
+        details = max(self.details.minimumSizeHint().height(), min(self.details.sizeHint().height(), room // 5))
+        both = room - details
+        wanted = self.image.height_for_all(self.parts.width())
+        least = max(self.table.minimumSizeHint().height(), both // (_SHARES[0] + _SHARES[1]))
+        height = max(least, min(both - wanted, self.table.height_of_all())) if wanted else least
+        self.parts.setSizes([height, both - height, details])
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Shows these instead of those before, the first one selected."""

@@ -6,12 +6,15 @@ from collections.abc import Sequence
 
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QObject, Qt
-from qgis.PyQt.QtGui import QStandardItem, QStandardItemModel
+from qgis.PyQt.QtGui import QIcon, QStandardItem, QStandardItemModel
 
+from ....core.annotation import findings as annotation
 from ....core.localization import Status
+from ....processing.framework.localized_image import ERROR as UNREAD
 from ....processing.translation import tr
 from ...findings import Finding, odds_text, status_text
 from ...widgets.numbers import number_text
+from ...widgets.severity_icons import severity_icon
 from ...widgets.tips import plain_tip
 
 IMAGE, ODDS, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
@@ -24,10 +27,12 @@ _DEGREE_DECIMALS = 5
 """About a meter."""
 
 SORT_ROLE = Qt.ItemDataRole.UserRole
+NAME_ROLE = SORT_ROLE + 1
+"""Of SUMMARY: the image's name, which its text begins with and may be shortened in its middle."""
 NUMBER_COLUMNS = (ODDS, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
-_ICONS = {Status.FIX.key: "/mIconSuccess.svg", "error": "/mIconCritical.svg"}
+_ICONS = {Status.FIX.key: "/mIconSuccess.svg", UNREAD: annotation.ERROR}
 _OTHER_ICON = "/mIconWarning.svg"
 _FLIGHT_ICON = "/mIconLineLayer.svg"
 
@@ -47,7 +52,7 @@ class ResultsModel(QStandardItemModel):
         self.setColumnCount(COLUMN_COUNT)
         self._show_headers()
         self._findings = list(findings)
-        icons = {name: QgsApplication.getThemeIcon(name) for name in {_icon(finding) for finding in findings}}
+        icons = {name: _drawn(name) for name in {_icon(finding) for finding in findings}}
         for finding in self._findings:
             row = [_item(finding, column) for column in range(COLUMN_COUNT)]
             for column in (IMAGE, SUMMARY):
@@ -73,6 +78,8 @@ def _item(finding: Finding, column: int) -> QStandardItem:
     item.setEditable(False)
     item.setData(_sort_value(finding, column), SORT_ROLE)
     item.setToolTip(plain_tip("\n".join(filter(None, (finding.image, status_text(finding), finding.reason)))))
+    if column == SUMMARY:
+        item.setData(finding.name, NAME_ROLE)
     if column in NUMBER_COLUMNS:
         # Figures end at the same place.
         item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -86,6 +93,10 @@ def _icon(finding: Finding) -> str:
     if finding.status == Status.FIX and not finding.is_verified:
         return _OTHER_ICON
     return _ICONS.get(finding.status, _OTHER_ICON)
+
+
+def _drawn(name: str) -> QIcon:
+    return severity_icon(name) if name == annotation.ERROR else QgsApplication.getThemeIcon(name)
 
 
 def _headers() -> list[str]:
@@ -151,13 +162,13 @@ def _position(finding: Finding) -> str:
 
 
 def _summary(finding: Finding) -> str:
-    """Name and status, below them where it is, how exactly and how surely; the reason where it is nowhere."""
+    """Name, status and how surely, below them where it is and how exactly; the reason where it is nowhere."""
     position, odds = _position(finding), odds_text(finding)
     if position and finding.error_95 is not None:
         position = f"{position} ± {number_text(finding.error_95, 1)} m"
     sure = tr("{odds} wrong").format(odds=odds) if odds else ""
-    below = " · ".join(filter(None, (position, sure))) or (finding.reason or "")
-    return f"{finding.name} · {status_text(finding)}\n{below}"
+    above = " · ".join(filter(None, (finding.name, status_text(finding), sure)))
+    return f"{above}\n{position or finding.reason or ''}"
 
 
 def _sort_value(finding: Finding, column: int) -> float | str:

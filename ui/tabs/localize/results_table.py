@@ -2,19 +2,49 @@
 
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QSize, QSortFilterProxyModel, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
-from qgis.PyQt.QtWidgets import QAbstractItemView, QTableView, QWidget
+from qgis.PyQt.QtCore import QEvent, QModelIndex, QSize, QSortFilterProxyModel, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QFontMetrics, QPaintEvent, QResizeEvent
+from qgis.PyQt.QtWidgets import (
+    QAbstractItemView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+    QWidget,
+)
 
 from ....processing.translation import tr
 from ...findings import Finding
 from ...widgets.placeholder import paint_placeholder
-from .results_model import COLUMN_COUNT, IMAGE, ORDER, SORT_ROLE, SUMMARY, ResultsModel
+from ...widgets.rows import changes_font, select_row
+from .results_model import COLUMN_COUNT, IMAGE, NAME_ROLE, ORDER, SORT_ROLE, SUMMARY, ResultsModel
 
 _IMAGE_COLUMN_MINIMUM_PX = 120
+_ICON_AND_MARGINS_PX = 32
+_NAME_LEAST_PX = 48
 _ROW_MARGIN_PX = 4
 _ROWS, _LEAST_ROWS = 6, 4
 """Of text; a result takes two of them where there is no room for columns."""
+
+
+class TwoLines(QStyledItemDelegate):
+    """Paints a result's two lines; what is too wide is the name of the image, never how surely it was found."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        """As Qt does, the text fitted."""
+        super().initStyleOption(option, index)
+        name, text = index.data(NAME_ROLE) or "", index.data() or ""
+        lines = fitted(text, name, option.fontMetrics, option.rect.width() - _ICON_AND_MARGINS_PX)
+        # What Qt makes of the ends of lines before it paints; it would put "\n" on one line.
+        option.text = lines.replace("\n", "\u2028")
+
+
+def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
+    """``text`` with the name at its beginning shortened in its middle, so that the first line fits."""
+    above, _, below = text.partition("\n")
+    rest = above[len(name) :]
+    room = max(width_px - metrics.horizontalAdvance(rest), _NAME_LEAST_PX)
+    return f"{metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room)}{rest}\n{below}"
 
 
 class ResultsTable(QTableView):
@@ -24,6 +54,7 @@ class ResultsTable(QTableView):
     """
 
     findingSelected = pyqtSignal(object)
+    _arranging = True
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,6 +65,7 @@ class ResultsTable(QTableView):
         self.setModel(self._sorted)
         self.setAccessibleName(tr("Results"))
         self._used = [column for column in ORDER if column != SUMMARY]
+        self.setItemDelegateForColumn(SUMMARY, TwoLines(self))
         # Unsorted, in the order of the images, until a header is clicked.
         self.horizontalHeader().setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
@@ -41,6 +73,8 @@ class ResultsTable(QTableView):
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        # Columns are made to fit; a bar from before, when the dock was wider, would stay.
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setWordWrap(False)
         self.setShowGrid(False)
@@ -50,6 +84,7 @@ class ResultsTable(QTableView):
         self.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.horizontalHeader().setHighlightSections(False)
         self._order_columns()
+        self._arranging = False
         self._arrange()
         self.selectionModel().selectionChanged.connect(self._tell_selected)
 
@@ -69,6 +104,9 @@ class ResultsTable(QTableView):
         """The finding of the selected row, None without one."""
         rows = self.selectionModel().selectedRows()
         return self._model.finding(self._sorted.mapToSource(rows[0]).row()) if rows else None
+
+    def selectRow(self, row: int) -> None:
+        select_row(self, row)
 
     def step(self, step: int) -> None:
         """Selects the row so many rows on, from the last to the first."""
@@ -90,6 +128,11 @@ class ResultsTable(QTableView):
     def sizeHint(self) -> QSize:
         return QSize(200, self._height_of(_ROWS))
 
+    def height_of_all(self) -> int:
+        """What it takes to show all rows."""
+        header = 0 if self.is_narrow else self.horizontalHeader().height()
+        return header + self.verticalHeader().length() + 2 * self.frameWidth()
+
     def minimumSizeHint(self) -> QSize:
         return QSize(120, self._height_of(_LEAST_ROWS))
 
@@ -99,6 +142,11 @@ class ResultsTable(QTableView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._arrange()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if changes_font(event):
+            self._arrange()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
@@ -121,10 +169,24 @@ class ResultsTable(QTableView):
 
     def _arrange(self) -> None:
         """Columns where all that say something fit, with the image's filling the rest; else two lines a row."""
-        header, width = self.horizontalHeader(), self.viewport().width()
+        if self._arranging:
+            # Showing or hiding the header shows or hides the scroll bar, and so another width would be arranged for.
+            return
+        self._arranging = True
+        self._arrange_now()
+        self._arranging = False
+
+    def _arrange_now(self) -> None:
+        header = self.horizontalHeader()
+        for column in self._used:
+            # The heading of a hidden column asks for no room.
+            self.setColumnHidden(column, False)
         wanted = {c: max(self.sizeHintForColumn(c), header.sectionSizeHint(c)) + 1 for c in self._used}
         wanted[IMAGE] = max(wanted[IMAGE], _IMAGE_COLUMN_MINIMUM_PX)
-        narrow = sum(wanted.values()) > width
+        # Also with a scroll bar, which may come and go with the header.
+        beside = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollView_ScrollBarSpacing, None, self)
+        bar = self.verticalScrollBar().sizeHint().width() + max(0, beside)
+        narrow = sum(wanted.values()) > self.maximumViewportSize().width() - bar
         for column in range(COLUMN_COUNT):
             self.setColumnHidden(column, column != SUMMARY if narrow else column not in self._used)
         header.setVisible(not narrow)
@@ -132,8 +194,8 @@ class ResultsTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(lines * self.fontMetrics().height() + 2 * _ROW_MARGIN_PX)
         self.setTextElideMode(Qt.TextElideMode.ElideRight if narrow else Qt.TextElideMode.ElideMiddle)
         if narrow:
-            self.setColumnWidth(SUMMARY, width)
+            self.setColumnWidth(SUMMARY, self.viewport().width())
             return
         for column, size in wanted.items():
             self.setColumnWidth(column, size)
-        self.setColumnWidth(IMAGE, width - sum(wanted.values()) + wanted[IMAGE])
+        self.setColumnWidth(IMAGE, self.viewport().width() - sum(wanted.values()) + wanted[IMAGE])

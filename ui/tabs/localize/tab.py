@@ -174,7 +174,9 @@ class LocalizeTab(QWidget):
     def _show_idle(self, *_) -> None:
         self.modelChosen.emit(self.images.model_path())
         self._set_running(False)
-        if self._is_ready():
+        if self._is_ready() and not self.images.model_path() and any(map(is_photo, self.images.paths())):
+            self.state.show_text(tr("These are photos: choose a model."), tr("Else colors are taken for classes."))
+        elif self._is_ready():
             self.state.show_text(tr("Ready to localize."))
         elif self.images.paths():
             self.state.show_text(tr("Choose a database."))
@@ -290,6 +292,11 @@ class LocalizeTab(QWidget):
             "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
         )
         self._messages.warning(sentence.format(layers=", ".join(names)))
+
+
+def is_photo(path: str) -> bool:
+    """Whether a file is of a kind that cameras write, and that keeps no label image as it is."""
+    return path.lower().endswith((".jpg", ".jpeg"))
 
 
 def _copy_of(layer: QgsVectorLayer) -> QgsVectorLayer:

@@ -1,0 +1,37 @@
+"""What the commands share: who is told, and files that are read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+from osgeo import gdal
+
+from ..core.errors import ParameterError
+
+
+class Teller(Protocol):
+    """Takes what is being done."""
+
+    def step(self, text: str, share: float) -> None:
+        """What is being done, and how much of all is (0…1)."""
+
+    def say(self, text: str) -> None:
+        """Anything else worth a line."""
+
+
+def seen_by_workers(path: str) -> str:
+    """A path that means the same elsewhere; names of GDAL's stay as they are."""
+    return path if path.startswith("/vsi") else str(Path(path).absolute())
+
+
+def require_apart(path: str, output: str) -> None:
+    """Raises ParameterError where a file would be replaced by what is made of it."""
+    if Path(path).exists() and Path(output).exists() and Path(path).samefile(output):
+        raise ParameterError("cluster.output_is_input", path=path)
+
+
+def state(path: str) -> tuple[int, float]:
+    """(bytes, time of the last change) of a file, as GDAL knows them; zeros for what is no file."""
+    found = gdal.VSIStatL(path)
+    return (found.size, found.mtime) if found is not None else (0, 0)

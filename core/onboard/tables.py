@@ -1,0 +1,156 @@
+"""Tables that tell of images, odometry and cameras, read while they grow: what they tell of an image when it comes.
+
+Whatever is wrong with a line, the flight goes on: it is told in the log and left out.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from typing import Callable, Generic, TypeVar
+
+from ..errors import ParameterError
+from ..flight.growing import GrowingTable
+from ..flight.motion import Link
+from ..flight.odometry import Step, check_odometry, link_over, step_of
+from ..flight.table import Check, Row, image_of
+from .log import say
+
+MOST_ROWS = 50_000
+"""Rows that are held: some 30 MB. Of a table that is longer the oldest are forgotten."""
+
+ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05
+"""A row may be written so much later than its image, while it is looked for every so often."""
+
+Told = TypeVar("Told")
+
+
+class TableOfImages(Generic[Told]):
+    """What a growing table tells of images, by their names without folders and extensions."""
+
+    def __init__(self, path: str, check: Check, read: Callable[[Row, bool], Told], is_ended: bool) -> None:
+        """Reads nothing yet.
+
+        Args:
+            path: Of the table.
+            check: What its header must have.
+            read: What a row tells; whether nothing that is known comes before it.
+            is_ended: Nobody writes any more.
+        """
+        self._table, self._read, self._is_ended = GrowingTable(path, check), read, is_ended
+        self._rows: list[Told] = []
+        self._numbers: dict[str, int] = {}
+        self._first = 0
+        self._is_cut = True
+        self._restarts = 0
+        self._keeps_up, self._fails = True, False
+
+    def check(self) -> None:
+        """Reads what is there; raises ParameterError for the first thing that is wrong with it."""
+        self._look(is_strict=True)
+
+    def of(self, image: str) -> Told | None:
+        """What it tells of an image, waited for while the table keeps up with images; None where it tells nothing."""
+        number = self._number_of(image)
+        return None if number is None else self._rows[number - self._first]
+
+    def between(self, first: str, last: str) -> list[Told] | None:
+        """What it tells from the row after one image to that of a later one; None where it lacks one of both."""
+        end, start = self._number_of(last), self._numbers.get(first)
+        if start is None or end is None or end <= start:
+            return None
+        return self._rows[start + 1 - self._first : end + 1 - self._first]
+
+    def _number_of(self, image: str) -> int | None:
+        until = time.monotonic() + (ROW_WITHIN_S if self._keeps_up and not self._is_ended else 0.0)
+        while True:
+            self._look()
+            if image in self._numbers or time.monotonic() >= until:
+                break
+            time.sleep(LOOK_EVERY_S)
+        self._keeps_up = image in self._numbers
+        return self._numbers.get(image)
+
+    def _look(self, is_strict: bool = False) -> None:
+        try:
+            for row in self._table.new_rows(self._is_ended):
+                self._take(row, is_strict)
+            self._fails = False
+        except ParameterError as error:
+            if is_strict:
+                raise
+            if not self._fails:
+                say(logging.ERROR, "table_fails", reason=str(error))
+            self._fails = True
+
+    def _take(self, row: Row | ParameterError, is_strict: bool) -> None:
+        if self._restarts != self._table.restarts:
+            self._restarts, self._is_cut = self._table.restarts, True
+            self._first += len(self._rows)
+            self._rows.clear()
+            self._numbers.clear()
+        try:
+            if isinstance(row, ParameterError):
+                raise row
+            image = image_of(row)
+            if image in self._numbers:
+                raise ParameterError("flight.image_named_twice", place=row.place, image=image)
+            told = self._read(row, self._is_cut)
+        except ParameterError as error:
+            if is_strict:
+                raise
+            say(logging.ERROR, "table_line_left_out", reason=str(error))
+            # What comes next starts from a place that nobody knows.
+            self._is_cut = True
+            return
+        self._is_cut = False
+        self._numbers[image] = self._first + len(self._rows)
+        self._rows.append(told)
+        if len(self._rows) > MOST_ROWS:
+            self._forget(MOST_ROWS // 2)
+
+    def _forget(self, count: int) -> None:
+        del self._rows[:count]
+        self._first += count
+        self._numbers = {image: number for image, number in self._numbers.items() if number >= self._first}
+
+
+class OdometryTable:
+    """Motion from image to image as a growing table tells it."""
+
+    def __init__(self, path: str, is_ended: bool) -> None:
+        """Reads nothing yet.
+
+        Args:
+            path: Of the table.
+            is_ended: Nobody writes any more.
+        """
+        self._table: TableOfImages[Step] = TableOfImages(path, check_odometry, step_of, is_ended)
+
+    def check(self) -> None:
+        """Reads what is there; raises ParameterError for the first thing that is wrong with it."""
+        self._table.check()
+
+    def link(self, before: str, now: str) -> Link | None:
+        """From an image to a later one, by their names without extensions; None where the table does not tell it."""
+        steps = self._table.between(before, now)
+        return None if not steps or any(step.is_break for step in steps) else link_over(0, 1, steps)
+
+
+def opened_odometry(path: str | None, is_ended: bool, is_strict: bool) -> OdometryTable | None:
+    """The table of motion that a command line names; None without one.
+
+    Args:
+        path: Of the table; None for none.
+        is_ended: Nobody writes it any more.
+        is_strict: One that can't be used is refused; else it is told in the log when it is needed.
+
+    Raises:
+        ParameterError: It can't be used.
+    """
+    if not path:
+        return None
+    table = OdometryTable(path, is_ended)
+    if is_strict:
+        table.check()
+    return table

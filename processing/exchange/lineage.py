@@ -1,0 +1,152 @@
+"""How a run makes what it writes: the call, what it reads, and the licenses of that, of layers and files alike."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import datetime, timezone
+from pathlib import Path
+from typing import Any
+
+from qgis.core import (
+    QgsLayerMetadata,
+    QgsMapLayer,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingFeatureSourceDefinition,
+    QgsProcessingUtils,
+)
+from qgis.PyQt.QtXml import QDomDocument
+
+LONGEST_COMMAND = 20_000
+"""Characters of a lineage: a run of thousands of images names each."""
+
+QGIS_STANDARD = "http://mrcc.com/qgis.dtd"
+"""What QGIS calls the standard of its own metadata in a GeoPackage."""
+
+_LAYERS = "source", "vector", "raster", "multilayer"
+_LONGEST_NOTE = 1_000_000
+_STEPS_TO_READ = 200_000
+"""Of SQLite's machine: a note is found in some hundred; who made the file may have made it hard on purpose."""
+
+_MOST_FILES = 200
+"""Inputs that are asked for notes: photos, of which there are thousands, have none."""
+
+
+@dataclass(frozen=True)
+class Lineage:
+    """How a run made what it writes.
+
+    Attributes:
+        command: That makes it again, as Python.
+        version: Of the plugin.
+        licenses: That inputs name, each once.
+        rights: That inputs name, each once.
+        sources: Titles of the inputs that tell one, with their licenses in brackets.
+    """
+
+    command: str = ""
+    version: str = ""
+    licenses: tuple[str, ...] = ()
+    rights: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()
+
+    def history(self) -> list[str]:
+        """One line that says what made the layer, and when."""
+        now = datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
+        return [f"{now}, SemRef {self.version}: {self.command}"] if self.command else []
+
+
+def lineage_of(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, version: str
+) -> Lineage:
+    """How a run makes what it will write; call it where layers live, after they were read."""
+    told = list(_told_by_inputs(algorithm, parameters, context))
+    return Lineage(
+        _command(algorithm, parameters, context),
+        version,
+        each_once(text for _, one in told for text in one.licenses()),
+        each_once(text for _, one in told for text in one.rights()),
+        each_once(_source(title, one) for title, one in told),
+    )
+
+
+def each_once(texts: Iterable[str]) -> tuple[str, ...]:
+    """Those that are not empty, in their order."""
+    return tuple(dict.fromkeys(text for text in texts if text))
+
+
+def _source(title: str, told: QgsLayerMetadata) -> str:
+    licenses = ", ".join(told.licenses())
+    return f"{title} ({licenses})" if licenses else title
+
+
+def _command(algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext) -> str:
+    try:
+        text = algorithm.asPythonCommand(parameters, context)
+    except Exception:
+        # QGIS raises anything for values that it can't write down; the layer is worth more than its lineage.
+        text = f"processing.run({algorithm.id()!r}, …)"
+    return text if len(text) <= LONGEST_COMMAND else f"{text[:LONGEST_COMMAND]}…"
+
+
+def _told_by_inputs(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Iterable[tuple[str, QgsLayerMetadata]]:
+    """(title, metadata) of the inputs that are loaded layers, or files with a note; no layer is loaded for this."""
+    for definition in algorithm.parameterDefinitions():
+        value = parameters.get(definition.name())
+        if definition.isDestination() or definition.type() not in (*_LAYERS, "file"):
+            continue
+        for one in (value if isinstance(value, (list, tuple)) else (value,))[:_MOST_FILES]:
+            if isinstance(one, QgsProcessingFeatureSourceDefinition):
+                one = one.source.staticValue()
+            layer = one if isinstance(one, QgsMapLayer) else None
+            if isinstance(one, str) and one and definition.type() != "file":
+                layer = QgsProcessingUtils.mapLayerFromString(one, context, False)
+            told = _told_by(layer) if layer is not None else note_of_file(one) if isinstance(one, str) else None
+            if told is not None:
+                # A database's note is of one of its layers, so that it is called by its file.
+                title = "" if definition.type() == "file" else told.title()
+                yield title or (layer.name() if layer is not None else Path(one).stem), told
+
+
+def _told_by(layer: QgsMapLayer) -> QgsLayerMetadata:
+    """What a layer tells; one that only algorithms have loaded has not read what lies beside it."""
+    told = layer.metadata()
+    return told if told.title() or told.licenses() or told.rights() else note_of_file(layer.source()) or told
+
+
+def note_of_file(source: str) -> QgsLayerMetadata | None:
+    """What QGIS has noted of a file that no layer is loaded of: beside a raster, in a GeoPackage; None without it."""
+    path, _, rest = source.partition("|")
+    text = ""
+    with contextlib.suppress(OSError, ValueError, sqlite3.Error):
+        if path.lower().endswith(".gpkg") and Path(path).is_file():
+            text = _note_in_geopackage(path, rest.partition("layername=")[2].partition("|")[0])
+        else:
+            beside = Path(path).with_suffix(".qmd")
+            if beside.is_file() and beside.stat().st_size <= _LONGEST_NOTE:
+                text = beside.read_text(encoding="utf-8")
+    document, told = QDomDocument(), QgsLayerMetadata()
+    # Qt 6.5 and later have another type of answer; false in both where it is no XML.
+    if not text or not document.setContent(text) or not told.readMetadataXml(document.documentElement()):
+        return None
+    return told
+
+
+def _note_in_geopackage(path: str, table: str) -> str:
+    """That of a table, or the first without a name; empty without one. Raises sqlite3.Error, ValueError."""
+    uri = f"{Path(path).resolve().as_uri()}?mode=ro&immutable=1"
+    with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
+        connection.execute("PRAGMA trusted_schema=OFF")
+        connection.set_progress_handler(lambda: 1, _STEPS_TO_READ)
+        row = connection.execute(
+            "SELECT m.metadata FROM gpkg_metadata m JOIN gpkg_metadata_reference r ON r.md_file_id = m.id "
+            "WHERE m.md_standard_uri = ? AND length(m.metadata) <= ? AND (? = '' OR r.table_name = ?) "
+            "ORDER BY m.id LIMIT 1",
+            (QGIS_STANDARD, _LONGEST_NOTE, table, table),
+        ).fetchone()
+    return str(row[0]) if row else ""

@@ -1,0 +1,154 @@
+"""Work that Dask's workers do: ``python -m cluster`` in a process beside QGIS, with QGIS's own Python and packages."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Sequence
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+from qgis.core import QgsProcessingFeedback
+from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
+
+from ...cluster import sentences
+from ...core.errors import ParameterError, SemRefError
+from ...core.sentences import Sentence
+from ..packages.components import DASK, how_to_install, missing
+from ..packages.install import python_candidates
+from ..translation import tr
+from .base import check_canceled
+from .declarations import Text
+from .told_process import ToldProcess
+from .values import Values
+
+__all__ = ["SCHEDULER", "require_scheduler", "scheduled", "scheduler", "sentences"]
+"""The sentences are imported for who words what the process tells."""
+
+SCHEDULER = "SCHEDULER"
+
+_PROGRAM = Path(__file__).resolve().parents[2] / "cluster"
+_ASKED_TO_END_MS, _KILLED_WITHIN_MS = 700, 5000
+_LOCAL = re.compile(r"local:(\d{1,4})")
+_REMOTE = re.compile(r"(tcp|tls|ucx|ws|wss)://[^\s:/]+:\d+/?")
+
+
+def scheduler() -> Text:
+    """Who does the work."""
+    return Text(
+        SCHEDULER,
+        tr("Scheduler"),
+        tr(
+            "Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the "
+            "workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it "
+            "itself."
+        ),
+        optional=True,
+        advanced=True,
+    )
+
+
+def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
+    """Raises ParameterError where SCHEDULER is given and can't be what is meant, or Dask is missing.
+
+    Args:
+        values: Of the algorithm.
+        others: Keys of what only QGIS can do.
+    """
+    if not values.has(SCHEDULER):
+        return
+    given = [key for key in others if values.has(key)]
+    if given:
+        raise ParameterError("framework.not_scheduled", keys=", ".join(given))
+    _workers(values.text(SCHEDULER))
+    lacking = missing([DASK])
+    if lacking:
+        raise ParameterError(how_to_install(lacking))
+
+
+def scheduled(values: Values, arguments: Sequence[object], feedback: QgsProcessingFeedback) -> dict[str, Any]:
+    """Has a command of ``python -m cluster`` done by the workers of SCHEDULER; returns what came of it.
+
+    Args:
+        values: Of the algorithm.
+        arguments: The command and its options.
+        feedback: Progress is shown from 0 to 100 %.
+
+    Raises:
+        SemRefError: It says that it can't go on, or ends without a word.
+        Canceled: The user canceled.
+    """
+    process = QProcess()
+    process.setProcessEnvironment(_environment())
+    order = [str(_PROGRAM), *map(str, arguments), *_workers(values.text(SCHEDULER)), "--json"]
+    process.start(_python(), order)
+    if not process.waitForStarted():
+        raise SemRefError("cluster.not_started", reason=process.errorString())
+    told, result = ToldProcess(process), None
+    try:
+        with closing(told.read(feedback)) as events:
+            for event in events:
+                result = _shown(event, feedback) or result
+                check_canceled(feedback)
+    finally:
+        _end(process)
+    if result is None:
+        raise SemRefError("cluster.ended", reason=told.reason or process.errorString())
+    return result
+
+
+def _workers(text: str) -> list[str]:
+    """SCHEDULER as options of the command line."""
+    text = text.strip()
+    local = _LOCAL.fullmatch(text)
+    if local and int(local[1]):
+        return ["--local", local[1]]
+    if not _REMOTE.fullmatch(text):
+        raise ParameterError("framework.scheduler", key=SCHEDULER, text=text)
+    return ["--scheduler", text]
+
+
+def _shown(event: dict, feedback: QgsProcessingFeedback) -> dict[str, Any] | None:
+    """Shows an event; the result of the last one. Raises SemRefError for one that tells a failure."""
+    kind = event.pop("event")
+    if kind == "step":
+        feedback.setProgressText(tr(event["text"]))
+        feedback.setProgress(100 * event["share"])
+    elif kind == "info":
+        feedback.pushInfo(event["text"])
+    elif kind == "failed":
+        values = {key: tuple(value) if isinstance(value, list) else value for key, value in event["values"].items()}
+        raise SemRefError(Sentence(event["code"], **values))
+    elif kind == "broke":
+        raise SemRefError("cluster.ended", reason=event["reason"].rstrip("."))
+    return event if kind == "done" else None
+
+
+def _end(process: QProcess) -> None:
+    """Lets it clear up what it began; who asked waits less than a second. Its workers end with it."""
+    if process.state() == QProcess.ProcessState.NotRunning:
+        return
+    process.terminate()
+    if os.name == "nt" or not process.waitForFinished(_ASKED_TO_END_MS):
+        process.kill()
+        process.waitForFinished(_KILLED_WITHIN_MS)
+
+
+def _python() -> str:
+    candidates = python_candidates(sys.executable or "", sys.prefix, sys.version_info[:2], os.name == "nt")
+    return next(filter(os.path.isfile, candidates), "python3")
+
+
+def _environment() -> QProcessEnvironment:
+    """QGIS's own, and its packages: those that SemRef installed lie in its profile."""
+    environment = QProcessEnvironment.systemEnvironment()
+    environment.insert("PYTHONPATH", os.pathsep.join(path for path in sys.path if os.path.isdir(path)))
+    environment.insert("PYTHONIOENCODING", "utf-8")
+    environment.insert("PYTHONDONTWRITEBYTECODE", "1")
+    for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+        environment.insert(name, "1")
+    if os.name == "nt":
+        environment.insert("PYTHONUTF8", "1")
+    return environment

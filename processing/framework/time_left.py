@@ -1,0 +1,92 @@
+"""How long a run still takes, told to whoever watches it: one mechanism for all algorithms and for the dock."""
+
+from __future__ import annotations
+
+import time
+
+from qgis.core import QgsProcessingFeedback, QgsProcessingMultiStepFeedback
+from qgis.PyQt.QtCore import QDateTime, QLocale
+
+from ..translation import tr
+
+_AFTER_S, _AFTER_PERCENT = 3.0, 2.0
+"""Before that an estimate would be a guess."""
+
+_MINUTE_S, _HOUR_S = 60, 3600
+_ROUND_S = 5
+
+_WORTH_S = 20.0
+"""Whoever has waited for less need not be told in words: the bar does."""
+
+_TOLD_AGAIN = 0.5
+"""The end is told again when so much of the time that was told is left, or half as much again: dialogs write every
+text into their log, and an hour takes a line for each time that it halves."""
+
+
+class TellingFeedback(QgsProcessingMultiStepFeedback):
+    """Passes everything on, and says in the text of the progress how long it still takes and until when.
+
+    Feedback with a true attribute ``shows_time_left`` does so by itself and is told nothing.
+    """
+
+    def __init__(self, feedback: QgsProcessingFeedback) -> None:
+        super().__init__(1, feedback)
+        self._feedback = feedback
+        self._is_silent = bool(getattr(feedback, "shows_time_left", False))
+        self._began = time.monotonic()
+        self._what, self._percent = "", 0.0
+        self._told_s: float | None = None
+
+    def isCanceled(self) -> bool:
+        # The one who watches may have canceled before this was there.
+        return self._feedback.isCanceled()
+
+    def setProgressText(self, text: str) -> None:
+        self._what = text
+        left_s = None if self._told_s is None else self._left_s()
+        self._show(left_s)
+
+    def setProgress(self, progress: float) -> None:
+        super().setProgress(progress)
+        self._percent = progress
+        left_s = None if self._is_silent else self._left_s()
+        if left_s is not None and left_s >= _WORTH_S and self._is_news(left_s):
+            self._show(left_s)
+
+    def _left_s(self) -> float | None:
+        return _left_s(time.monotonic() - self._began, self._percent)
+
+    def _is_news(self, left_s: float) -> bool:
+        return self._told_s is None or not _TOLD_AGAIN < left_s / self._told_s < 1 + _TOLD_AGAIN
+
+    def _show(self, left_s: float | None) -> None:
+        """What is being done, and the end where it is known."""
+        texts = [self._what] if self._what else []
+        if left_s is not None:
+            self._told_s = left_s
+            end = QDateTime.currentDateTime().addSecs(round(left_s)).time()
+            clock = QLocale().toString(end, QLocale.FormatType.ShortFormat)
+            texts.append(tr("{left}, until {time}").format(left=_words(left_s), time=clock))
+        self._feedback.setProgressText(" – ".join(texts))
+
+
+def remaining_text(elapsed_s: float, percent: float) -> str:
+    """“about 2 min left”; empty while it is too early to tell, and at the end."""
+    left = _left_s(elapsed_s, percent)
+    return "" if left is None else _words(left)
+
+
+def _words(left: float) -> str:
+    """Seconds, rounded as much as such a guess deserves."""
+    if left >= _HOUR_S:
+        return tr("about {hours:.1f} h left").format(hours=left / _HOUR_S)
+    if left >= _MINUTE_S:
+        return tr("about {minutes:.0f} min left").format(minutes=left / _MINUTE_S)
+    return tr("about {seconds:.0f} s left").format(seconds=max(_ROUND_S * round(left / _ROUND_S), _ROUND_S))
+
+
+def _left_s(elapsed_s: float, percent: float) -> float | None:
+    """If it goes on as fast as it did; None while it is too early to tell, and at the end."""
+    if elapsed_s < _AFTER_S or not _AFTER_PERCENT <= percent < 100:
+        return None
+    return elapsed_s * (100 - percent) / percent

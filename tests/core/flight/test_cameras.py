@@ -1,0 +1,65 @@
+"""Which of camera table, photo and log tells an image's camera."""
+
+from __future__ import annotations
+
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.flight.cameras import completed, known_camera, read_cameras
+from semref.core.geometry.camera import Camera, Lens, above_ground, above_takeoff
+from semref.core.geometry.leveling import Attitude
+
+PHOTO = Camera(Attitude(1, 2), Lens("field_of_view", 60, 1.5), "a.jpg", 7.0, None, above_takeoff(50), 90.0)
+
+
+@pytest.fixture
+def table(tmp_path):
+    """`table(text)` writes a camera table; gives its path."""
+
+    def write(text):
+        (tmp_path / "cameras.csv").write_text(text, encoding="utf-8")
+        return str(tmp_path / "cameras.csv")
+
+    return write
+
+
+def test_a_row_counts_before_the_photo_and_the_photo_where_it_is_silent():
+    row = Camera(Attitude(5, 6), Lens("focal_length_px", 800), "cameras.csv", 3.0, None, above_ground(100), 0.0)
+    assert known_camera(row, PHOTO, is_timed=True) == row
+    assert known_camera(Camera(), PHOTO, is_timed=False) == PHOTO
+    assert known_camera(Camera(heading_deg=0.0), PHOTO, is_timed=True).heading_deg == 0.0
+    assert known_camera(Camera(), PHOTO, is_timed=True).time_s is None
+
+
+def test_a_log_tells_what_neither_tells():
+    log = Camera(Attitude(8, 9), height=above_takeoff(70), heading_deg=33.0)
+    assert completed(PHOTO, log, with_attitude=True) == PHOTO
+    found = completed(Camera(lens=PHOTO.lens), log, with_attitude=True)
+    assert found == Camera(log.attitude, PHOTO.lens, height=log.height, heading_deg=33.0)
+    assert completed(Camera(), log, with_attitude=False).attitude is None
+
+
+def test_a_table_is_read_by_names_without_folders_and_extensions(table):
+    path = table("image;roll;pitch;focal_length_px;height;heading\nb.JPG;1;2;900;100;-30\n\na;;;;;10\n")
+    one, other, third = read_cameras(["/x/a.png", "b.tif", "c.png"], path)
+    assert (one.heading_deg, one.attitude) == (10, None)
+    assert (other.attitude.roll_deg, other.lens.value, other.heading_deg) == (1, 900, 330)
+    assert third == Camera()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("image,roll\na.png,1\n", "roll or pitch is empty"),
+        ("image,height\na.png,-5\n", "height is -5, which no camera has"),
+        ("image,height\na.png,high\n", "line 2: height is “high”"),
+        ("image,heading\na.png,1\na.jpg,2\n", "line 3: the image a is named a second time"),
+        ("image,heading\n,1\n", "no image is named"),
+        ("image,time\na.png,5\nb.png,2025-01-01T00:00\n", "times in seconds and times with dates"),
+        ("image,name\na.png,5\n", "is no camera table"),
+        ("image,heading\nz.png,5\n", "names none of the images"),
+    ],
+)
+def test_a_mistake_is_one_sentence(table, text, message):
+    with pytest.raises(ParameterError, match=message):
+        read_cameras(["a.png", "b.png"], table(text))

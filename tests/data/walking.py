@@ -1,0 +1,70 @@
+"""For scripts that run inside desktop QGIS (--code) and go a user's ways: waiting, the dock, how such a script ends.
+
+The script calls ``start(session)``; what the session returns, or the error that ended it, is written as JSON.
+"""
+
+import json
+import os
+import time
+import traceback
+from pathlib import Path
+
+import qgis.utils
+from qgis.core import QgsProject, QgsSettings
+from qgis.PyQt.QtCore import QCoreApplication, QTimer
+from qgis.PyQt.QtWidgets import QDialogButtonBox, QDockWidget
+
+LIMIT_S = 300
+LOADED_AFTER_MS = 2500
+"""The window is complete only when its event loop runs."""
+
+messages = []
+
+
+def settle(seconds: float = 0.3) -> None:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QCoreApplication.processEvents()
+        time.sleep(0.01)
+
+
+def wait_until(condition, what: str) -> None:
+    end = time.monotonic() + LIMIT_S
+    while not condition():
+        if time.monotonic() > end:
+            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
+        settle(0.05)
+
+
+def dock():
+    return qgis.utils.iface.mainWindow().findChild(QDockWidget, "SemRefDock")
+
+
+def run_button(dialog):
+    buttons = dialog.buttonBox()
+    return buttons.button(QDialogButtonBox.StandardButton.Ok) or dialog.runButton()
+
+
+def start(session) -> None:
+    """Goes the ways as soon as the window is there, writes what came of it with all Python errors, and quits QGIS."""
+
+    def run() -> None:
+        try:
+            result = session()
+        except Exception:
+            result = {"error": traceback.format_exc()}
+        result["messages"] = messages
+        Path(os.environ["SEMREF_DESKTOP_RESULT"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
+        # Nothing of the walk is to be kept, and nobody is there to say so.
+        QgsSettings().setValue("app/askToSaveMemoryLayers", False)
+        QgsSettings().setValue("qgis/askToSaveProjectChanges", False)
+        QgsProject.instance().clear()
+        qgis.utils.iface.actionExit().trigger()
+
+    qgis.utils.showException = _note_exception
+    QTimer.singleShot(LOADED_AFTER_MS, run)
+
+
+def _note_exception(kind, value, trace, text, *arguments, **options) -> None:
+    """In place of QGIS's dialog, which would wait for a click."""
+    messages.append("".join(traceback.format_exception(kind, value, trace)))

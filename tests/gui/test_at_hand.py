@@ -1,0 +1,91 @@
+"""What the dialogs begin with that the dock opens: of the project's layers those that they can only be."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from made_inputs import square, write_layer, write_raster
+
+
+@pytest.fixture
+def project(qgis_app):
+    from qgis.core import QgsProject
+
+    yield QgsProject.instance()
+    QgsProject.instance().clear()
+
+
+@pytest.fixture
+def add(project, tmp_path):
+    """`add(name, fields)` adds a layer with one polygon; `add.photo(name)`, `add.labels(name)` a raster."""
+    from qgis.core import QgsRasterLayer, QgsVectorLayer
+
+    def vector(name, fields):
+        value = {"text": "building", "integer": 7}
+        feature = (square(10, 10, 5), *(value[kind] for _, kind in fields))
+        layer = QgsVectorLayer(str(write_layer(tmp_path / f"{name}.gpkg", [feature], fields)), name, "ogr")
+        return project.addMapLayer(layer)
+
+    def raster(name, pixels):
+        return project.addMapLayer(QgsRasterLayer(str(write_raster(tmp_path / f"{name}.tif", pixels)), name))
+
+    vector.photo = lambda name: raster(name, np.full((3, 20, 20), 9, np.uint8))
+    vector.labels = lambda name: raster(name, np.ones((20, 20), np.uint8))
+    return vector
+
+
+def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_table(add, project, tmp_path):
+    from semref.ui.at_hand import training_at_hand
+
+    (tmp_path / "classes.csv").write_text("value,name,color,role\n1,building,#ff0000,reference\n")
+    layer = add("cover", [("number", "integer"), ("name", "text"), ("Class", "text"), ("zorder", "integer")])
+    photo = add.photo("orthophoto")
+    add.labels("label map")
+    table = str(tmp_path / "classes.csv")
+    fields = {"CLASS_FIELD": "Class", "PRIORITY_FIELD": "zorder", "CLASS_TABLE": table}
+    assert training_at_hand(project) == {"IMAGE": photo.id(), "INPUT": layer.id(), **fields}
+
+
+def test_of_several_layers_the_one_with_classes_is_taken(add, project):
+    from semref.ui.at_hand import annotation_at_hand
+
+    add("parcels", [("owner", "text")])
+    layer = add("cover", [("class", "text")])
+    assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "class"}
+
+
+def test_the_only_text_field_tells_classes_and_numbers_do_not(add, project):
+    from semref.ui.at_hand import annotation_at_hand
+
+    layer = add("houses", [("number", "integer"), ("kind", "text")])
+    assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "kind"}
+
+
+def test_where_it_could_be_several_nothing_is_taken(add, project):
+    from semref.ui.at_hand import training_at_hand
+
+    for name in ("north", "south"):
+        add(name, [("class", "text")])
+        add.photo(f"{name}_photo")
+    assert training_at_hand(project) == {}
+
+
+def test_the_layers_of_a_database_are_no_annotation(area, dock, project):
+    from semref.ui.at_hand import annotation_at_hand
+
+    dock.content.database.file.setFilePath(area.database)
+    dock.content.database.add_to_map.click()
+    assert annotation_at_hand(project) == {}
+
+
+def test_the_dock_makes_a_database_of_the_polygons_at_hand(dock, add, monkeypatch):
+    import processing
+    from qgis.PyQt.QtWidgets import QDialog
+
+    asked = []
+    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *given: asked.append(given) or QDialog())
+    layer = add("cover", [("class", "text")])
+    dock.content.database.make.click()
+    assert dock.content.database.making.isVisible()
+    assert asked == [("semref:annotationtodatabase", {"INPUT": layer.id(), "CLASS_FIELD": "class"})]
+    dock.content.database.making.close()

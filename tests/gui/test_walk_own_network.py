@@ -1,0 +1,80 @@
+"""The walk from orthophoto and polygons to the first fix, in desktop QGIS: what it takes, and that it gets there.
+
+A small program that hands over the model that ships stands in for the training, so that it takes a minute; where
+SEMREF_TRAINING_PYTHON names a Python with torch, the walk is gone with a real training of two minutes, too.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from made_trainer import write_trainer
+
+pytestmark = pytest.mark.slow  # a QGIS of its own is started
+
+MINUTES = 2
+FARTHEST_M = 10
+"""Of photos 640 m across; the radius of a network of few minutes is told too small at times."""
+
+
+@pytest.fixture(scope="module")
+def tool(repository, display):
+    """tools/docs/time_walk.py."""
+    if shutil.which("qgis") is None or shutil.which("xvfb-run") is None:
+        pytest.skip("desktop QGIS or xvfb-run is not installed")
+    folder = repository / "tools" / "docs"
+    sys.path.append(str(folder))
+    spec = importlib.util.spec_from_file_location("time_walk", folder / "time_walk.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    yield module
+    sys.path.remove(str(folder))
+
+
+@pytest.fixture(scope="module", params=["stand-in", "torch"])
+def walk(request, tool, repository, tmp_path_factory) -> dict:
+    """What walk_session.py saw."""
+    home = tmp_path_factory.mktemp("walk")
+    python = os.environ.get("SEMREF_TRAINING_PYTHON", "")
+    if request.param == "stand-in":
+        python = write_trainer(home / "python_that_trains", repository / "models" / "sample_area.onnx")
+    elif not Path(python).is_file():
+        pytest.skip("SEMREF_TRAINING_PYTHON names no Python with torch")
+    package = home / "semref.zip"
+    make = [sys.executable, str(repository / "tools" / "release" / "package.py"), "--output", str(package)]
+    subprocess.run(make, check=True)
+    return tool.walk(package, home / "home", None, str(python), MINUTES)
+
+
+def test_every_step_is_gone_and_counted(walk, tool):
+    assert [name for name, _, _ in walk["steps"]] == list(tool.STEPS)
+    assert sum(clicks for _, clicks, _ in walk["steps"]) <= 23
+    assert all(seconds < tool.LIMIT_S for _, _, seconds in walk["steps"])
+
+
+def test_the_dialogs_begin_with_the_polygons_their_fields_and_their_table(walk):
+    for begun in (walk["training_begins_with"], walk["database_begins_with"]):
+        assert (begun["CLASS_FIELD"], begun["PRIORITY_FIELD"]) == ("class", "zorder")
+        assert begun["INPUT"] and begun["CLASS_TABLE"].endswith("classes.csv")
+
+
+def test_the_trained_model_and_the_database_are_the_docks(walk):
+    # The walk waits for the database.
+    assert walk["model_in_the_dock"]
+
+
+def test_photos_are_found_where_they_were_taken(walk):
+    assert walk["fixes"] > 0 and walk["photos"] == 12
+    assert max(walk["off_m"]) < FARTHEST_M
+
+
+def test_the_walk_is_told_as_a_table(walk, tool):
+    told = tool.told(walk, MINUTES)
+    assert told.count("\n|") == len(tool.STEPS) + 2
+    assert f"{walk['fixes']} of 12 photos were found" in told

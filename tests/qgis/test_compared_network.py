@@ -1,0 +1,143 @@
+"""What a comparison found of a network is what assessments assume of it."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+import pytest
+from made_inputs import scattered_objects, write_raster
+from qgis.core import QgsApplication, QgsProcessingContext
+
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import LabelNoise
+
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+NOISE = LabelNoise(missed=0.25, jitter=1.0)
+
+
+@pytest.fixture(scope="module")
+def report(run_algorithm, tmp_path_factory):
+    """Of a map whose landmarks were missed and got ragged edges."""
+    folder = tmp_path_factory.mktemp("compared")
+    labels = scattered_objects(900, 900, 450, seed=3)
+    spoiled = spoil_labels(labels, NOISE, np.random.default_rng(2), (1, 2, 3), minimum_area_px=50)
+    given = {
+        "REFERENCE": str(write_raster(folder / "annotated.tif", labels, names=NAMES)),
+        "PREDICTED": str(write_raster(folder / "predicted.tif", spoiled, names=NAMES)),
+        "DISAGREEMENTS": "memory:",
+        "MINIMUM_AREA": 60,
+        "REPORT": str(folder / "report.html"),
+    }
+    run_algorithm("semref:comparelabels", given)
+    return given["REPORT"]
+
+
+@pytest.fixture
+def conditions(qgis_app):
+    """`conditions(id, parameters)`: what is simulated."""
+    from semref.processing.framework.values import Values
+
+    def of(name: str, parameters: dict):
+        algorithm = QgsApplication.processingRegistry().createAlgorithmById(name)
+        return algorithm.conditions(Values(algorithm, parameters, QgsProcessingContext()))
+
+    return of
+
+
+@pytest.mark.parametrize("name", ["semref:assessdatabase", "semref:assessroute"])
+def test_an_assessment_assumes_what_the_comparison_found(conditions, report, name):
+    found, usual = conditions(name, {"COMPARISON": report, "NETWORK": 3, "MISSED": 1}), conditions(name, {})
+    assert found.noise.missed == pytest.approx(0.25, abs=0.08)
+    assert found.noise.jitter == pytest.approx(1.0, rel=0.4)
+    assert found.noise.mislabeled < 0.03 and found.noise.spurious < 0.08
+    assert (found.lens, found.tilt_deg, found.noise.displaced) == (usual.lens, usual.tilt_deg, usual.noise.displaced)
+
+
+def test_an_evaluation_assumes_the_same(conditions, report):
+    from semref.processing.framework.values import Values
+
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:evaluatelocalization")
+    ranges = algorithm._ranges(Values(algorithm, {"COMPARISON": report, "MISSED": "1,2"}, QgsProcessingContext()))
+    noise = conditions("semref:assessdatabase", {"COMPARISON": report}).noise
+    assert ranges.missed == (pytest.approx(100 * noise.missed),) * 2
+    assert ranges.ragged == (noise.jitter, noise.jitter)
+
+
+def test_the_report_shows_the_landmarks_of_each_class_and_what_to_do(report):
+    with open(report, encoding="utf-8") as file:
+        text = file.read()
+    assert "<h2>Landmarks</h2>" in text and "missed" in text and "Assess reference database" in text
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "",
+        "a page",
+        "<![if x y[",
+        '<meta name="semref-network" content="no JSON">',
+        '<meta name="semref-network" content="[1]">',
+    ],
+)
+def test_another_file_is_refused_in_a_sentence(qgis_app, tmp_path, content):
+    page = tmp_path / "page.html"
+    page.write_text(content, encoding="utf-8")
+    given = {"DATABASE": str(tmp_path / "a.gpkg"), "COMPARISON": str(page), "OUTPUT": "memory:"}
+    algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:assessdatabase")
+    able, said = algorithm.checkParameterValues(given, QgsProcessingContext())
+    assert not able and said.startswith(f"{page} is no report of “Compare label maps” that tells of landmarks;")
+
+
+def test_what_is_no_file_is_refused_at_once(qgis_app, tmp_path):
+    from semref.core.errors import ParameterError
+    from semref.processing.reports.network_noise import read_network
+
+    paths = [tmp_path, tmp_path / "none.html", "a\0b"]
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(tmp_path / "pipe")
+        paths.append(tmp_path / "pipe")
+    for path in paths:
+        with pytest.raises(ParameterError):
+            read_network(str(path))
+
+
+def test_numbers_that_can_not_be_are_refused(conditions, tmp_path):
+    from semref.core.errors import ParameterError
+    from semref.processing.reports.network_noise import network_line
+
+    page = tmp_path / "page.html"
+    for value in (-1.0, float("nan"), float("inf")):
+        page.write_text(network_line({"MISSED": value}, 50), encoding="utf-8")
+        with pytest.raises(ParameterError):
+            conditions("semref:assessdatabase", {"COMPARISON": str(page)})
+
+
+def test_a_comparison_of_a_handful_of_landmarks_tells_nothing(conditions, tmp_path):
+    from semref.core.errors import ParameterError
+    from semref.processing.reports.network_noise import network_line
+
+    page = tmp_path / "page.html"
+    page.write_text(network_line({"MISSED": 20.0}, 5), encoding="utf-8")
+    with pytest.raises(ParameterError):
+        conditions("semref:assessdatabase", {"COMPARISON": str(page)})
+
+
+def test_lengths_that_the_maps_do_not_tell_stay_as_the_numbers_say(conditions, tmp_path):
+    from semref.processing.reports.network_noise import network_line
+
+    page = tmp_path / "page.html"
+    page.write_text(network_line({"MISSED": 7.0, "RAGGED": None}, 50), encoding="utf-8")
+    found = conditions("semref:assessdatabase", {"COMPARISON": str(page), "RAGGED": 2.5})
+    assert (found.noise.missed, found.noise.jitter) == (0.07, 2.5)
+
+
+@pytest.mark.parametrize(("key", "value"), [("MISSED", 500.0), ("MISNAMED", 101.0)])
+def test_numbers_beyond_what_the_dialogs_take_are_refused(conditions, tmp_path, key, value):
+    from semref.core.errors import SemRefError
+    from semref.processing.reports.network_noise import network_line
+
+    page = tmp_path / "page.html"
+    page.write_text(network_line({key: value}, 50), encoding="utf-8")
+    with pytest.raises(SemRefError):
+        conditions("semref:assessdatabase", {"COMPARISON": str(page)})

@@ -1,0 +1,118 @@
+"""What a reference database tells about itself: what made it, of what, and under which licenses."""
+
+from __future__ import annotations
+
+import contextlib
+import sqlite3
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import scattered_objects, square, write_layer, write_raster
+from qgis.core import QgsLayerMetadata, QgsProject, QgsRasterLayer, QgsVectorLayer
+
+from semref.processing.exchange.database_layers import add_database_to_map
+
+BUILD, UPDATE, LOCALIZE = "semref:builddatabase", "semref:updatedatabase", "semref:localizeimages"
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+TABLES = "references", "windows"
+
+
+@pytest.fixture
+def label_map(qgis_app, tmp_path) -> Path:
+    """A label map beside which QGIS's note names a license, as “Rasterize annotation” leaves it."""
+    path = write_raster(tmp_path / "labels.tif", scattered_objects(600, 600, 300, seed=3), names=NAMES)
+    layer = QgsRasterLayer(str(path), "labels")
+    told = QgsLayerMetadata()
+    told.setTitle("Land cover of Erewhon")
+    told.setLicenses(["ODbL 1.0"])
+    told.setRights(["© OpenStreetMap contributors"])
+    layer.setMetadata(told)
+    layer.saveNamedMetadata(str(path.with_suffix(".qmd")))
+    return path
+
+
+@pytest.fixture
+def database(run_algorithm, label_map) -> str:
+    given = {"LABELS": str(label_map), "REFERENCE_CLASSES": "building;water", "WINDOW_SIZE": 200, "STRIDE": 100}
+    return run_algorithm(BUILD, {**given, "DATABASE": str(label_map.with_name("area.gpkg"))})["DATABASE"]
+
+
+def notes(path: str) -> list[QgsLayerMetadata]:
+    return [QgsVectorLayer(f"{path}|layername={table}", table, "ogr").metadata() for table in TABLES]
+
+
+def test_both_tables_tell_what_they_are_what_made_them_and_under_which_licenses(database):
+    landmarks, windows = notes(database)
+    assert (landmarks.title(), windows.title()) == ("Landmarks", "Windows")
+    assert landmarks.abstract() != windows.abstract()
+    for told in (landmarks, windows):
+        assert (told.licenses(), told.rights()) == (["ODbL 1.0"], ["© OpenStreetMap contributors"])
+        assert "Land cover of Erewhon (ODbL 1.0)" in told.abstract()
+        (line,) = told.history()
+        assert "SemRef" in line and 'processing.run("semref:builddatabase"' in line and "'STRIDE':100" in line
+
+
+def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label_map, run_algorithm):
+    labels = scattered_objects(600, 600, 300, seed=3)
+    labels[300:330, 300:330] = 1
+    new = write_raster(label_map.with_name("new.tif"), labels, names=NAMES)
+    run_algorithm(UPDATE, {"DATABASE": database, "LABELS": str(new), "OUTPUT": database})
+    for told in notes(database):
+        assert ["builddatabase" in line for line in told.history()] == [True, False]
+        assert "updatedatabase" in told.history()[1]
+        assert told.licenses() == ["ODbL 1.0"]
+        assert "Land cover of Erewhon (ODbL 1.0)" in told.abstract()
+
+
+def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):
+    image = write_raster(tmp_path / "image.png", scattered_objects(600, 600, 300, seed=3)[100:300, 100:300])
+    output = str(tmp_path / "positions.gpkg")
+    run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [str(image)], "OUTPUT": output})
+    assert QgsVectorLayer(output, "positions", "ogr").metadata().licenses() == ["ODbL 1.0"]
+
+
+def test_on_the_map_the_overview_tells_it_too(database):
+    project = QgsProject()
+    group = add_database_to_map(database, project)
+    told = {node.name(): node.layer().metadata() for node in group.findLayers()}
+    assert told["Overview"].title() == "Overview"
+    assert told["Overview"].licenses() == ["ODbL 1.0"]
+    assert len(told["Overview"].history()) == 1
+
+
+def test_no_table_is_there_twice_and_no_file_beside_it(database, label_map):
+    with contextlib.closing(sqlite3.connect(database)) as connection:
+        rows = connection.execute(
+            "SELECT table_name, count(*) FROM gpkg_metadata_reference r JOIN gpkg_metadata m ON m.id = r.md_file_id "
+            "WHERE m.md_standard_uri = 'http://mrcc.com/qgis.dtd' GROUP BY table_name ORDER BY 1"
+        ).fetchall()
+        texts = [text for (text,) in connection.execute("SELECT metadata FROM gpkg_metadata")]
+    assert rows == [("references", 1), ("windows", 1)]
+    # GDAL would write each note again, as its own.
+    assert sum("builddatabase" in text for text in texts) == 2
+    assert sorted(path.name for path in label_map.parent.glob("area*")) == ["area.gpkg"]
+
+
+def test_a_damaged_note_of_an_input_costs_nothing(run_algorithm, tmp_path):
+    path = write_raster(tmp_path / "labels.tif", scattered_objects(400, 400, 150, seed=4), names=NAMES)
+    path.with_suffix(".qmd").write_bytes(np.random.default_rng(1).bytes(500))
+    given = {"LABELS": str(path), "REFERENCE_CLASSES": "building", "WINDOW_SIZE": 200, "STRIDE": 100}
+    database = run_algorithm(BUILD, {**given, "DATABASE": str(tmp_path / "area.gpkg")})["DATABASE"]
+    assert [told.licenses() for told in notes(database)] == [[], []]
+
+
+def test_the_licenses_of_a_layer_in_a_geopackage_are_read_of_the_file_alone(run_algorithm, tmp_path):
+    features = [(square(10 + 40 * n, 10, 30), name) for n, name in enumerate(("water", "forest"))]
+    path = str(write_layer(tmp_path / "annotation.gpkg", features))
+    layer = QgsVectorLayer(path, "annotation", "ogr")
+    told = QgsLayerMetadata()
+    told.setLicenses(["CC BY 4.0"])
+    layer.setMetadata(told)
+    del layer
+    from qgis.core import QgsProviderRegistry
+
+    QgsProviderRegistry.instance().saveLayerMetadata("ogr", f"{path}|layername=annotation", told)
+    output = str(tmp_path / "issues.gpkg")
+    run_algorithm("semref:checkannotation", {"INPUT": path, "CLASS_FIELD": "class", "ISSUES": output})
+    assert QgsVectorLayer(output, "issues", "ogr").metadata().licenses() == ["CC BY 4.0"]

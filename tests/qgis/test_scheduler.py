@@ -1,0 +1,94 @@
+"""SCHEDULER: what QGIS does itself, workers do alike; without Dask it is said what to install."""
+
+from __future__ import annotations
+
+import importlib.util
+import time
+
+import numpy as np
+import pytest
+from built_database import BUILD, content
+from made_inputs import scattered_objects, write_raster
+from made_models import painted, write_model
+from qgis.core import QgsProcessingException
+
+from semref.processing.packages import components
+
+SEGMENT = "semref:segmentimage"
+SETTINGS = {"REFERENCE_CLASSES": "building;water", "WINDOW_SIZE": 320, "STRIDE": 140, "MINIMUM_AREA": 40}
+needs_dask = pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here")
+
+
+@pytest.fixture(scope="module")
+def label_map(tmp_path_factory):
+    labels = scattered_objects(900, 800, 900, seed=8)
+    path = tmp_path_factory.mktemp("map") / "labels.tif"
+    return write_raster(path, labels, names=["", "building", "water", "bare_land"])
+
+
+@needs_dask
+def test_workers_build_the_database_that_qgis_builds(run_algorithm, label_map, feedback, tmp_path):
+    asked = {"LABELS": str(label_map), **SETTINGS}
+    expected = run_algorithm(BUILD, {**asked, "DATABASE": str(tmp_path / "qgis.gpkg")})
+    found = run_algorithm(BUILD, {**asked, "SCHEDULER": "local:1", "DATABASE": str(tmp_path / "dask.gpkg")}, feedback)
+    assert found["WINDOW_COUNT"] == expected["WINDOW_COUNT"] > 10
+    assert found["REFERENCE_COUNT"] == expected["REFERENCE_COUNT"] > 100
+    assert content(found["DATABASE"])["windows"] == content(expected["DATABASE"])["windows"]
+    assert content(found["DATABASE"])["references"] == content(expected["DATABASE"])["references"]
+    assert feedback.progress() == 100
+
+
+@needs_dask
+def test_what_the_process_tells_is_said_as_the_algorithm_s_error(run_algorithm, label_map, tmp_path):
+    asked = {"LABELS": str(label_map), **SETTINGS, "DATABASE": str(tmp_path / "none.gpkg")}
+    with pytest.raises(QgsProcessingException, match="no scheduler at tcp://127.0.0.1:1 "):
+        run_algorithm(BUILD, {**asked, "SCHEDULER": "tcp://127.0.0.1:1"})
+    with pytest.raises(QgsProcessingException, match="forest"):
+        run_algorithm(BUILD, {**asked, "REFERENCE_CLASSES": "forest", "SCHEDULER": "local:1"})
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("text", ["4", "local:", "local:0", "local:4x", "http://a:1", "tcp://", "tcp://host", "-h"])
+def test_what_is_no_scheduler_is_refused_before_any_work(run_algorithm, label_map, tmp_path, text):
+    asked = {"LABELS": str(label_map), **SETTINGS, "SCHEDULER": text, "DATABASE": str(tmp_path / "a.gpkg")}
+    with pytest.raises(QgsProcessingException, match="SCHEDULER is “.*”; give local: and a number"):
+        run_algorithm(BUILD, asked)
+
+
+def test_a_qgis_without_dask_says_what_to_install(run_algorithm, label_map, tmp_path, monkeypatch):
+    monkeypatch.setattr(components, "is_missing", lambda package: package is components.DASK)
+    asked = {"LABELS": str(label_map), **SETTINGS, "DATABASE": str(tmp_path / "a.gpkg")}
+    with pytest.raises(QgsProcessingException, match="distributed"):
+        run_algorithm(BUILD, {**asked, "SCHEDULER": "local:2"})
+    assert run_algorithm(BUILD, asked)["WINDOW_COUNT"] > 10
+
+
+@needs_dask
+def test_a_cancel_is_heeded_at_once_and_leaves_nothing(run_algorithm, label_map, feedback, tmp_path):
+    moments = []
+
+    def cancel(share):
+        if share > 0 and not moments:
+            feedback.cancel()
+            moments.append(time.monotonic())
+
+    feedback.progressChanged.connect(cancel)
+    asked = {"LABELS": str(label_map), **SETTINGS, "SCHEDULER": "local:1", "DATABASE": str(tmp_path / "a.gpkg")}
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        run_algorithm(BUILD, asked, feedback)
+    assert list(tmp_path.iterdir()) == []
+
+
+@needs_dask
+def test_workers_segment_what_qgis_segments(run_algorithm, tmp_path):
+    model = write_model(tmp_path / "colors.onnx")
+    labels = scattered_objects(170, 230, 60, seed=3, background=0)
+    photo = write_raster(tmp_path / "photo.tif", np.moveaxis(painted(labels), 2, 0))
+    asked = {"INPUT": str(photo), "MODEL": str(model)}
+    expected = run_algorithm(SEGMENT, {**asked, "OUTPUT": str(tmp_path / "qgis.tif")})
+    found = run_algorithm(SEGMENT, {**asked, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "dask.tif")})
+    assert (tmp_path / "dask.tif").read_bytes() == (tmp_path / "qgis.tif").read_bytes()
+    assert found["CERTAINTY"] == pytest.approx(expected["CERTAINTY"])
+    with pytest.raises(QgsProcessingException, match="CONFIDENCE can't be used together with SCHEDULER"):
+        confidence = str(tmp_path / "confidence.tif")
+        run_algorithm(SEGMENT, {**asked, "SCHEDULER": "local:1", "OUTPUT": "a.tif", "CONFIDENCE": confidence})

@@ -1,0 +1,131 @@
+"""The walk of docs/guide/own_network.md, timed: orthophoto and polygons to the first fix, in desktop QGIS.
+
+    .venv/bin/python tools/docs/time_walk.py --python PYTHON_WITH_TORCH [--minutes 5] [--processor-time] [--write]
+
+A fresh profile with the packaged plugin on a virtual screen. The ground is the sample area unless a folder is named
+that has the same files (orthophoto.tif, landcover.shp, photos, photos.csv). With --write the table and the pictures of
+the guide are replaced by those of this run; else they come into the folder that --pictures names. On a machine that
+does other work --processor-time gives the training the time of one processor that it would have had alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from make_screenshots import IMAGES, LARGEST_BYTES, ROOT, Variant, in_desktop, say_what_is_missing
+from palette_png import shrink
+
+sys.path.append(str(ROOT / "tools"))
+from bench import machine, page
+
+SESSION = Path(__file__).with_name("walk_session.py")
+GUIDE = ROOT / "docs" / "guide" / "own_network.md"
+SECTION = "own network walk"
+LIMIT_S = 7200
+SAMPLE_MARKER = "sample.json"
+STEPS = {
+    "options": "Options: name the Python that trains",
+    "layers": "Drop orthophoto and polygons on the map, open the dock",
+    "train": "Train: time limit ({minutes:g} minutes{whose}) and file",
+    "database": "Make the database: window, stride, smallest landmark, file",
+    "localize": "Drop {photos} photos, press *Localize*",
+    "look": "Select the first fix",
+}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--python", required=True, help="one with torch")
+    parser.add_argument("--minutes", type=float, default=5, help="of training")
+    parser.add_argument("--processor-time", action="store_true", help="minutes of the processor, not of the clock")
+    parser.add_argument("--ground", type=Path, help="folder as semref:makesample fills it")
+    parser.add_argument("--folder", type=Path, help="where the walk's files lie meanwhile, as the pictures show")
+    parser.add_argument("--pictures", type=Path, help="folder for the pictures, if they are not the guide's")
+    parser.add_argument("--write", action="store_true", help="into the guide")
+    arguments = parser.parse_args()
+    say_what_is_missing([Variant(())])
+    load = machine.load()
+    with tempfile.TemporaryDirectory(prefix="semref-", dir=arguments.folder) as folder:
+        work = Path(folder)
+        package = work / "semref.zip"
+        make = [sys.executable, str(ROOT / "tools" / "release" / "package.py"), "--output", str(package)]
+        subprocess.run(make, check=True)
+        python = by_processor_time(work, arguments.python) if arguments.processor_time else arguments.python
+        seen = walk(package, work / "home", arguments.ground, python, arguments.minutes)
+        keep(work / "home" / "pictures", IMAGES if arguments.write else arguments.pictures)
+    print(json.dumps(seen, indent=1))
+    command = f"tools/docs/time_walk.py --python PYTHON --minutes {arguments.minutes:g}"
+    command += " --processor-time" if arguments.processor_time else ""
+    is_sample = arguments.ground is None or (arguments.ground / SAMPLE_MARKER).exists()
+    ground = "The sample area." if is_sample else "Ground of one's own."
+    body = f"{told(seen, arguments.minutes, arguments.processor_time)}\n\n{machine.footer(command, ground, load)}"
+    print(body)
+    if arguments.write:
+        page.write_section(GUIDE, SECTION, body)
+
+
+def walk(package: Path, home: Path, ground: Path | None, python: str, minutes: float) -> dict:
+    """What the session saw; ends this program where it came to an error."""
+    work, made = home / "work", home / "ground"
+    for folder in (work, made):
+        folder.mkdir(parents=True)
+    job = {"tools": str(SESSION.parent), "ground": str(ground or made), "work": str(work)}
+    job |= {"python": str(python), "minutes": minutes, "pictures": str(home / "pictures")}
+    (home / "walk.json").write_text(json.dumps(job), encoding="utf-8")
+    variables = {"SEMREF_WALK": str(home / "walk.json"), "SEMREF_DESKTOP_RESULT": str(home / "result.json")}
+    return in_desktop(Variant(()), package, home, SESSION, variables, LIMIT_S)
+
+
+def keep(pictures: Path, folder: Path | None) -> None:
+    """Small, in that folder; without one they go."""
+    if folder is None:
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    for picture in sorted(pictures.glob("*.png")):
+        shutil.copy(picture, folder)
+        shrink(picture, folder / picture.name, LARGEST_BYTES)
+
+
+def by_processor_time(folder: Path, python: str) -> str:
+    """A program that trains with this Python, the minutes of whose jobs are one processor's."""
+    program = folder / "python"
+    program.write_text(_BY_PROCESSOR_TIME.format(own=sys.executable, python=python), encoding="utf-8")
+    program.chmod(0o755)
+    return str(program)
+
+
+_BY_PROCESSOR_TIME = """\
+#!{own}
+import json, os, sys
+if len(sys.argv) > 2:
+    job = json.load(open(sys.argv[2]))
+    json.dump({{**job, "processor_time": True, "threads": 1}}, open(sys.argv[2], "w"))
+os.execv({python!r}, [{python!r}, *sys.argv[1:]])
+"""
+
+
+def told(seen: dict, minutes: float, by_processor: bool = False) -> str:
+    """Markdown: each step's clicks and seconds, and what came of it."""
+    whose = " of one processor" if by_processor else ""
+    rows = [
+        [STEPS[name].format(minutes=minutes, whose=whose, photos=seen["photos"]), clicks, f"{seconds:.0f}"]
+        for name, clicks, seconds in seen["steps"]
+    ]
+    clicks, seconds = (sum(step[place] for step in seen["steps"]) for place in (1, 2))
+    rows.append(["together", clicks, f"{seconds:.0f}"])
+    table = page.table(["step", "clicks", "seconds"], rows)
+    outcome = (
+        f"{seen['fixes']} of {seen['photos']} photos were found, {seen['within_radius']} of these within the radius "
+        f"that the dock tells; mean IoU of the network {seen['mean_iou']:.0%}."
+    )
+    return f"{table}\n\n{outcome}"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,69 @@
+"""What the dialogs that the dock opens begin with: the orthophoto and the annotation that the project has."""
+
+from __future__ import annotations
+
+import os
+
+from qgis.core import QgsMapLayer, QgsProject, QgsVectorLayer
+
+from ..processing.compat import POLYGON_GEOMETRY
+from ..processing.exchange.database_layers import database_file
+from ..storage.sample_files import CLASSES_FILE
+from .layer_files import layer_file, raster_layers
+
+_CLASS_FIELDS, _PRIORITY_FIELDS = ("class",), ("priority", "zorder")
+"""As “Classify OpenStreetMap” and the sample area call them."""
+
+_COLOR_BANDS = 3
+
+
+def annotation_at_hand(project: QgsProject) -> dict[str, str]:
+    """INPUT, CLASS_FIELD, PRIORITY_FIELD and CLASS_TABLE, as far as there is one that they can only be.
+
+    The project's one polygon layer, or its one with a field ``class``; QGIS would begin with the layer that is selected
+    among the layers, and with its first field, which numbers the polygons of most files.
+    """
+    layers = [layer for layer in project.mapLayers().values() if _may_be_annotation(layer)]
+    named = [layer for layer in layers if _field(layer, _CLASS_FIELDS)]
+    layer = _only(named) or _only(layers)
+    if layer is None:
+        return {}
+    found = {
+        "INPUT": layer.id(),
+        "CLASS_FIELD": _field(layer, _CLASS_FIELDS) or _only(_text_fields(layer)),
+        "PRIORITY_FIELD": _field(layer, _PRIORITY_FIELDS),
+        "CLASS_TABLE": _table_beside(layer),
+    }
+    return {key: value for key, value in found.items() if value}
+
+
+def training_at_hand(project: QgsProject) -> dict[str, str]:
+    """The annotation, and as IMAGE the project's one raster file with colors."""
+    photo = _only([layer for layer in raster_layers(project) if layer.bandCount() >= _COLOR_BANDS])
+    return {**({} if photo is None else {"IMAGE": photo.id()}), **annotation_at_hand(project)}
+
+
+def _may_be_annotation(layer: QgsMapLayer) -> bool:
+    if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
+        return False
+    return not database_file(layer)
+
+
+def _field(layer: QgsVectorLayer, names: tuple[str, ...]) -> str:
+    """The layer's own spelling of the first of these names; empty without any."""
+    spelled = {name.lower(): name for name in layer.fields().names()}
+    return next((spelled[name] for name in names if name in spelled), "")
+
+
+def _text_fields(layer: QgsVectorLayer) -> list[str]:
+    return [field.name() for field in layer.fields() if not field.isNumeric() and field.typeName() != "Date"]
+
+
+def _table_beside(layer: QgsVectorLayer) -> str:
+    file = layer_file(layer)
+    table = os.path.join(os.path.dirname(file), CLASSES_FILE)
+    return table if file and os.path.isfile(table) else ""
+
+
+def _only(candidates: list):
+    return candidates[0] if len(candidates) == 1 else None
