@@ -174,7 +174,8 @@ class DaskRunner:
         try:
             kept = self._client.submit(shipped.held, shared, pure=False)
             while True:
-                ahead += (self._given(task, kept, call) for call in islice(waiting, self._room() - len(ahead)))
+                more = max(self._room() - len(ahead), 0)  # Workers may have gone since.
+                ahead += (self._given(task, kept, call) for call in islice(waiting, more))
                 if not ahead:
                     return
                 future = ahead.popleft()
