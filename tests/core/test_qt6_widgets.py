@@ -18,7 +18,7 @@ PAINTED = {
     "status_line": 500,
     "image_view": 50_000,
     "results_table": 10_000,
-    "empty_table": 5000,
+    "empty_table": 500,
     "details": 1000,
     "components_page": 20_000,
     "missing_notice": 1000,
