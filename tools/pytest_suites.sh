@@ -6,6 +6,7 @@
 # tests/core and tests/tools with QGIS, GDAL and Qt blocked, tests/qgis without a display, tests/gui in a virtual one.
 # Two at a time: core and tools beside qgis and gui; what the first two say is shown when all are through. A suite that
 # fails does not keep the next from running; the exit status tells whether any failed. Each tells its processor time.
+# With SEMREF_QUICK_CORE=yes the first three leave out slow tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python=$1
@@ -14,16 +15,20 @@ arguments=("$@")
 no_tests_collected=5 # pytest's exit status
 TIMEFORMAT='   %R s, of the processor %U s'
 
+quick=()
+[ "${SEMREF_QUICK_CORE:-}" != yes ] || quick=(-m "not slow")
+
 outcomes=$(mktemp -d)
 trap 'rm -rf "$outcomes"' EXIT
 
-# suite FOLDER PREFIX...
+# suite FOLDER PREFIX...; $leave_out, where set, are arguments of pytest for it
+leave_out=()
 suite() {
     local folder=$1 status=0
     shift
     [ -d "$folder" ] || return 0
     echo "== $folder"
-    time "$@" "$python" -m pytest "$folder" "${arguments[@]}" </dev/null || status=$?
+    time "$@" "$python" -m pytest "$folder" "${leave_out[@]}" "${arguments[@]}" </dev/null || status=$?
     # A selection such as -k may well leave a suite empty; a suite without selection may not be.
     if [ $status = $no_tests_collected ] && [ ${#arguments[@]} -gt 0 ]; then
         return 0
@@ -33,6 +38,7 @@ suite() {
 }
 
 {
+    leave_out=("${quick[@]}")
     suite tests/core env SEMREF_BLOCK_QGIS=1
     suite tests/tools env SEMREF_BLOCK_QGIS=1
     suite tests/training env SEMREF_BLOCK_QGIS=1
