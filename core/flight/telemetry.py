@@ -48,6 +48,7 @@ class Telemetry:
         is_clock: Times are of a clock (seconds since 1970, UTC or the camera's zone), not since a start.
         is_gimbal: Roll and pitch are those of the camera's gimbal, −90° looking down; else those of the aircraft.
         images: Name of the image of each entry, without folder and extension; empty for entries of moments.
+        until_s: Of a log that grows: the moment, on its clock, that its writer may not have come to yet.
     """
 
     times_s: np.ndarray = field(repr=False)
@@ -55,6 +56,7 @@ class Telemetry:
     is_clock: bool = False
     is_gimbal: bool = False
     images: tuple[str, ...] = ()
+    until_s: float = -math.inf
 
     def at(self, times_s: Sequence[float] | np.ndarray) -> np.ndarray:
         """(M, 6) as FIELDS say at some moments; NaN where nothing near enough is told.
@@ -96,8 +98,9 @@ class Telemetry:
         if not self.is_clock or not len(times_s) or not len(self.times_s):
             return 0.0
         first, last = min(times_s), max(times_s)
+        start, end = self.times_s[0] - 1, max(self.times_s[-1], self.until_s) + 1
         for quarter in sorted(range(-56, 57), key=abs):
-            if self.times_s[0] - 1 <= first + quarter * ZONE_S and last + quarter * ZONE_S <= self.times_s[-1] + 1:
+            if start <= first + quarter * ZONE_S and last + quarter * ZONE_S <= end:
                 return quarter * ZONE_S
         return 0.0
 

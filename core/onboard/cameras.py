@@ -15,6 +15,7 @@ from ..flight.telemetry import Telemetry, log_cameras, log_links
 from ..geometry.camera import Camera
 from ..labels.photo_camera import photo_camera
 from .log import say
+from .logs import GrowingLog, is_growing_log
 from .tables import TableOfImages
 
 
@@ -24,12 +25,14 @@ class Cameras:
 
     Attributes:
         table: The camera table; None without one.
-        log: The flight's log; None without one.
+        log: The flight's log; None without one, or where it grows.
+        growing: The flight's log that is written while it flies; None without one.
         first_s: Time of the first image on the cameras' clock, by which the log's is found; None before it.
     """
 
     table: TableOfImages[Camera] | None = None
     log: Telemetry | None = None
+    growing: GrowingLog | None = None
     first_s: float | None = None
 
     def of(self, path: str) -> Camera:
@@ -41,9 +44,11 @@ class Cameras:
         name, photo = stem_of(path), photo_camera(path)
         row = None if self.table is None else self.table.of(name)
         camera = photo if row is None else known_camera(row, photo, row.time_s is not None)
-        if self.log is None:
+        moment = name, self.time_s(path, camera)
+        log = self._log(moment[1])
+        if log is None:
             return camera
-        told = log_cameras(self.log, *self._asked([(name, self.time_s(path, camera))]))[-1]
+        told = log_cameras(log, *self._asked([moment]))[-1]
         return completed(camera, told, with_attitude=True)
 
     def time_s(self, path: str, camera: Camera) -> float | None:
@@ -57,10 +62,14 @@ class Cameras:
 
     def link(self, before: tuple[str, float | None], now: tuple[str, float | None]) -> Link | None:
         """Between two images, each by its name without extension and its time; None where the log doesn't tell it."""
-        if self.log is None:
+        log = self._log(now[1])
+        if log is None:
             return None
-        links = log_links(self.log, *self._asked([before, now]))
+        links = log_links(log, *self._asked([before, now]))
         return next((link for link in links if link.second == 2), None)
+
+    def _log(self, time_s: float | None) -> Telemetry | None:
+        return self.log if self.growing is None else self.growing.until(time_s)
 
     def _asked(self, images: list[tuple[str, float | None]]) -> tuple[list[str], list[float | None]]:
         """Names and times, the flight's first one before them: a zone is that of the whole flight."""
@@ -75,7 +84,7 @@ def opened_cameras(table: str | None, log: str | None, is_ended: bool, is_strict
     Args:
         table: Path of a camera table; None for none.
         log: Path of a flight's log; None for none.
-        is_ended: Nobody writes the table any more.
+        is_ended: Nobody writes table and log any more.
         is_strict: What can't be used is refused; else it is told in the log and done without.
 
     Raises:
@@ -89,7 +98,10 @@ def opened_cameras(table: str | None, log: str | None, is_ended: bool, is_strict
             if is_strict:
                 cameras.table.check()
         if log:
-            cameras.log = read_log(log)
+            if not is_ended and is_growing_log(log):
+                cameras.growing = GrowingLog(log)
+            else:
+                cameras.log = read_log(log)
     except ParameterError as error:
         if is_strict:
             raise

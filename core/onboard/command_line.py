@@ -210,7 +210,10 @@ def _parser() -> argparse.ArgumentParser:
 def _add_cameras(command: argparse.ArgumentParser) -> None:
     text = "camera table (CSV) of roll, pitch, lens, height, heading; with watch it may grow, a line an image"
     command.add_argument("--cameras", metavar="TABLE", help=text)
-    text = "log of the flight (.bin, .ulg, .tlog, .SRT, geo.txt): heading, height, attitude, speed; read at the start"
+    text = (
+        "log of the flight (.bin, .ulg, .tlog, .SRT, geo.txt): heading, height, attitude, speed; "
+        "with watch a .tlog may grow, others are read at the start"
+    )
     command.add_argument("--flight-log", metavar="FILE", help=text)
 
 

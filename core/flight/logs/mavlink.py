@@ -25,9 +25,10 @@ _TIME = 8
 
 
 def is_tlog(data: Data) -> bool:
-    """Whether the first packet is whole, or of a kind that isn't read here but followed by another one."""
+    """Whether the first packet is whole, and what comes next begins as one; data may end anywhere after the first."""
     size = _size(data, _TIME)
-    return size > 0 and (len(data) == _TIME + size or _size(data, 2 * _TIME + size) > 0)
+    after = 2 * _TIME + size
+    return size > 0 and (len(data) <= after or _wanted_size(data, after) > 0)
 
 
 def read_tlog(data: Data) -> Telemetry:
@@ -36,35 +37,72 @@ def read_tlog(data: Data) -> Telemetry:
     Args:
         data: Of the file; what is damaged is passed over.
     """
-    entries, place, system = Entries(start_s=0.0), 0, None
-    while place + _TIME < len(data):
-        size = _size(data, place + _TIME)
-        if size == 0:
-            place += 1
-            continue
-        sender, kind, content, is_whole = _packet(data, place + _TIME, size)
-        if kind in _PACKED and is_whole:
-            system = sender if system is None and kind == _ATTITUDE else system
-            if system == sender:
-                (time_us,) = struct.unpack_from(">Q", data, place)
-                packed = _PACKED[kind][0]
-                _take(entries, time_us / 1e6, kind, packed.unpack(content[: packed.size].ljust(packed.size, b"\0")))
-        elif kind in _PACKED:
-            place += 1
-            continue
-        place += _TIME + size
-    return entries.telemetry()
+    reader = TlogReader()
+    reader.take(data, is_ended=True)
+    return reader.telemetry()
+
+
+class TlogReader:
+    """Reads a log piece by piece, as it grows."""
+
+    def __init__(self) -> None:
+        self._entries = Entries(start_s=0.0)
+        self._system: int | None = None
+
+    def take(self, data: Data, is_ended: bool = False) -> int:
+        """Reads one more piece.
+
+        Args:
+            data: It; what is damaged is passed over.
+            is_ended: Nothing comes after it.
+
+        Returns:
+            Where in it the first packet begins that is not whole; the next piece begins there.
+        """
+        place = 0
+        while place + _TIME < len(data):
+            size = _size(data, place + _TIME)
+            if size == 0:
+                if not is_ended and _wanted_size(data, place + _TIME) > 0:
+                    return place
+                place += 1
+                continue
+            sender, kind, content, is_whole = _packet(data, place + _TIME, size)
+            if kind in _PACKED and not is_whole:
+                place += 1
+                continue
+            if kind in _PACKED:
+                self._take_packet(struct.unpack_from(">Q", data, place)[0] / 1e6, sender, kind, content)
+            place += _TIME + size
+        return place
+
+    def _take_packet(self, time_s: float, sender: int, kind: int, content: bytes) -> None:
+        if self._system is None and kind == _ATTITUDE:
+            self._system = sender
+        if self._system == sender:
+            packed = _PACKED[kind][0]
+            _take(self._entries, time_s, kind, packed.unpack(content[: packed.size].ljust(packed.size, b"\0")))
+
+    def telemetry(self) -> Telemetry:
+        """What was read so far."""
+        return self._entries.telemetry()
 
 
 def _size(data: Data, place: int) -> int:
-    """Bytes of the packet that begins there; 0 where none does."""
-    if place + 3 > len(data) or data[place] not in (0xFE, 0xFD):
-        return 0
-    if data[place] == 0xFE:
-        size = 8 + data[place + 1]
-    else:
-        size = 12 + data[place + 1] + (_SIGNATURE if data[place + 2] & _SIGNED else 0)
+    """Bytes of the packet that begins there; 0 where none does, or not all of it is there."""
+    size = _wanted_size(data, place)
     return size if place + size <= len(data) else 0
+
+
+def _wanted_size(data: Data, place: int) -> int:
+    """Bytes of the packet that begins there, as far as its beginning tells; 0 where none does."""
+    if place >= len(data) or data[place] not in (0xFE, 0xFD):
+        return 0
+    if place + 3 > len(data):
+        return 3
+    if data[place] == 0xFE:
+        return 8 + data[place + 1]
+    return 12 + data[place + 1] + (_SIGNATURE if data[place + 2] & _SIGNED else 0)
 
 
 def _packet(data: Data, place: int, size: int) -> tuple[int, int, bytes, bool]:

@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import pytest
 
-from semref.core.flight.logs.mavlink import checksum, is_tlog, read_tlog
+from semref.core.flight.logs.mavlink import TlogReader, checksum, is_tlog, read_tlog
 
 ATTITUDE = struct.pack("<I6f", 1, 0.1, -0.2, math.radians(-90), 0, 0, 0)
 PLACE = struct.pack("<Iiiii3hH", 1, 0, 0, 0, 55_500, 300, 400, 0, 9_000)
@@ -59,3 +59,23 @@ def test_noise_is_no_error(seed):
     for place in rng.integers(0, len(data), 60):
         data[place] = rng.integers(0, 256)
     read_tlog(bytes(data))
+
+
+@pytest.mark.parametrize("step", [1, 7, 40, 200])
+def test_a_log_in_pieces_tells_what_the_whole_one_does(step):
+    kinds = ((30, ATTITUDE, 39), (33, PLACE, 104), (0, b"\1\2\3\xfe\xfd", 50))
+    data = b"".join(packet(n, *kinds[n % 3], version=1 + n % 2) for n in range(12))
+    reader, begin = TlogReader(), 0
+    for end in range(step, len(data) + step, step):
+        begin += reader.take(data[begin:end])
+    told, whole = reader.telemetry(), read_tlog(data)
+    assert begin == len(data) and told.times_s.tolist() == whole.times_s.tolist()
+    assert np.array_equal(told.values, whole.values, equal_nan=True)
+
+
+def test_a_log_that_was_cut_anywhere_after_its_first_packet_is_one():
+    first = packet(1, 30, ATTITUDE, 39)
+    data = first + packet(2, 0, bytes(range(1, 40)), 50)
+    assert not is_tlog(data[: len(first) - 1])
+    assert all(is_tlog(data[:end]) for end in range(len(first), len(data) + 1))
+    assert not is_tlog(first + b"12345678" + b"no packet")

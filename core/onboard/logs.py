@@ -1,0 +1,90 @@
+"""A ground station's log that is written while the aircraft flies: what it tells up to the moment of an image."""
+
+from __future__ import annotations
+
+import logging
+import math
+import os
+import time
+from dataclasses import replace
+
+from ..flight.logs.files import MOST_LOG_BYTES
+from ..flight.logs.mavlink import TlogReader, is_tlog
+from ..flight.table import bytes_of
+from ..flight.telemetry import MOST_GAP_S, Telemetry
+from .log import say
+from .tables import LOOK_EVERY_S, ROW_WITHIN_S
+
+_PIECE_BYTES = 4 << 20
+_HEAD_BYTES = 1024
+"""Some packets, whatever their kind."""
+
+
+class GrowingLog:
+    """Reads what came to a ``.tlog`` since the last look; how much it holds does not grow with the log."""
+
+    def __init__(self, path: str) -> None:
+        """Reads nothing yet.
+
+        Args:
+            path: Of the file.
+        """
+        self.path = path
+        self._reader, self._place, self._fails = TlogReader(), 0, False
+        self._keeps_up = True
+        self._telemetry = self._reader.telemetry()
+
+    def until(self, time_s: float | None) -> Telemetry:
+        """What it tells, waited for while the log keeps up with images.
+
+        Args:
+            time_s: Of an image, on the camera's clock; None where unknown.
+        """
+        end = time.monotonic() + (ROW_WITHIN_S if self._keeps_up and time_s is not None else 0.0)
+        while True:
+            self._look()
+            now = time.time()
+            told = replace(self._telemetry, until_s=now)
+            self._keeps_up = time_s is None or self._reaches(told, time_s + told.zone([time_s]))
+            if self._keeps_up or time.monotonic() >= end:
+                return told
+            time.sleep(LOOK_EVERY_S)
+
+    @staticmethod
+    def _reaches(told: Telemetry, moment_s: float) -> bool:
+        """Whether nothing that is still to come tells of a moment."""
+        last = told.times_s[-1] if len(told.times_s) else -math.inf
+        return last >= moment_s or moment_s - last > MOST_GAP_S and told.until_s - moment_s > MOST_GAP_S
+
+    def _look(self) -> None:
+        """Takes what was written since; what can't be read is told in the log once."""
+        try:
+            is_new = False
+            if os.stat(self.path).st_size < self._place:
+                # Written anew.
+                self._reader, self._place, is_new = TlogReader(), 0, True
+            with open(self.path, "rb") as file:
+                while True:
+                    file.seek(self._place)
+                    piece = file.read(_PIECE_BYTES)
+                    taken = self._reader.take(piece)
+                    self._place += taken
+                    is_new = is_new or taken > 0
+                    if len(piece) < _PIECE_BYTES or taken == 0:
+                        break
+            if is_new:
+                self._telemetry = self._reader.telemetry()
+            self._fails = False
+        except OSError as error:
+            if not self._fails:
+                say(logging.ERROR, "log_fails", path=self.path, reason=error.strerror or str(error))
+            self._fails = True
+
+
+def is_growing_log(path: str) -> bool:
+    """Whether a file is a log that can be read while it grows; raises ParameterError where it can't be read.
+
+    Args:
+        path: Of the file.
+    """
+    return is_tlog(bytes_of(path, MOST_LOG_BYTES, _HEAD_BYTES))

@@ -1,0 +1,125 @@
+"""A ground station's log that grows while images come."""
+
+from __future__ import annotations
+
+import math
+import os
+import struct
+import threading
+import time
+
+import pytest
+
+from semref.core.flight.logs.mavlink import checksum
+from semref.core.onboard import logs, tables
+from semref.core.onboard.cameras import opened_cameras
+from semref.core.onboard.logs import GrowingLog, is_growing_log
+
+LONG_S = 30.0
+
+
+def attitude(time_s, heading_deg):
+    """A packet of a .tlog."""
+    content = struct.pack("<I6f", 1, 0.0, 0.0, math.radians(heading_deg), 1, 1, 1)
+    head = bytes([len(content), 0, 0, 7, 1, 1]) + (30).to_bytes(3, "little")
+    total = checksum(head + content + bytes([39]))
+    return struct.pack(">Q", int(time_s * 1e6)) + b"\xfd" + head + content + struct.pack("<H", total)
+
+
+@pytest.fixture(autouse=True)
+def never_late(monkeypatch):
+    monkeypatch.setattr(logs, "ROW_WITHIN_S", 0.0)
+
+
+@pytest.fixture
+def start_s():
+    return float(int(time.time()) - 3600)
+
+
+@pytest.fixture
+def path(tmp_path, start_s):
+    path = tmp_path / "flight.tlog"
+    path.write_bytes(attitude(start_s, 10) + attitude(start_s + 1, 20))
+    return path
+
+
+def append(path, data):
+    with open(path, "ab") as file:
+        file.write(data)
+
+
+def heading(log, moment_s):
+    return float(log.until(moment_s).at([moment_s])[0, 0])
+
+
+def test_what_comes_to_a_log_is_told(path, start_s):
+    log = GrowingLog(str(path))
+    assert heading(log, start_s + 0.5) == pytest.approx(15, abs=0.01)
+    assert math.isnan(heading(log, start_s + 3))
+    whole = attitude(start_s + 2, 30) + attitude(start_s + 3, 40)
+    append(path, whole[:70])
+    assert math.isnan(heading(log, start_s + 3))
+    append(path, whole[70:])
+    assert heading(log, start_s + 3) == pytest.approx(40, abs=0.01)
+
+
+def test_a_log_that_is_written_anew_is_read_anew(path, start_s):
+    log = GrowingLog(str(path))
+    assert heading(log, start_s) == pytest.approx(10, abs=0.01)
+    path.write_bytes(attitude(start_s, 77))
+    assert heading(log, start_s) == pytest.approx(77, abs=0.01)
+
+
+def test_an_entry_that_is_late_is_waited_for(path, start_s, monkeypatch):
+    monkeypatch.setattr(logs, "ROW_WITHIN_S", LONG_S)
+    log = GrowingLog(str(path))
+    looks = []
+    monkeypatch.setattr(logs, "LOOK_EVERY_S", 0.001)
+    look = log._look
+    monkeypatch.setattr(log, "_look", lambda: (looks.append(1), look()))
+
+    def write():
+        while len(looks) < 5:
+            time.sleep(0.001)
+        append(path, attitude(start_s + 2, 30))
+
+    writer = threading.Thread(target=write)
+    writer.start()
+    # Nearer to now, so that what is still to come may tell of it.
+    monkeypatch.setattr(logs.time, "time", lambda: start_s + 2.0)
+    assert heading(log, start_s + 2) == pytest.approx(30, abs=0.01)
+    writer.join()
+
+
+def test_a_log_that_lags_is_not_taken_for_one_of_another_zone(tmp_path):
+    now = time.time()
+    path = tmp_path / "flight.tlog"
+    path.write_bytes(b"".join(attitude(now - 3000 + n, n % 360) for n in range(2990)))
+    log = GrowingLog(str(path))
+    assert log.until(now - 2).zone([now - 2]) == 0
+    assert math.isnan(heading(log, now - 2))
+
+
+def test_a_log_that_vanishes_ends_nothing(path, start_s):
+    log = GrowingLog(str(path))
+    assert heading(log, start_s) == pytest.approx(10, abs=0.01)
+    path.unlink()
+    assert heading(log, start_s) == pytest.approx(10, abs=0.01)
+
+
+def test_only_where_it_may_grow_a_log_is_followed(path, start_s, monkeypatch):
+    monkeypatch.setattr(tables, "ROW_WITHIN_S", 0.0)
+    assert is_growing_log(str(path))
+    followed = opened_cameras(None, str(path), is_ended=False, is_strict=True)
+    whole = opened_cameras(None, str(path), is_ended=True, is_strict=True)
+    assert followed.growing is not None and followed.log is None
+    assert whole.growing is None and whole.log is not None
+
+
+def test_a_growing_log_gives_headings_of_images(path, start_s, tmp_path):
+    cameras = opened_cameras(None, str(path), is_ended=False, is_strict=True)
+    image = tmp_path / "a.png"
+    image.write_bytes(b"")
+    append(path, attitude(start_s + 2, 30))
+    os.utime(image, ns=(int(start_s + 2) * 10**9,) * 2)
+    assert cameras.of(str(image)).heading_deg == pytest.approx(30, abs=0.01)
