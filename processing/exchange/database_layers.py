@@ -20,6 +20,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import DatabaseError
 from ..translation import tr
+from .column_names import name_columns
 
 REFERENCES, WINDOWS, OVERVIEW = "references", "windows", "overview"
 """The tables that are layers, from top to bottom."""
@@ -67,6 +68,7 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     apply_overview_style(added[-1], path)
     _tell_of(added[-1], added[-2])
     project.addMapLayers(added, False)
+    shown = added if references is None else [references, *added]
     root = project.layerTreeRoot()
     group = root.insertGroup(0, Path(path).stem)
     for layer in added:
@@ -78,6 +80,10 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
         group.insertLayer(0, references)
         if before is not None:
             before.parent().removeChildNode(before)
+    # After the styles: these have the language of whoever built the database.
+    for layer in shown:
+        if isinstance(layer, QgsVectorLayer):
+            name_columns(layer)
     return group
 
 

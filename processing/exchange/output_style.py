@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -12,7 +11,6 @@ from qgis.core import (
     QgsAttributeEditorContainer,
     QgsAttributeEditorField,
     QgsEditFormConfig,
-    QgsEditorWidgetSetup,
     QgsFeatureRenderer,
     QgsPalLayerSettings,
     QgsProcessingContext,
@@ -26,7 +24,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QColor
 
 from ...storage.vector_files import leave_wal
-from ..wording.columns import column_titles, column_words
+from .column_names import name_columns
 from .layer_notes import Note, keep_in_file
 from .palette import CASING, INK
 
@@ -86,7 +84,7 @@ class Look:
         if self.tip:
             layer.setMapTipTemplate(self.tip)
         if self.is_own:
-            _name_columns(layer, self.picture)
+            name_columns(layer, self.picture)
         if self.groups:
             layer.setEditFormConfig(_form(layer, self.groups))
         if self.note is not None:
@@ -178,22 +176,6 @@ def _labeling(expression: str) -> QgsPalLayerSettings:
     text.setBuffer(rim)
     settings.setFormat(text)
     return settings
-
-
-def _name_columns(layer: QgsVectorLayer, picture: str) -> None:
-    """Aliases in the user's language, words for keys, and the picture that a column names."""
-    names = [one.name() for one in layer.fields()]
-    titles: Mapping[str, str] = column_titles()
-    words = column_words(names)
-    for index, name in enumerate(names):
-        if name in titles:
-            layer.setFieldAlias(index, titles[name])
-        if name in words:
-            entries = [{text: key} for key, text in words[name].items()]
-            layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ValueMap", {"map": entries}))
-        elif name == picture:
-            shown = {"DocumentViewer": 1, "DocumentViewerHeight": 260, "FileWidget": True, "StorageMode": 0}
-            layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ExternalResource", shown))
 
 
 def _form(layer: QgsVectorLayer, groups: tuple[tuple[str, tuple[str, ...]], ...]) -> QgsEditFormConfig:

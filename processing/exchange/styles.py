@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Callable
 from uuid import uuid4
@@ -10,6 +11,7 @@ from osgeo import gdal
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsColorRampShader,
+    QgsFeatureRenderer,
     QgsFeatureRequest,
     QgsFillSymbol,
     QgsMapLayer,
@@ -30,8 +32,10 @@ from qgis.PyQt.QtXml import QDomDocument
 from ...core.annotation import findings
 from ...core.labels.class_table import ClassTable
 from ...storage.database.reader import stored_style
+from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
 from ...storage.files import written_beside
 from ..wording.annotation_messages import severity_title
+from .column_names import name_columns
 from .layer_notes import Note, keep_beside
 from .palette import BAD, INFORMATION, WARNING
 
@@ -54,8 +58,8 @@ _OURS = "semref/style"
 def database_styles(table: ClassTable) -> dict[str, str]:
     """QML of the default style of each layer of a database, by table name."""
     return {
-        "windows": _qml("Polygon", "reference_count:integer", windows_renderer()),
-        "references": _qml("Point", "class:integer&field=class_name:string", references_renderer(table)),
+        "windows": _qml("Polygon", WINDOW_FIELDS, windows_renderer()),
+        "references": _qml("Point", REFERENCE_FIELDS, references_renderer(table)),
         "overview": _overview_qml(table),
     }
 
@@ -177,16 +181,21 @@ def _overview_qml(table: ClassTable) -> str:
         gdal.Unlink(path)
 
 
-def _qml(geometry: str, fields: str, renderer) -> str:
-    layer = QgsVectorLayer(f"{geometry}?field={fields}", "style", "memory")
+def _qml(geometry: str, fields: Sequence[tuple[str, str]], renderer: QgsFeatureRenderer) -> str:
+    # Of fields a style holds titles by name, and no types.
+    columns = "&".join(f"field={name}" for name, _ in fields)
+    layer = QgsVectorLayer(f"{geometry}?{columns}", "style", "memory")
     layer.setRenderer(renderer)
-    return _exported(layer)
+    name_columns(layer)
+    return _exported(layer, QgsMapLayer.StyleCategory.Fields)
 
 
-def _exported(layer: QgsMapLayer) -> str:
+def _exported(layer: QgsMapLayer, *more: QgsMapLayer.StyleCategory) -> str:
     document = QDomDocument()
     # The other categories hold colors that QGIS draws by lot.
     categories = QgsMapLayer.StyleCategory.Symbology | QgsMapLayer.StyleCategory.CustomProperties
+    for category in more:
+        categories |= category
     error = layer.exportNamedStyle(document, QgsReadWriteContext(), categories)
     if document.isNull():
         raise RuntimeError(f"the style of {layer.name()} could not be exported: {error}")

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from ...core.localization import Method, Status
+from ...storage.database.titles import SENTENCES_OF_REFERENCES, SENTENCES_OF_WINDOWS
 from ..translation import tr
 from .annotation_messages import kind_titles, severity_words
 from .sentences import worded
@@ -15,7 +16,12 @@ from .sentences import worded
 
 def column_titles() -> dict[str, str]:
     """Title of each column by its name."""
-    return {**_positions(), **_flights(), **_landmarks(), **_assessment(), **_annotation(), **_trials()}
+    return {**_database(), **_positions(), **_flights(), **_landmarks(), **_assessment(), **_annotation(), **_trials()}
+
+
+def _database() -> dict[str, str]:
+    """Of windows and landmarks, wherever they are shown."""
+    return {name: tr(text) for name, text in {**SENTENCES_OF_WINDOWS, **SENTENCES_OF_REFERENCES}.items()}
 
 
 def _positions() -> dict[str, str]:
@@ -24,8 +30,6 @@ def _positions() -> dict[str, str]:
         "status": tr("Status"),
         "x": tr("Easting"),
         "y": tr("Northing"),
-        "longitude": tr("Longitude"),
-        "latitude": tr("Latitude"),
         "heading": tr("Heading (° from grid north)"),
         "pixel_size": tr("Pixel size (m)"),
         "confidence": tr("Probability to be right"),
@@ -75,10 +79,6 @@ def _flights() -> dict[str, str]:
 
 def _landmarks() -> dict[str, str]:
     return {
-        "class": tr("Class value"),
-        "class_name": tr("Class"),
-        "area": tr("Area (m²)"),
-        "touches_edge": tr("Touches the edge"),
         "image_column": tr("Column in the image"),
         "image_row": tr("Row in the image"),
         "seen_x": tr("Easting where it is seen"),
@@ -87,13 +87,6 @@ def _landmarks() -> dict[str, str]:
         "column": tr("Column"),
         "row": tr("Row"),
         "center_distance": tr("Distance from the center (px)"),
-        "name": tr("Name"),
-        "level": tr("Level"),
-        "size": tr("Size (m)"),
-        "center_x": tr("Easting of the center"),
-        "center_y": tr("Northing of the center"),
-        "reference_count": tr("Landmarks"),
-        "vector": tr("Topology vector"),
     }
 
 
@@ -106,7 +99,6 @@ def _assessment() -> dict[str, str]:
         "error": tr("Error (m)"),
         "objects": tr("Landmarks in view"),
         "classes": tr("Classes in view"),
-        "distinctiveness": tr("Distinctiveness"),
         "look_alikes": tr("Look-alikes"),
         "wrong": tr("Wrong fixes (share)"),
         "trials": tr("Simulated images"),

@@ -9,6 +9,7 @@ from html import escape
 
 from ...core.labels.class_table import ClassTable
 from . import schema
+from .titles import SENTENCES_OF_REFERENCES, SENTENCES_OF_WINDOWS
 
 _WINDOW_COLOR = "31,95,191,255"
 _DOCTYPE = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
@@ -21,6 +22,7 @@ def plain_styles(table: ClassTable) -> dict[str, str]:
             '<renderer-v2 type="singleSymbol">'
             f"<symbols>{_symbol('fill', 0, 'SimpleFill', _WINDOW)}</symbols></renderer-v2>",
             2,
+            SENTENCES_OF_WINDOWS,
         ),
         schema.REFERENCES: _references(table),
         schema.OVERVIEW: _overview(table),
@@ -41,6 +43,7 @@ def _references(table: ClassTable) -> str:
         f'<renderer-v2 type="categorizedSymbol" attr="class"><categories>{"".join(categories)}</categories>'
         f"<symbols>{''.join(symbols)}</symbols></renderer-v2>",
         0,
+        SENTENCES_OF_REFERENCES,
     )
 
 
@@ -57,10 +60,12 @@ def _overview(table: ClassTable) -> str:
     )
 
 
-def _vector(renderer: str, geometry: int) -> str:
+def _vector(renderer: str, geometry: int, titles: dict[str, str]) -> str:
+    aliases = "".join(f'<alias field="{name}" name="{escape(text)}"/>' for name, text in titles.items())
     return (
-        f'{_DOCTYPE}<qgis version="3.22" styleCategories="Symbology">{renderer}<blendMode>0</blendMode>'
-        f"<featureBlendMode>0</featureBlendMode><layerGeometryType>{geometry}</layerGeometryType></qgis>\n"
+        f'{_DOCTYPE}<qgis version="3.22" styleCategories="Symbology|Fields">{renderer}<blendMode>0</blendMode>'
+        f"<featureBlendMode>0</featureBlendMode><aliases>{aliases}</aliases>"
+        f"<layerGeometryType>{geometry}</layerGeometryType></qgis>\n"
     )
 
 

@@ -19,6 +19,7 @@ from ..vector_files import leave_wal
 from . import schema
 from .overview_file import OverviewFile
 from .reader import store_checksums
+from .titles import tell_titles
 
 _FEATURES_A_STEP = 2000
 
@@ -68,7 +69,7 @@ class DatabaseWriter:
         try:
             for share in self._write():
                 yield "Writing the database", share
-        except RuntimeError as error:
+        except (RuntimeError, sqlite3.Error) as error:
             raise DatabaseError("storage.database_unwritable", reason=gdal_failure(error)) from None
 
     def _write(self) -> Iterator[float]:
@@ -85,6 +86,7 @@ class DatabaseWriter:
         yield 0.9
         self._write_overview(srs)
         leave_wal(self._path)
+        tell_titles(self._path)
         if self._moment:
             self._tell_moment()
         store_checksums(self._path)

@@ -150,6 +150,18 @@ def test_the_style_is_what_the_algorithm_s_is(built):
     assert classes == [(c.value, c.name, c.color) for c in table if c.value]
 
 
+@pytest.mark.parametrize("table", ["windows", "references"])
+def test_the_titles_of_columns_are_what_the_algorithm_s_are(built, table):
+    from qgis.core import QgsVectorLayer
+
+    from semref.processing.wording.columns import column_titles
+
+    layer = QgsVectorLayer(f"{built}|layername={table}", table, "ogr")
+    found = {field.name(): layer.attributeAlias(index) for index, field in enumerate(layer.fields())}
+    assert found.pop("fid") == ""
+    assert found == {name: column_titles()[name] for name in found} and len(found) > 3
+
+
 def drawn(symbol):
     """What a symbol's only layer looks like."""
     properties = symbol.symbolLayers()[0].properties()
