@@ -37,6 +37,10 @@ HEADING_SPREAD_DEG = 25.0
 """A compass on a drone, its mounting and the way from true to grid north together are off by so much at most."""
 
 
+LEAST_DOWN = 0.2
+"""Cosine of the largest tilt at which one size is told for the pixels of an image: beyond it they differ too much."""
+
+
 @dataclass(frozen=True)
 class Height:
     """How high above the ground that it sees a camera was.
@@ -129,6 +133,10 @@ class Camera:
     heading_deg: float | None = None
     distortion: LensDistortion | None = None
 
+    def without_leveling(self) -> Camera:
+        """The same, for who takes images as they are."""
+        return replace(self, attitude=None, problem=None, distortion=None)
+
     def leveling(self, shape_hw: tuple[int, int]) -> Leveling | None:
         """How to level an image and straighten what its lens bends; None when neither is needed or known.
 
@@ -178,3 +186,14 @@ class Camera:
         low, high = self.height.range_m
         shortest, longest = self.lens.focal_lengths_px(shape_hw)
         return low * least_slant / longest, high * most_slant / shortest
+
+    def pixel_size(self, shape_hw: tuple[int, int]) -> float | None:
+        """Ground size of a pixel at the image's center as height and lens tell it, meters; None when they don't.
+
+        Args:
+            shape_hw: (height, width) of the image, 1 or more each.
+        """
+        if self.height is None or self.lens is None or not self.lens.fits(shape_hw):
+            return None
+        down = 1.0 if self.attitude is None else float(self.attitude.down[2])
+        return None if down < LEAST_DOWN else self.height.meters * down**-1.5 / self.focal_length_px(shape_hw)

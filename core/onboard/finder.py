@@ -67,15 +67,15 @@ class LabelReader:
         self._values = self._model.classes.values_in(table, model_path)
         self.known = known_biases(self._model.class_bias, table)
 
-    def __call__(self, path: str) -> SeenLabels:
-        """What is seen in an image. Raises SemRefError."""
+    def __call__(self, path: str, camera: Camera | None = None) -> SeenLabels:
+        """What is seen in an image; by its camera a network knows how large to see a photo. Raises SemRefError."""
         if self._model is None:
             return SeenLabels(read_label_image(path, self._table))
         from ..segmentation.photo_labels import PhotoLabels
 
         photo = read_photo(path)
         self.photo = photo.image
-        return PhotoLabels(self._model, photo.image, self._values, photo.pixel_size_m).seen()
+        return PhotoLabels(self._model, photo.image, self._values, photo.pixel_size_m, camera).seen()
 
 
 @dataclass(frozen=True)
@@ -99,8 +99,9 @@ class Finding:
     cameras: Cameras = field(default_factory=Cameras)
 
     def camera_of(self, path: str) -> Camera:
-        """What is known of an image's camera; nothing for the published method, which takes images as they are."""
-        return Camera() if self.method == Method.TOPOLOGY_VECTOR else self.cameras.of(path)
+        """What is known of an image's camera; the published method takes images as they are."""
+        camera = self.cameras.of(path)
+        return camera.without_leveling() if self.method == Method.TOPOLOGY_VECTOR else camera
 
     def prior_of(self, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
         """What is known of an image, with what its camera tells."""
@@ -108,7 +109,8 @@ class Finding:
 
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for an image by itself. Raises SemRefError."""
-        seen, camera = self.read_labels(path), self.camera_of(path)
+        camera = self.camera_of(path)
+        seen = self.read_labels(path, camera)
         height, width = seen.labels_hw.shape
         way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
         if way is None:

@@ -93,7 +93,8 @@ class FlightFinding(Finding):
 
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for the next image of the flight. Raises SemRefError."""
-        seen, camera = self.read_labels(path), self.camera_of(path)
+        camera = self.camera_of(path)
+        seen = self.read_labels(path, camera)
         height, width = seen.labels_hw.shape
         way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
         if way is not None:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ..geometry.camera import Camera
 from ..labels.class_shares import ClassShares, SeenLabels
 from ..labels.image_source import ImageSource
 from .certainty import Certainty
@@ -14,13 +15,19 @@ from .resampling import at_resolution
 from .score_shares import ScoreShares, grid_of
 from .tiling import nearest_labels, segment
 
+MOST_ENLARGED = 4.0
+"""Heights by which a photo would be enlarged more are not believed: nothing is gained, and it would take hours."""
+
 
 class PhotoLabels:
     """A photo's labels on its own pixels, seen by the network at its own resolution.
 
-    Iterate ``steps()``, then take ``labels_hw`` and ``shares``. ``image`` is the photo as the network sees it.
-    ``shares`` are the probable shares of classes; None of a model that doesn't state how to make probabilities of its
-    scores.
+    Iterate ``steps()``, then take ``labels_hw`` and ``shares``. ``shares`` are the probable shares of classes; None of
+    a model that doesn't state how to make probabilities of its scores.
+
+    Attributes:
+        image: The photo as the network sees it.
+        told_pixel_size_m: Ground meters a pixel, where height and lens told how large the network has to see the photo.
     """
 
     def __init__(
@@ -29,6 +36,7 @@ class PhotoLabels:
         photo: ImageSource,
         values: Sequence[int],
         pixel_size_m: tuple[float, float] | None = None,
+        camera: Camera | None = None,
     ) -> None:
         """Nothing is read yet.
 
@@ -37,6 +45,7 @@ class PhotoLabels:
             photo: The photo.
             values: (C,) class value of each of the model's channels.
             pixel_size_m: Ground meters along a row and along a column of a pixel; None where the photo doesn't say.
+            camera: What is known of it; its height and lens count where the photo doesn't say.
 
         Raises:
             ImageError: Nothing is left of the photo at the model's resolution.
@@ -44,7 +53,11 @@ class PhotoLabels:
         self._model = model
         self._shape_hw = photo.shape_hw
         self._values = values
-        self.image = at_resolution(photo, pixel_size_m, model.settings.resolution_m)
+        resolution_m, self.told_pixel_size_m = model.settings.resolution_m, None
+        if pixel_size_m is None and camera is not None and resolution_m:
+            self.told_pixel_size_m = _believed(camera.pixel_size(photo.shape_hw), resolution_m)
+            pixel_size_m = self.told_pixel_size_m and (self.told_pixel_size_m, self.told_pixel_size_m)
+        self.image = at_resolution(photo, pixel_size_m, resolution_m)
         self.labels_hw = np.empty((0, 0), np.uint8)
         self.shares: ClassShares | None = None
 
@@ -76,3 +89,7 @@ class PhotoLabels:
         for _ in self.steps():
             continue
         return SeenLabels(self.labels_hw, self.shares)
+
+
+def _believed(pixel_size_m: float | None, resolution_m: float) -> float | None:
+    return pixel_size_m if pixel_size_m is not None and pixel_size_m <= MOST_ENLARGED * resolution_m else None

@@ -137,7 +137,8 @@ class FlightReader:
 
         localizer = self._localizer
         try:
-            (seen, pixels), known = self._read_labels.seen_with_pixels(path), self._read_labels.biases(path)
+            seen, pixels = self._read_labels.seen_with_pixels(path, camera)
+            known = self._read_labels.biases(path)
             localizer.heed_biases(known.class_biases, known.class_spread)
             labels_hw, shape_hw = seen.labels_hw, seen.labels_hw.shape
             prior, way = self._prior_of(shape_hw, camera), camera.leveling(shape_hw)

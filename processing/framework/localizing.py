@@ -173,7 +173,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.
-            cameras = [replace(camera, attitude=None, problem=None, distortion=None) for camera in cameras]
+            cameras = [camera.without_leveling() for camera in cameras]
         return paths, cameras
 
     def localizing(
@@ -247,7 +247,7 @@ def localize_image(
 ) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
-        seen, known = read_labels.seen(path), read_labels.biases(path)
+        seen, known = read_labels.seen(path, camera), read_labels.biases(path)
         labels_hw = seen.labels_hw
         localizer.heed_biases(known.class_biases, known.class_spread)
         found = localize(seen, camera)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
@@ -20,10 +21,12 @@ from .base import check_canceled
 from .declarations import NumberResult, TextResult
 
 if TYPE_CHECKING:
+    from ...core.geometry.camera import Camera
     from ...core.labels.class_shares import SeenLabels
     from ...core.labels.image_source import ImageSource
     from ...core.segmentation.class_bias import KnownBiases
     from ...core.segmentation.model import SegmentationModel
+    from ...core.segmentation.photo_labels import PhotoLabels as Labels
     from ...storage.images import GdalImage
 
     Pixels = tuple[np.ndarray, Optional[np.ndarray]]
@@ -112,35 +115,47 @@ class PhotoLabels:
     def __call__(self, path: str) -> np.ndarray:
         return self.seen(path).labels_hw
 
-    def seen(self, path: str) -> SeenLabels:
-        """Labels of a photo, and how sure the network is where it tells."""
+    def seen(self, path: str, camera: Camera | None = None) -> SeenLabels:
+        """Labels of a photo, and how sure the network is where it tells; ``camera``: for how large pixels are."""
         photo = _opened(path)
-        return self._seen(path, photo, photo)
+        return self._seen(path, photo, photo, camera)
 
-    def seen_with_pixels(self, path: str) -> tuple[SeenLabels, Pixels]:
+    def seen_with_pixels(self, path: str, camera: Camera | None = None) -> tuple[SeenLabels, Pixels]:
         """The same, and (H, W, 3) uint8 pixels with (H, W) bool, where there is data: read once, all in memory."""
         from ...core.labels.image_source import ArrayImage
 
         photo = _opened(path)
         height, width = photo.shape_hw
         pixels = photo.read(0, 0, width, height)
-        return self._seen(path, photo, ArrayImage(*pixels)), pixels
+        return self._seen(path, photo, ArrayImage(*pixels), camera), pixels
 
-    def _seen(self, path: str, photo: GdalImage, source: ImageSource) -> SeenLabels:
+    def _seen(self, path: str, photo: GdalImage, source: ImageSource, camera: Camera | None) -> SeenLabels:
         """Labels of a photo whose pixels come from ``source``."""
         from ...core.labels.class_shares import SeenLabels
         from ...core.segmentation.photo_labels import PhotoLabels as Labels
         from ..exchange.images import pixel_size_m, stated_crs
 
-        labels = Labels(self._model, source, self._values, pixel_size_m(photo, stated_crs(path)))
+        labels = Labels(self._model, source, self._values, pixel_size_m(photo, stated_crs(path)), camera)
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
+            self._say_told_size(path, labels)
         begun = time.perf_counter()
         for _ in labels.steps():
             check_canceled(self._feedback)
         self._seconds += time.perf_counter() - begun
         return SeenLabels(labels.labels_hw, labels.shares)
+
+    def _say_told_size(self, path: str, labels: Labels) -> None:
+        """Of the first photo: the others are of the same flight."""
+        if labels.told_pixel_size_m is None:
+            return
+        text = tr(
+            "{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees "
+            "the photo at {resolution:.3g} cm a pixel, as it was trained."
+        )
+        size, resolution = 100 * labels.told_pixel_size_m, 100 * (self.resolution_m or 0.0)
+        self._feedback.pushInfo(text.format(image=os.path.basename(path), size=size, resolution=resolution))
 
     @property
     def pace(self) -> Pace:
@@ -162,13 +177,13 @@ class LabelImageReader:
 
         return read_label_image(path, self._table)
 
-    def seen(self, path: str) -> SeenLabels:
+    def seen(self, path: str, camera: Camera | None = None) -> SeenLabels:
         """Labels of an image, which tell no scores."""
         from ...core.labels.class_shares import SeenLabels
 
         return SeenLabels(self(path))
 
-    def seen_with_pixels(self, path: str) -> tuple[SeenLabels, None]:
+    def seen_with_pixels(self, path: str, camera: Camera | None = None) -> tuple[SeenLabels, None]:
         """The same; there are no other pixels."""
         return self.seen(path), None
 

@@ -94,6 +94,20 @@ def test_a_photo_of_another_resolution_keeps_its_own_pixel_size(localize, folder
     assert (found["x"], found["y"]) == pytest.approx((WEST + 311.4, NORTH - 207.8), abs=1)
 
 
+@pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
+def test_a_photos_height_and_lens_tell_how_large_the_network_sees_it(
+    run_algorithm, folder, tmp_path, feedback, algorithm
+):
+    model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))
+    photo = write_raster(tmp_path / "a.png", photo_of(turned_view(LABELS, SIZE, 311.4, 207.8, 0)), transform=None)
+    table = tmp_path / "cameras.csv"
+    table.write_text("image,focal_length_px,height\na.png,100,100\n", encoding="utf-8")
+    parameters = {"DATABASE": str(folder / "area.gpkg"), "MODEL": str(model), "IMAGES": [str(photo)]}
+    run_algorithm(algorithm, {**parameters, "ATTITUDE": str(table), "OUTPUT": str(tmp_path / "p.gpkg")}, feedback)
+    assert "a.png: a pixel shows 100 cm of the ground" in feedback.textLog()
+    assert "sees the photo at 50 cm a pixel" in feedback.textLog()
+
+
 def test_a_bad_photo_does_not_stop_the_others(localize, tmp_path):
     bad = tmp_path / "bad.png"
     bad.write_bytes(b"no picture")

@@ -11,6 +11,7 @@ from made_models import brightest_color, metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingFeedback
 
+from semref.core.geometry.camera import Camera, Lens, above_takeoff
 from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.finder import LabelReader
@@ -74,6 +75,17 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
     np.testing.assert_array_equal(on_board.labels_hw, in_qgis)
     np.testing.assert_array_equal(on_board.shares.shares, seen.shares.shares)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
+
+
+def test_height_and_lens_tell_the_same_in_qgis_and_on_board(qgis_app, model, tmp_path):
+    path = str(PHOTOS["PNG"](tmp_path / "photo.png"))
+    camera = Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(20.0))
+    in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False)).seen(path, camera)
+    on_board = LabelReader(model, 1, TABLE)(path, camera)
+    np.testing.assert_array_equal(on_board.labels_hw, in_qgis.labels_hw)
+    np.testing.assert_array_equal(on_board.shares.shares, in_qgis.shares.shares)
+    height, width = PHOTO.shape[:2]
+    assert in_qgis.shares.shares.shape[:2] == (round(0.4 * height), round(0.4 * width))
 
 
 @pytest.mark.parametrize("name", PHOTOS)

@@ -45,4 +45,25 @@ def test_a_flat_picture_may_be_cut_from_a_higher_sensor():
     ],
 )
 def test_without_height_or_lens_or_for_another_shape_nothing_is_told(camera):
-    assert camera.pixel_sizes((600, 800)) is None
+    assert camera.pixel_sizes((600, 800)) is None and camera.pixel_size((600, 800)) is None
+
+
+@pytest.mark.parametrize("attitude", [None, Attitude(0, 0), Attitude(10, -30)])
+def test_the_pixel_size_that_is_told_lies_in_its_range(attitude):
+    camera = Camera(lens=WIDE, attitude=attitude, height=above_takeoff(100.0))
+    low, high = camera.pixel_sizes((600, 800))
+    assert low < camera.pixel_size((600, 800)) < high
+    if attitude is None:
+        assert camera.pixel_size((600, 800)) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("pitch", [80, 89.9, -85])
+def test_no_one_size_is_told_for_pixels_of_a_view_to_the_horizon(pitch):
+    assert Camera(lens=WIDE, attitude=Attitude(0, pitch), height=above_ground(100.0)).pixel_size((600, 800)) is None
+
+
+def test_an_image_that_is_taken_as_it_is_keeps_what_else_is_known():
+    camera = Camera(Attitude(3, 4), WIDE, "a.csv", 7.0, height=above_ground(100.0), heading_deg=12.0)
+    plain = camera.without_leveling()
+    assert plain.leveling((600, 800)) is None and plain.attitude is None
+    assert (plain.lens, plain.time_s, plain.height, plain.heading_deg) == (WIDE, 7.0, camera.height, 12.0)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from made_models import metadata, painted, write_model
 
+from semref.core.geometry.camera import Camera, Lens, above_takeoff
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.photo_labels import PhotoLabels
@@ -51,3 +52,31 @@ def test_a_model_that_states_its_temperature_tells_shares_and_the_same_labels(mo
     best = found.shares.shares.argmax(axis=2) + 1
     step = 100 // height
     assert (best == LABELS[step // 2 :: step, step // 2 :: step]).mean() > 0.9
+
+
+def camera(height_m: float) -> Camera:
+    """Of 100 pixels of focal length: PHOTO's pixels show a hundredth of the height."""
+    return Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(height_m))
+
+
+def test_height_and_lens_tell_how_large_the_network_sees_a_photo(model):
+    labels = PhotoLabels(model, PHOTO, (1, 2, 3), camera=camera(25.0))
+    assert labels.image.shape_hw == (50, 70) and labels.told_pixel_size_m == pytest.approx(0.25)
+    np.testing.assert_array_equal(labels.found(), LABELS)
+
+
+def test_where_the_photo_says_how_large_its_pixels_are_height_and_lens_do_not_count(model):
+    labels = PhotoLabels(model, PHOTO, (1, 2, 3), (0.5, 0.5), camera(25.0))
+    assert labels.image is PHOTO and labels.told_pixel_size_m is None
+
+
+@pytest.mark.parametrize("known", [Camera(), camera(9999.0)], ids=["nothing", "a height that can't be"])
+def test_a_photo_of_no_known_or_believable_height_is_seen_as_it_is(model, known):
+    labels = PhotoLabels(model, PHOTO, (1, 2, 3), camera=known)
+    assert labels.image is PHOTO and labels.told_pixel_size_m is None
+
+
+def test_a_network_that_states_no_resolution_sees_photos_as_they_are(tmp_path):
+    path = write_model(tmp_path / "m.onnx", metadata=metadata())
+    labels = PhotoLabels(SegmentationModel(str(path), 1), PHOTO, (1, 2, 3), camera=camera(25.0))
+    assert labels.image is PHOTO
