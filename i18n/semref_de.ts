@@ -6184,6 +6184,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{image} war geneigt, was eine World-Datei nicht sagen kann; schreiben Sie stattdessen GeoTIFFs oder Passpunkte.</translation>
   </message>
   <message>
+   <source>{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees the photo at {resolution:.3g} cm a pixel, as it was trained.</source>
+   <translation>{image}: Ein Pixel zeigt nach Höhe und Objektiv der Kamera {size:.3g} cm Boden; das Netz sieht das Foto mit {resolution:.3g} cm je Pixel, so wie es trainiert wurde.</translation>
+  </message>
+  <message>
    <source>{image}: camera: {camera}</source>
    <translation>{image}: Kamera: {camera}</translation>
   </message>

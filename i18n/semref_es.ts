@@ -6184,6 +6184,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{image} estaba inclinada, lo que un archivo world no puede expresar; escriba GeoTIFF o puntos de control.</translation>
   </message>
   <message>
+   <source>{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees the photo at {resolution:.3g} cm a pixel, as it was trained.</source>
+   <translation>{image}: un píxel muestra {size:.3g} cm del terreno, según la altura y el objetivo de la cámara; la red ve la foto a {resolution:.3g} cm por píxel, tal como fue entrenada.</translation>
+  </message>
+  <message>
    <source>{image}: camera: {camera}</source>
    <translation>{image}: cámara: {camera}</translation>
   </message>

@@ -6184,6 +6184,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{image} était inclinée, ce qu’un fichier world ne peut pas dire ; écrivez plutôt des GeoTIFF ou des points de calage.</translation>
   </message>
   <message>
+   <source>{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees the photo at {resolution:.3g} cm a pixel, as it was trained.</source>
+   <translation>{image} : un pixel montre {size:.3g} cm de terrain, d’après la hauteur et l’objectif de l’appareil ; le réseau voit la photo à {resolution:.3g} cm par pixel, comme il a été entraîné.</translation>
+  </message>
+  <message>
    <source>{image}: camera: {camera}</source>
    <translation>{image} : caméra : {camera}</translation>
   </message>

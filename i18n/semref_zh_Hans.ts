@@ -6184,6 +6184,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{image} 是倾斜拍摄的，世界文件无法表达；请改写 GeoTIFF 或控制点。</translation>
   </message>
   <message>
+   <source>{image}: a pixel shows {size:.3g} cm of the ground, by the camera’s height and lens; the network sees the photo at {resolution:.3g} cm a pixel, as it was trained.</source>
+   <translation>{image}：按相机的高度和镜头，一个像素显示地面 {size:.3g} 厘米；网络按训练时的每像素 {resolution:.3g} 厘米来看这张照片。</translation>
+  </message>
+  <message>
    <source>{image}: camera: {camera}</source>
    <translation>{image}：相机：{camera}</translation>
   </message>

@@ -53,10 +53,11 @@ class PhotoLabels:
         self._model = model
         self._shape_hw = photo.shape_hw
         self._values = values
-        resolution_m, self.told_pixel_size_m = model.settings.resolution_m, None
+        resolution_m = model.settings.resolution_m
+        self.told_pixel_size_m: float | None = None
         if pixel_size_m is None and camera is not None and resolution_m:
-            self.told_pixel_size_m = _believed(camera.pixel_size(photo.shape_hw), resolution_m)
-            pixel_size_m = self.told_pixel_size_m and (self.told_pixel_size_m, self.told_pixel_size_m)
+            told = _believed(camera.pixel_size(photo.shape_hw), resolution_m)
+            self.told_pixel_size_m, pixel_size_m = told, None if told is None else (told, told)
         self.image = at_resolution(photo, pixel_size_m, resolution_m)
         self.labels_hw = np.empty((0, 0), np.uint8)
         self.shares: ClassShares | None = None
