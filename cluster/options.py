@@ -132,6 +132,12 @@ def parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
     )
     _add_workers(localize)
+    # Of QGIS alone, which is not told about: a job of storage.carried's, and where its answer goes.
+    order = commands.add_parser("order", description="Does what QGIS wrote down.")
+    order.add_argument("order", metavar="FILE")
+    order.add_argument("--found", metavar="FILE", required=True)
+    order.add_argument("--json", action="store_true", help=_JSON)
+    _add_workers(order)
     return made
 
 

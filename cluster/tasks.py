@@ -15,6 +15,7 @@ from ..core.onboard.finder import Finding
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.tiling import segment_tiles
 from ..storage.rasters import GdalLabels
+from . import jobs
 from .photos import Opening, opened
 
 _CACHE_BYTES = 64 << 20
@@ -29,8 +30,9 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
     """Does one task.
 
     Args:
-        task: One of ``TASKS``; LOCALIZE, whose shared arguments are the options and whose other is an image; or
-            SEGMENT, whose shared ones are those of ``photos.Opening``.
+        task: One of ``TASKS``; LOCALIZE, whose shared arguments are the options and whose other is an image;
+            SEGMENT, whose shared ones are those of ``photos.Opening``; or one of ``jobs.TASKS``, whose shared one is
+            the job and whose other are pieces of it.
         path: The label map.
         shared: The task's first arguments.
         arguments: The others.
@@ -43,6 +45,9 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
             return "done", _finding(shared)(*arguments)
         if task == SEGMENT:
             return "done", _segmented(shared, *arguments)
+        if task in jobs.TASKS:
+            gdal.SetCacheMax(_CACHE_BYTES)
+            return "done", jobs.do(task, *shared, *arguments)
         return "done", TASKS[task](_labels(path), *shared, *arguments)
     except SemRefError as error:
         return "failed", (type(error).__name__, error.sentence.code, error.sentence.values)

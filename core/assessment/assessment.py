@@ -40,6 +40,9 @@ ERROR_STRENGTH = 2.0
 MOST_PARTS = 45_000
 """Squares are looked at in 3 × 3 parts, as landmarks may lie on one side only; in fewer when there are many squares."""
 
+CORRELATED_SHARE = 8
+"""Map correlation, which takes about a second an image, is tried on at most this part of the trials."""
+
 LOCAL_FIXES = 0.5
 """Weight of right fixes nearby below which no error is told."""
 
@@ -121,14 +124,14 @@ class Assessment:
         self.correlation = correlation
         self._database = database
         self.localizer = localizer
-        self._seed = seed
+        self.seed = seed
         self._texture = _texture(database, footprint)
         self.model: SuccessModel | None = None
         """Of the last estimate, of landmarks alone."""
 
     def plan(self, places: np.ndarray, spread: float, count: int) -> list[PlaceQuery]:
         """``count`` trials around places (P, 2), as evenly as may be: in squares of edge ``spread``, any heading."""
-        rng = np.random.default_rng([self._seed, 0, round(1000 * self.footprint)])
+        rng = np.random.default_rng([self.seed, 0, round(1000 * self.footprint)])
         whole, rest = divmod(count, max(len(places), 1))
         chosen = np.concatenate([np.tile(np.arange(len(places)), whole), rng.permutation(len(places))[:rest]])
         offsets = rng.uniform(-spread / 2, spread / 2, (len(chosen), 2))
@@ -143,17 +146,11 @@ class Assessment:
 
     def run(self, query: PlaceQuery) -> Trial:
         """The image, localized by its landmarks."""
-        return self.simulator.constellation(query, np.random.default_rng([self._seed, 1, query.number]))
+        return self.simulator.constellation(query, np.random.default_rng([self.seed, 1, query.number]))
 
     def run_correlation(self, query: PlaceQuery) -> Trial:
         """The image, localized by map correlation; takes seconds on a large map."""
-        return self.simulator.correlation(query, np.random.default_rng([self._seed, 2, query.number]))
-
-    def to_correlate(self, trials: Sequence[Trial], most: int) -> list[int]:
-        """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread."""
-        failed = [n for n, trial in enumerate(trials) if not trial.is_fix]
-        order = np.random.default_rng([self._seed, 3]).permutation(len(failed))[:most]
-        return [failed[n] for n in np.sort(order)]
+        return self.simulator.correlation(query, np.random.default_rng([self.seed, 2, query.number]))
 
     def estimate(
         self,
@@ -230,6 +227,19 @@ class Assessment:
             commonest = float(counts.max() / counts.sum()) if len(seen) else 1.0
             numbers.append((math.log1p(landmarks[n]), math.log1p(max(evidence, 0)), spread, commonest))
         return np.column_stack([np.array(numbers).reshape(-1, 4), self._texture.at(places)]), landmarks, classes
+
+
+def to_correlate(seed: int, trials: Sequence[Trial], most: int) -> list[int]:
+    """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread.
+
+    Args:
+        seed: Of the assessment.
+        trials: Of landmarks, in the order of the plan.
+        most: So many.
+    """
+    failed = [n for n, trial in enumerate(trials) if not trial.is_fix]
+    order = np.random.default_rng([seed, 3]).permutation(len(failed))[:most]
+    return [failed[n] for n in np.sort(order)]
 
 
 def _centers(trials: Sequence[Trial]) -> np.ndarray:

@@ -129,7 +129,8 @@ def eliminated(matrices: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray
     """
     rest, logarithms = matrices, np.zeros(matrices.shape[:-2])
     for _ in range(count):
-        pivot, column = rest[..., -1, -1], rest[..., :-1, -1]
+        # A copy: of numbers that lie apart NumPy's logarithm differs in the last bit by where the result comes to lie.
+        pivot, column = rest[..., -1, -1].copy(), rest[..., :-1, -1]
         logarithms += np.log(pivot)
         rest = rest[..., :-1, :-1] - column[..., :, None] * (column / pivot[..., None])[..., None, :]
     return rest, logarithms
@@ -262,7 +263,7 @@ class _System:
         solutions = (covariances @ rest[..., 1:, :1])[..., 0]
         squares = rest[..., 0, 0] - (rest[..., 1:, 0] * solutions).sum(axis=-1)
         likely = -logarithms - of_views - of_classes[:, None] + np.log(precisions[:, FITTED:]).sum(axis=1) - squares
-        likely = 0.5 * likely + np.log(inverse).sum(axis=1)[:, None] + prior[:, None] + np.log(views[:, -1])
+        likely = 0.5 * likely + np.log(inverse).sum(axis=1)[:, None] + prior[:, None] + np.log(views[:, -1].copy())
         weights = np.exp(likely - likely.max()).ravel()
         return weights / weights.sum(), solutions.reshape(-1, FITTED), covariances.reshape(-1, FITTED, FITTED)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -17,16 +18,18 @@ from ..framework.declarations import (
     PolygonOutput,
     RasterLayer,
 )
-from ..framework.localized_image import LabelImages, say, with_jumps
+from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
-from ..framework.localizing import LocalizeAlgorithm, localize_image
+from ..framework.localizing import LocalizeAlgorithm, localize_image, scheduled_images
 from ..framework.photo_labels import pace_results
 from ..framework.photo_source import PhotoSource
+from ..framework.scheduled import SCHEDULER, require_scheduler, scheduler
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
+    from ...core.geometry.camera import Camera
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 
@@ -79,6 +82,7 @@ class LocalizeImages(LocalizeAlgorithm):
             ),
             *self._layer_parameters(),
             self.sun_parameter(),
+            scheduler(),
             *pace_results(),
         )
 
@@ -135,6 +139,7 @@ class LocalizeImages(LocalizeAlgorithm):
         priors.scales(values, self.method(values))
         if not values.has(self.LAYER) and not values.files(self.IMAGES):
             raise ParameterError("algorithms.no_images")
+        require_scheduler(values, (self.LAYER, self.LABELS))
 
     def read_layers(self, values: Values) -> None:
         self._layer = PhotoSource(values, self.LAYER, self.EXTENT) if values.has(self.LAYER) else None
@@ -156,16 +161,16 @@ class LocalizeImages(LocalizeAlgorithm):
         if self._layer is not None:
             size_m = getattr(read_labels, "resolution_m", None) or database.parameters.pixel_size
             paths, cameras = [*paths, self._layer.file(size_m, feedback)], [*cameras, Camera()]
+        is_scheduled = values.has(SCHEDULER)
         with outputs.folder(self.LABELS) as folder:
-            keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
-            localized = []
-            for n, path in enumerate(paths):
-                check_canceled(feedback)
-                feedback.setProgressText(os.path.basename(path))
-                arguments = path, localizer, localize, read_labels, cameras[n], keep
-                localized.append(cancelable(localize_image, *arguments, feedback=feedback))
-                say(localized[-1], feedback)
-                feedback.setProgress(95 * (n + 1) / len(paths))
+            if is_scheduled:
+                search = self.search(values, method, crs, values.has(self.MATCHES))
+                localized = scheduled_images(values, database, search, paths, cameras, feedback)
+                for item in localized:
+                    say(item, feedback)
+            else:
+                keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
+                localized = _one_by_one(paths, cameras, (localizer, localize, read_labels), keep, feedback)
             times_s = [camera.time_s for camera in cameras]
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:
@@ -177,7 +182,21 @@ class LocalizeImages(LocalizeAlgorithm):
             write_matches(outputs, self.MATCHES, localized, database, crs)
         fixes = sum(1 for item in localized if item.result is not None and item.result.is_fix)
         feedback.pushInfo(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(localized)))
-        if read_labels.pace is None:
+        if read_labels.pace is None or is_scheduled:
             return {self.FIX_COUNT: fixes}
         feedback.pushInfo(read_labels.pace.told())
         return {self.FIX_COUNT: fixes, **read_labels.pace.results}
+
+
+def _one_by_one(
+    paths: Sequence[str], cameras: Sequence[Camera], by: tuple, keep: LabelImages, feedback: QgsProcessingFeedback
+) -> list[LocalizedImage]:
+    """The images, localized here; ``by``: what ``localize_image`` takes between path and camera."""
+    localized = []
+    for n, path in enumerate(paths):
+        check_canceled(feedback)
+        feedback.setProgressText(os.path.basename(path))
+        localized.append(cancelable(localize_image, path, *by, cameras[n], keep, feedback=feedback))
+        say(localized[-1], feedback)
+        feedback.setProgress(95 * (n + 1) / len(paths))
+    return localized

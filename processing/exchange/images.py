@@ -6,6 +6,7 @@ from math import hypot
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsDistanceArea, QgsPointXY
 
+from ...core.errors import SemRefError
 from ...storage.images import GdalImage
 from ...storage.rasters import open_raster
 from ..compat import is_metric
@@ -33,3 +34,12 @@ def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[f
     middle = QgsPointXY(x, y)
     along_row = measure.measureLine(middle, QgsPointXY(x + dx_column, y + dy_column))
     return along_row, measure.measureLine(middle, QgsPointXY(x + dx_row, y + dy_row))
+
+
+def stated_pixel_size_m(path: str) -> tuple[float, float] | None:
+    """The same of a file; None also where it can't be read, which whoever reads it says."""
+    try:
+        crs = stated_crs(path)
+        return pixel_size_m(GdalImage(path), crs) if crs.isValid() else None
+    except SemRefError:
+        return None

@@ -29,10 +29,6 @@ if TYPE_CHECKING:
     from ...core.simulation.conditions import Conditions
     from .values import Values
 
-CORRELATED_SHARE = 8
-"""Map correlation, which takes about a second an image, is tried on at most this part of the trials."""
-
-
 _USUAL: dict[str, tuple[float, float | None]] = {
     offers.MISSED: (20.0, 100.0),
     offers.INVENTED: (20.0, 100.0),
@@ -196,6 +192,8 @@ class AssessAlgorithm(SemRefAlgorithm):
         last: float,
     ) -> tuple[list[Trial], dict[int, Trial]]:
         """The trials, and those that map correlation was tried on by their numbers in ``queries``."""
+        from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
+
         feedback.setProgressText(tr("Localizing simulated images"))
         middle = first + (last - first) * (0.3 if assessment.correlation else 1.0)
         started, trials, correlated = time.monotonic(), [], {}
@@ -205,7 +203,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             trials.append(assessment.run(query))
             feedback.setProgress(first + (middle - first) * len(trials) / len(queries))
         if assessment.correlation:
-            chosen = assessment.to_correlate(trials, max(len(trials) // CORRELATED_SHARE, 1))
+            chosen = to_correlate(assessment.seed, trials, max(len(trials) // CORRELATED_SHARE, 1))
             for n, number in enumerate(chosen):
                 check_canceled(feedback)
                 correlated[number] = cancelable(assessment.run_correlation, queries[number], feedback=feedback)

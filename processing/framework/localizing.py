@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Callable, Union
 
@@ -14,6 +15,7 @@ from . import offers, priors
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable
 from .declarations import Choice, File, Files, FolderOutput, Number, Parameter, PointOutput, PolygonOutput
 from .localized_image import LabelImages, LocalizedImage
+from .scheduled import ordered
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -24,7 +26,9 @@ if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
     from ...core.localization import Localization, Prior
     from ...core.localizer.localizer import Localizer
-    from .photo_labels import LabelImageReader, PhotoLabels
+    from ...core.localizer.search import Search
+    from ...storage.label_images import LabelImageReader
+    from .photo_labels import PhotoLabels
     from .values import Values
 
     LabelReader = Union[PhotoLabels, LabelImageReader]
@@ -185,17 +189,11 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         with_matches: bool = False,
     ) -> Localize:
         """The function (labels, Camera) → Localization that is asked for."""
-        from ...core.localizer.leveled import localize_leveled
-
         localizer.check(method)
-        prior_of = self.priors_of_images(values, method, localizer, crs)
+        search = self.search(values, method, crs, with_matches)
 
         def localize(seen: SeenLabels, camera: Camera) -> Localization:
-            labels_hw, shares = seen.labels_hw, seen.shares
-            prior, way = prior_of(labels_hw.shape, camera), camera.leveling(labels_hw.shape)
-            if way is None:
-                return localizer.localize(labels_hw, method, prior, with_matches, shares)
-            return localize_leveled(localizer, labels_hw, method, prior, way, with_matches, shares)
+            return search.localized(localizer, seen, camera)
 
         return localize
 
@@ -203,20 +201,25 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
     ) -> Callable[[tuple[int, int], Camera], Prior]:
         """The function (shape, Camera) → what is known of an image beforehand."""
-        from ...core.localizer.leveled import prior_of
-
-        scales = priors.scales(values, method)
-        known = priors.prior(values, crs)
+        search = self.search(values, method, crs)
 
         def prior_of_image(shape_hw: tuple[int, int], camera: Camera) -> Prior:
-            sizes = scales and localizer.pixel_sizes(shape_hw, scales)
-            return prior_of(localizer, method, replace(known, pixel_size_range=sizes), camera, shape_hw)
+            return search.prior_of(localizer, camera, shape_hw)
 
         return prior_of_image
 
+    def search(
+        self, values: Values, method: Method, crs: QgsCoordinateReferenceSystem, with_matches: bool = False
+    ) -> Search:
+        """How images are looked for; points are taken to ``crs``, the database's."""
+        from ...core.localizer.search import Search
+
+        return Search(method, priors.prior(values, crs), priors.scales(values, method), with_matches)
+
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """The function path → labels: of label images, or with a model of photos."""
-        from .photo_labels import LabelImageReader, PhotoLabels
+        from ...storage.label_images import LabelImageReader
+        from .photo_labels import PhotoLabels
 
         model_path = values.file(self.MODEL)
         if model_path:
@@ -250,9 +253,41 @@ def localize_image(
         seen, known = read_labels.seen(path, camera), read_labels.biases(path)
         labels_hw = seen.labels_hw
         localizer.heed_biases(known.class_biases, known.class_spread)
-        found = localize(seen, camera)
-        remark, read = camera_remark(camera, labels_hw.shape), camera_read(camera, labels_hw.shape)
+        item = _localized(path, localize(seen, camera), camera, labels_hw.shape)
     except SemRefError as error:
         return LocalizedImage(path, error=worded(error))
     keep(path, labels_hw)
-    return LocalizedImage(path, found, "", labels_hw.shape, remark, camera=read)
+    return item
+
+
+def _localized(path: str, found: Localization, camera: Camera, shape_hw: tuple[int, int]) -> LocalizedImage:
+    remark, read = camera_remark(camera, shape_hw), camera_read(camera, shape_hw)
+    return LocalizedImage(path, found, "", shape_hw, remark, camera=read)
+
+
+def scheduled_images(
+    values: Values,
+    database: ReferenceDatabase,
+    search: Search,
+    paths: Sequence[str],
+    cameras: Sequence[Camera],
+    feedback: QgsProcessingFeedback,
+) -> list[LocalizedImage]:
+    """The images, localized by the workers of SCHEDULER."""
+    from ...core.localizer.search import AskedImage, ImagesJob
+    from ..exchange.images import stated_pixel_size_m
+
+    model, sun = values.file(LocalizeAlgorithm.MODEL), values.optional_number(LocalizeAlgorithm.SUN_DIRECTION)
+    risk = values.number(LocalizeAlgorithm.RISK)
+    job = ImagesJob(database.source, database.overview is not None, model, risk, sun, search)
+    asked = []
+    for path, camera in zip(paths, cameras):
+        size = cancelable(stated_pixel_size_m, path, feedback=feedback) if model else None
+        asked.append(AskedImage(path, camera, size))
+    localized = []
+    for image, found in zip(asked, ordered(values, job, asked, feedback)):
+        if found.result is None:
+            localized.append(LocalizedImage(image.path, error=worded(found.fault)))
+        else:
+            localized.append(_localized(image.path, found.result, image.camera, found.shape_hw))
+    return localized

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 from qgis.core import QgsProcessingFeedback
 
-from ...core.errors import ImageError, ModelError
+from ...core.errors import ModelError
 from ...core.labels.class_table import ClassTable
 from ..packages.components import ONNXRUNTIME, how_to_install, missing
 from ..packages.devices import chosen_device
@@ -117,14 +117,17 @@ class PhotoLabels:
 
     def seen(self, path: str, camera: Camera | None = None) -> SeenLabels:
         """Labels of a photo, and how sure the network is where it tells; ``camera``: for how large pixels are."""
-        photo = _opened(path)
+        from ...storage.label_images import opened_photo
+
+        photo = opened_photo(path)
         return self._seen(path, photo, photo, camera)
 
     def seen_with_pixels(self, path: str, camera: Camera | None = None) -> tuple[SeenLabels, Pixels]:
         """The same, and (H, W, 3) uint8 pixels with (H, W) bool, where there is data: read once, all in memory."""
         from ...core.labels.image_source import ArrayImage
+        from ...storage.label_images import opened_photo
 
-        photo = _opened(path)
+        photo = opened_photo(path)
         height, width = photo.shape_hw
         pixels = photo.read(0, 0, width, height)
         return self._seen(path, photo, ArrayImage(*pixels), camera), pixels
@@ -161,59 +164,6 @@ class PhotoLabels:
     def pace(self) -> Pace:
         """What ran, and how fast."""
         return Pace(self._model, self._seconds)
-
-
-class LabelImageReader:
-    """Reads label images: ``label_images(path)`` gives (H, W) uint8 labels in the classes of ``table``."""
-
-    stated_biases = ""
-    pace = None
-
-    def __init__(self, table: ClassTable) -> None:
-        self._table = table
-
-    def __call__(self, path: str) -> np.ndarray:
-        from ...storage.rasters import read_label_image
-
-        return read_label_image(path, self._table)
-
-    def seen(self, path: str, camera: Camera | None = None) -> SeenLabels:
-        """Labels of an image, which tell no scores."""
-        from ...core.labels.class_shares import SeenLabels
-
-        return SeenLabels(self(path))
-
-    def seen_with_pixels(self, path: str, camera: Camera | None = None) -> tuple[SeenLabels, None]:
-        """The same; there are no other pixels."""
-        return self.seen(path), None
-
-    def biases(self, path: str) -> KnownBiases:
-        """How the labels of an image are shifted: as the network says that made it, if one did."""
-        from ...core.segmentation.class_bias import KEY, KnownBiases, known_biases, read_class_bias
-        from ...storage.rasters import stated_biases
-
-        stated = stated_biases(path)
-        if stated is None:
-            return KnownBiases()
-        return known_biases(read_class_bias({KEY: stated}, None, path), self._table)
-
-
-def _opened(path: str) -> GdalImage:
-    """A photo; raises ImageError for one that is too large."""
-    from ...core.labels.image_files import MAXIMUM_IMAGE_PIXELS
-    from ...storage.images import GdalImage
-
-    photo = GdalImage(path)
-    height, width = photo.shape_hw
-    if height * width > MAXIMUM_IMAGE_PIXELS:
-        raise ImageError(
-            "labels.image_too_large",
-            path=path,
-            width=width,
-            height=height,
-            most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
-        )
-    return photo
 
 
 def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessingFeedback) -> None:

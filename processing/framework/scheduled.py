@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from qgis.core import QgsProcessingFeedback
@@ -24,7 +25,7 @@ from .declarations import Text
 from .told_process import ToldProcess
 from .values import Values
 
-__all__ = ["SCHEDULER", "require_scheduler", "scheduled", "scheduler", "sentences"]
+__all__ = ["SCHEDULER", "ordered", "require_scheduler", "scheduled", "scheduler", "sentences"]
 """The sentences are imported for who words what the process tells."""
 
 SCHEDULER = "SCHEDULER"
@@ -97,6 +98,28 @@ def scheduled(values: Values, arguments: Sequence[object], feedback: QgsProcessi
     if result is None:
         raise SemRefError("cluster.ended", reason=told.reason or process.errorString())
     return result
+
+
+def ordered(values: Values, job: object, pieces: Sequence[object], feedback: QgsProcessingFeedback) -> Any:
+    """Has a job done by the workers of SCHEDULER, piece by piece; returns what ``cluster/order.py`` says of it.
+
+    Args:
+        values: Of the algorithm.
+        job: What is the same for all pieces.
+        pieces: What differs.
+        feedback: Progress is shown from 0 to 100 %.
+
+    Raises:
+        SemRefError: As ``scheduled`` does.
+        Canceled: The user canceled.
+    """
+    from ...storage.carried import read, write
+
+    with TemporaryDirectory(prefix="semref-") as folder:
+        order, found = (os.path.join(folder, name) for name in ("order.json", "found.json"))
+        write(order, (job, list(pieces)))
+        scheduled(values, ["order", order, "--found", found], feedback)
+        return read(found)
 
 
 def _workers(text: str) -> list[str]:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.assessment.assessment import REASONS, Assessment
+from semref.core.assessment.assessment import REASONS, Assessment, to_correlate
 from semref.core.assessment.cells import ground_cells
 from semref.core.assessment.summary import brier_score
 from semref.core.simulation.conditions import Conditions
@@ -70,7 +70,7 @@ def test_the_same_seed_gives_the_same_assessment_and_another_one_another(assesse
 @pytest.mark.slow
 def test_map_correlation_adds_where_landmarks_fail(assessed):
     cells, trials, alone, assessment = assessed
-    chosen = assessment.to_correlate(trials, 30)
+    chosen = to_correlate(assessment.seed, trials, 30)
     assert len(chosen) == 30 and not any(trials[n].is_fix for n in chosen)
     found = {n: replace(trials[n], is_right=True, error=1.0) for n in chosen}
     both = assessment.estimate(cells.centers, trials, found, cells.size)

@@ -1,0 +1,137 @@
+"""What workers do of a job of many images: open what is the same for all once, and answer piece by piece, as text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from ..core.assessment.assessment import Assessment
+from ..core.assessment.job import AssessmentJob
+from ..core.database.model import ReferenceDatabase
+from ..core.errors import SemRefError
+from ..core.evaluation.evaluation import Evaluation
+from ..core.evaluation.job import EvaluationJob
+from ..core.labels.class_shares import SeenLabels
+from ..core.labels.class_table import ClassTable
+from ..core.localizer.localizer import Localizer
+from ..core.localizer.search import AskedImage, FoundImage, ImagesJob
+from ..core.localizer.settings import LOCALIZER
+from ..core.segmentation.class_bias import KnownBiases, known_biases
+from ..storage.carried import from_text, to_text
+from ..storage.database.reader import read_database, read_overview, read_stored_database
+from ..storage.label_images import LabelImageReader, opened_photo
+from ..storage.rasters import GdalLabels
+
+IMAGES, EVALUATE, ASSESS, CORRELATE = "images", "evaluate", "assess", "correlate"
+
+
+def do(task: str, job: str, pieces: str) -> str:
+    """Answers some pieces of a job.
+
+    Args:
+        task: One of ``TASKS``.
+        job: As ``storage.carried`` makes a text of it.
+        pieces: A list of them, likewise.
+
+    Returns:
+        The list of what was found, likewise.
+
+    Raises:
+        SemRefError: The job can't be done.
+    """
+    answer = TASKS[task]
+    return to_text([answer(job, piece) for piece in from_text(pieces)])
+
+
+def _image(text: str, asked: AskedImage) -> FoundImage:
+    """One bad image must not stop the others."""
+    opened = _images(text)
+    try:
+        seen, known = opened.read(asked)
+        opened.localizer.heed_biases(known.class_biases, known.class_spread)
+        found = opened.job.search.localized(opened.localizer, seen, asked.camera)
+    except SemRefError as error:
+        return FoundImage(fault=error.sentence)
+    return FoundImage(found, None, seen.labels_hw.shape)
+
+
+class _Images(NamedTuple):
+    job: ImagesJob
+    localizer: Localizer
+    read: Callable[[AskedImage], tuple[SeenLabels, KnownBiases]]
+
+
+@lru_cache(1)
+def _images(text: str) -> _Images:
+    job: ImagesJob = from_text(text)
+    database = read_database(job.database, with_overview=job.has_overview)
+    localizer = Localizer(database, replace(LOCALIZER, allowed_risk=job.risk), job.sun_deg)
+    read = _photos(job.model, database.class_table) if job.model else _label_images(database.class_table)
+    return _Images(job, localizer, read)
+
+
+def _label_images(table: ClassTable) -> Callable[[AskedImage], tuple[SeenLabels, KnownBiases]]:
+    reader = LabelImageReader(table)
+    return lambda asked: (reader.seen(asked.path), reader.biases(asked.path))
+
+
+def _photos(path: str, table: ClassTable) -> Callable[[AskedImage], tuple[SeenLabels, KnownBiases]]:
+    # onnxruntime is needed for photos only.
+    from ..core.segmentation.model import SegmentationModel
+    from ..core.segmentation.photo_labels import PhotoLabels
+
+    # One thread on the processor: all workers give the same.
+    model = SegmentationModel(path, 1, device="cpu")
+    values, known = model.classes.values_in(table, path), known_biases(model.class_bias, table)
+
+    def read(asked: AskedImage) -> tuple[SeenLabels, KnownBiases]:
+        photo = opened_photo(asked.path)
+        return PhotoLabels(model, photo, values, asked.pixel_size_m, asked.camera).seen(), known
+
+    return read
+
+
+def _trials(text: str, piece: tuple) -> list[Any]:
+    query, methods = piece
+    return _evaluation(text).run(query, methods)
+
+
+@lru_cache(1)
+def _evaluation(text: str) -> Evaluation:
+    job: EvaluationJob = from_text(text)
+    return job.evaluation(read_database(job.database, with_overview=True), GdalLabels(job.labels))
+
+
+def _simulated(text: str, piece: tuple) -> Any:
+    footprint, query = piece
+    return _assessment(text, footprint).run(query)
+
+
+def _correlated(text: str, piece: tuple) -> Any:
+    footprint, query = piece
+    return _assessment(text, footprint).run_correlation(query)
+
+
+@lru_cache(1)
+def _assessed(text: str) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
+    job: AssessmentJob = from_text(text)
+    database = read_stored_database(job.database).database
+    if job.has_overview:
+        database = replace(database, overview=read_overview(job.database, database.parameters))
+    return job, database, Localizer(database)
+
+
+@lru_cache(2)
+def _assessment(text: str, footprint: float) -> Assessment:
+    job, database, localizer = _assessed(text)
+    return job.assessment(database, localizer, footprint)
+
+
+TASKS: dict[str, Callable[[str, Any], Any]] = {
+    IMAGES: _image,
+    EVALUATE: _trials,
+    ASSESS: _simulated,
+    CORRELATE: _correlated,
+}

@@ -1,0 +1,45 @@
+"""Assessments whose images are simulated elsewhere, piece by piece: what each piece needs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..database.model import ReferenceDatabase
+from ..localizer.localizer import Localizer
+from ..simulation.conditions import Conditions
+from .assessment import Assessment
+
+
+@dataclass(frozen=True)
+class AssessmentJob:
+    """What is the same for all images; as of ``Assessment``.
+
+    Attributes:
+        database: Path of the reference database.
+        has_overview: Whether its overview is read.
+        footprints: Edges of the ground that images show.
+        conditions: How poor labels and cameras are taken to be.
+        seed: With the same one, everything is the same.
+        correlation: Whether map correlation is tried on images without a fix.
+    """
+
+    database: str
+    has_overview: bool
+    footprints: tuple[float, ...]
+    conditions: Conditions
+    seed: int
+    correlation: bool = False
+
+    def assessment(self, database: ReferenceDatabase, localizer: Localizer, footprint: float) -> Assessment:
+        """The assessment of one footprint.
+
+        Args:
+            database: That is assessed, with its overview where it has one.
+            localizer: Of the database.
+            footprint: One of ``footprints``.
+
+        Raises:
+            ParameterError: For a footprint that is none.
+            DatabaseError: For a database without landmarks.
+        """
+        return Assessment(database, localizer, footprint, self.conditions, self.seed, self.correlation)

@@ -1,0 +1,74 @@
+"""What processes tell each other comes back as it was, and nothing but core's own values is made of a text."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.localization import Localization, Matches, Method, Place, Prior, Status
+from semref.core.sentences import Sentence
+from semref.storage.carried import from_text, read, to_text, write
+
+PLACE = Place((0.1 + 0.2, -1e300), math.pi)
+VALUES = [
+    None,
+    True,
+    -3,
+    1e-320,
+    "ä “quoted” \n",
+    (),
+    [(1, 2.5), ["a", None]],
+    {"a": (1,), 2: [3], (4, 5): "six"},
+    Method.TOPOLOGY_VECTOR,
+    Status.NO_MATCH,
+    Prior((1.5, 2.5), 30.0),
+    Sentence("cluster.no_scheduler", address="tcp://a:1", reason=Sentence("labels.no_pixels")),
+    Localization(Status.FIX, Method.CONSTELLATION, 7, best=PLACE, alternatives=(PLACE, PLACE), nadir=(1.0, 2.0)),
+]
+
+
+@pytest.mark.parametrize("value", VALUES, ids=str)
+def test_a_value_comes_back_as_it_was(value):
+    found = from_text(to_text(value))
+    assert found == value and type(found) is type(value)
+
+
+def test_numbers_that_are_none_or_endless_come_back():
+    nothing, endless = from_text(to_text([math.nan, -math.inf]))
+    assert math.isnan(nothing) and endless == -math.inf
+
+
+@pytest.mark.parametrize("kind", ["uint8", "<i8", ">f4", "bool", "complex128"])
+def test_arrays_come_back_with_kind_shape_and_bits_and_may_be_changed(kind):
+    array = np.arange(24).reshape(2, 3, 4).astype(kind)[:, ::2]
+    found = from_text(to_text(array))
+    assert found.dtype == array.dtype and found.shape == array.shape and (found == array).all()
+    found[0] = 0
+    number = from_text(to_text(array[0, 0, 1]))
+    assert number == array[0, 0, 1] and type(number) is type(array[0, 0, 1])
+
+
+def test_matches_travel_in_a_localization(tmp_path):
+    matches = Matches(np.arange(3), np.ones((3, 2)), np.zeros((3, 2)), np.array([0.1, 0.2, np.nan]))
+    write(str(tmp_path / "found.json"), Localization(Status.FIX, Method.AUTOMATIC, matches=matches))
+    found = read(str(tmp_path / "found.json")).matches
+    assert isinstance(found, Matches) and found.on_map.dtype == np.int64
+    np.testing.assert_array_equal(found.residuals, matches.residuals)
+
+
+@pytest.mark.parametrize("value", [object(), ParameterError("labels.no_pixels"), {1}, np.array([None]), Prior])
+def test_what_has_no_text_is_refused(value):
+    with pytest.raises(TypeError):
+        to_text(value)
+
+
+@pytest.mark.parametrize(
+    "name", ["os:system", "core.errors:SemRefError", "core.localization:risk_of", "core..os:x", "subprocess:Popen"]
+)
+def test_nothing_but_core_s_values_is_made_of_a_text(name):
+    with pytest.raises(ValueError, match=name.partition(":")[0]):
+        from_text(json.dumps({"object": [name, {}]}))
