@@ -127,9 +127,18 @@ def decide(
 
 
 def exact_enough(
-    error_95_m: float, diagonal_m: float, settings: CorrelationSettings = CORRELATION
+    error_95_m: float, diagonal_m: float, is_held: bool = False, settings: CorrelationSettings = CORRELATION
 ) -> tuple[Status, Sentence | None]:
-    """Status of the only place that agrees, by how closely it is known, and the reason unless that is a fix."""
+    """Status of the only place that agrees, by how closely it is known, and the reason unless that is a fix.
+
+    Args:
+        error_95_m: As the image itself tells.
+        diagonal_m: Of the image on the ground.
+        is_held: It lies where the map ends, and would fit better farther out.
+        settings: What is close enough.
+    """
+    if is_held:
+        return Status.AMBIGUOUS, Sentence("localization.map_ends")
     needed_m = settings.largest_error * diagonal_m
     if error_95_m <= needed_m:
         return Status.FIX, None

@@ -85,19 +85,45 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
         move = _move(fit.pull, image, settings)
         if (np.abs(move) < settings.converged * parameter_units(image)).all():
             break
-        shift = axes(pose) @ move[:2]
-        pose = ScoredPose(
-            pose.x + shift[0],
-            pose.y + shift[1],
-            (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
-            pose.pixel_size_m * float(np.exp(move[3])),
-        )
+        pose = moved(pose, move)
     return best
+
+
+def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> bool:
+    """Whether a refined pose would move on, were the map not to end: then it lies beside the right one.
+
+    Args:
+        image: Its evidence.
+        pyramid: The map's.
+        pose: It.
+        quiet: As for ``refine``.
+    """
+    pull = _linearized(image, pyramid, pose, quiet).pull
+    if pull is None:
+        return False
+    _, known = map_under(image, pyramid, moved(pose, _move(pull, image, pyramid.settings)))
+    return float(known.mean()) < pyramid.settings.least_known_moved
+
+
+def moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
+    """A pose after a step; its score is not known.
+
+    Args:
+        pose: It.
+        move: (4,) right and down in image pixels, radians clockwise, ln scale.
+    """
+    shift = axes(pose) @ move[:2]
+    return ScoredPose(
+        pose.x + shift[0],
+        pose.y + shift[1],
+        (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
+        pose.pixel_size_m * float(np.exp(move[3])),
+    )
 
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
-    return _linearized(image, pyramid, pose, quiet).score
+    return _linearized(image, pyramid, pose, quiet, pyramid.settings.least_known).score
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
@@ -147,9 +173,12 @@ def parameter_units(image: EvidenceLevel) -> np.ndarray:
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
 
 
-def _linearized(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> _Fit:
+def _linearized(
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, least_known: float | None = None
+) -> _Fit:
+    """A pose's score and pull; ``least_known``: of the footprint, that of poses that are moved if None."""
     patch, known = map_under(image, pyramid, pose)
-    if known.mean() < pyramid.settings.least_known:
+    if known.mean() < (pyramid.settings.least_known_moved if least_known is None else least_known):
         return _Fit(NOT_COMPARABLE)
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
     there = patch - patch.mean(axis=(0, 1))

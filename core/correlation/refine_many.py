@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import NOT_COMPARABLE, ScoredPose, difference, map_under, parameter_units
+from .refine import NOT_COMPARABLE, ScoredPose, difference, map_under, moved, parameter_units
 from .settings import CorrelationSettings
 
 LARGEST_RASTER = 32_766
@@ -45,7 +45,7 @@ def refine_many(
         best = [pose if pose.score > kept.score else kept for pose, kept in zip(poses, best)]
         if step < steps:
             moves = _moves(image, seen, there, np.maximum(gains, 0), pyramid.settings)
-            poses = [_moved(pose, move) for pose, move in zip(poses, moves)]
+            poses = [moved(pose, move) for pose, move in zip(poses, moves)]
     return best
 
 
@@ -92,7 +92,7 @@ def _scored(
     energy = np.einsum("nhwc,nhwc->n", there, there)
     product = np.einsum("nhwc,hwc->n", there, seen)
     scores = product / np.sqrt(norm * np.maximum(energy + quiet * known[0].size, 1e-30))
-    usable = (known.mean(axis=(1, 2)) >= settings.least_known) & (energy > 0)
+    usable = (known.mean(axis=(1, 2)) >= settings.least_known_moved) & (energy > 0)
     return np.where(usable, scores, NOT_COMPARABLE), product / norm, there
 
 
@@ -119,13 +119,3 @@ def _moves(
     steps = np.linalg.solve(normal + damped[:, None, None] * np.eye(4), pull[..., None].astype(float))[..., 0]
     limit = np.array(settings.largest_step) * np.array([*image.pixel, 1, 1])
     return np.clip(-steps * parameter_units(image), -limit, limit)
-
-
-def _moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
-    cos, sin = np.cos(np.radians(pose.heading_deg)), np.sin(np.radians(pose.heading_deg))
-    return ScoredPose(
-        pose.x + pose.pixel_size_m * float(cos * move[0] - sin * move[1]),
-        pose.y + pose.pixel_size_m * float(sin * move[0] + cos * move[1]),
-        (pose.heading_deg + float(np.degrees(move[2]))) % 360.0,
-        pose.pixel_size_m * float(np.exp(move[3])),
-    )

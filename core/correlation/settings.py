@@ -36,7 +36,9 @@ class CorrelationSettings:
         threads: Tiles compared at a time; changes nothing but the time [by hand, for the time; correlation times].
         quiet_energy: Share of the map's mean energy that is added to a footprint's own: where nothing varies, chance
             would score high [by hand; correlation trials, north, and fit].
-        least_known: Share of the footprint that has to be labeled on the map [reasoning].
+        least_known: Share of the footprint that has to be labeled on the map, of a place to be looked at [reasoning].
+        least_known_moved: The same when a place is moved to where it fits best: less, so that places at the map's edge
+            are not held by the limit [reasoning; the edge of a made map, tests].
         peaks_per_tile: Best places of a tile and scale that are kept [by hand, for the time; correlation trials, north,
             and fit].
         candidates: Places of the first look that are refined [by hand; footprint trials].
@@ -94,6 +96,7 @@ class CorrelationSettings:
     threads: int = 2
     quiet_energy: float = 0.15
     least_known: float = 0.5
+    least_known_moved: float = 0.4
     peaks_per_tile: int = 60
     candidates: int = 256
     decoys: int = 96

@@ -38,7 +38,7 @@ from .places import (
     search_space,
     size_for,
 )
-from .refine import NOT_COMPARABLE, ScoredPose, score_at
+from .refine import NOT_COMPARABLE, ScoredPose, is_held_by_edge, score_at
 from .search import SearchSpace
 from .view_effects import view_effect
 
@@ -85,12 +85,13 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
         return _no_match(Sentence("localization.nothing_under_image"))
     poses, peaks = _weighed(image, pyramid, space, poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
+    is_held = is_held_by_edge(reduced_image(image, settings.decision_edge), pyramid, pose, pyramid.quiet)
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
     errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
     effect = view_effect(reduced_image(image, settings.decision_edge), pyramid, pose, factor, errors)
     pose = pose if effect is None else effect.moved(pose)
-    found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk))
+    found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
     known = known_pose(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
@@ -161,10 +162,12 @@ def _result(
     covariance: np.ndarray,
     peaks: CorrelationPeaks,
     asked: tuple[float, float],
+    is_held: bool,
 ) -> Localization:
     """The verdict in map coordinates on poses, best first, of which the first has a ``pose_covariance``.
 
-    ``asked``: diagonal of the image on the ground, meters, and the risk that is allowed.
+    ``asked``: diagonal of the image on the ground, meters, and the risk that is allowed. ``is_held``: the first pose
+    is where the map ends, not where it fits best.
     """
     diagonal_m, allowed_risk = asked
     pose, *others = poses
@@ -173,7 +176,7 @@ def _result(
     # What the image itself leaves open: a map that is not exact makes no place doubtful.
     error_95 = position_error_95(spread, peaks.score, pyramid.frame.pixel_size, settings)
     status, reason = decide(peaks, allowed_risk, settings)
-    exactness, looseness = exact_enough(error_95, diagonal_m, settings)
+    exactness, looseness = exact_enough(error_95, diagonal_m, is_held, settings)
     if status is Status.FIX:
         status, reason = exactness, looseness
     best, risk = _place(pyramid, pose), risk_of_peaks(peaks, settings)

@@ -181,7 +181,7 @@ class _System:
         patch, share = self._patch(assumed)
         there = patch - patch.mean(axis=(0, 1))
         norm, energy = float((self._seen**2).sum()), float((there**2).sum())
-        if share.mean() < self._pyramid.settings.least_known or norm <= 0 or energy <= 0:
+        if share.mean() < self._pyramid.settings.least_known_moved or norm <= 0 or energy <= 0:
             return None
         product = float((self._seen * there).sum())
         gain = product / norm

@@ -60,6 +60,9 @@ SENTENCES = {
         "probability of {risk:.2g}; a prior position could tell them apart."
     ),
     "localization.direction_unknown": ("One place agrees, but the image doesn't tell its position in all directions."),
+    "localization.map_ends": (
+        "One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known."
+    ),
     "localization.error_too_large": (
         "One place agrees, but its position is known only within {error_95_m:.3g} m; "
         "an image of this size needs {needed_m:.3g} m."

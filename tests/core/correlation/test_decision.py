@@ -107,6 +107,8 @@ def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
     status, reason = exact_enough(21.26, 800.0)
     assert status == "ambiguous" and "within 21.3 m" in str(reason) and "needs 20 m" in str(reason)
     assert "in all directions" in str(exact_enough(float("inf"), 800.0)[1])
+    status, reason = exact_enough(1.0, 800.0, is_held=True)
+    assert status == "ambiguous" and "beyond the map" in str(reason)
 
 
 def test_fishers_z_has_bounds():

@@ -251,3 +251,22 @@ def test_shares_count_instead_of_the_labels(labels, pyramid):
     assert by_labels.is_fix and by_shares.is_fix
     assert error_m(by_shares.best, CENTER) < 4
     assert by_shares.peaks.score == pytest.approx(by_labels.peaks.score, abs=0.02)
+
+
+@pytest.mark.parametrize(("heading_deg", "pixel"), [(37, 0.9), (200, 1.2)])
+@pytest.mark.parametrize("beyond", [0.45, 0.5, 0.55, 0.7])
+def test_at_the_edge_of_the_map_a_fix_is_right(labels, pyramid, beyond, heading_deg, pixel):
+    """The map begins 150 pixels from the left; a share of the image, as if it lay straight, is beyond."""
+    center = 150 + (0.5 - beyond) * 560 * pixel, 1000.0
+    result = localize(view(labels, center, heading_deg, pixel), pyramid, PRIOR)
+    if beyond < 0.6:
+        assert result.is_fix
+    assert not result.is_fix or error_m(result.best, center) < 3
+
+
+def test_a_place_that_the_edge_of_the_map_holds_is_no_fix(labels):
+    pyramid = MapPyramid(most_frequent_labels(labels), FRAME, replace(CORRELATION, least_known_moved=0.5))
+    center = 130.0, 1000.0
+    result = localize(view(labels, center, 200, 1.2), pyramid, PRIOR)
+    assert error_m(result.best, center) > 10
+    assert not result.is_fix and "beyond the map" in str(result.reason)
