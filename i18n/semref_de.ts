@@ -2852,6 +2852,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Ort stimmt überein, aber seine Lage ist nur auf {error_95_m:.3g} m bekannt; ein Bild dieser Größe braucht {needed_m:.3g} m.</translation>
   </message>
   <message>
+   <source>One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known.</source>
+   <translation>Ein Ort stimmt überein, doch dort liegt mehr als die Hälfte des Bildes jenseits der Karte, sodass seine Position nicht bekannt ist.</translation>
+  </message>
+  <message>
    <source>One place agrees, but the image doesn't tell its position in all directions.</source>
    <translation>Ein Ort stimmt überein, aber das Bild sagt seine Lage nicht in allen Richtungen.</translation>
   </message>

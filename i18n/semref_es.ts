@@ -2852,6 +2852,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Un lugar coincide, pero su posición solo se conoce con {error_95_m:.3g} m de margen; una imagen de este tamaño necesita {needed_m:.3g} m.</translation>
   </message>
   <message>
+   <source>One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known.</source>
+   <translation>Un lugar coincide, pero allí más de la mitad de la imagen queda fuera del mapa, de modo que su posición no se conoce.</translation>
+  </message>
+  <message>
    <source>One place agrees, but the image doesn't tell its position in all directions.</source>
    <translation>Un lugar coincide, pero la imagen no indica su posición en todas las direcciones.</translation>
   </message>

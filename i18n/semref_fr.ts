@@ -2852,6 +2852,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Un lieu concorde, mais sa position n’est connue qu’à {error_95_m:.3g} m près ; une image de cette taille demande {needed_m:.3g} m.</translation>
   </message>
   <message>
+   <source>One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known.</source>
+   <translation>Un lieu concorde, mais plus de la moitié de l’image s’y trouve hors de la carte, si bien que sa position n’est pas connue.</translation>
+  </message>
+  <message>
    <source>One place agrees, but the image doesn't tell its position in all directions.</source>
    <translation>Un lieu concorde, mais l’image ne dit pas sa position dans toutes les directions.</translation>
   </message>

@@ -2852,6 +2852,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>有一个地点相符，但其位置只能确定到 {error_95_m:.3g} m；这种大小的影像需要 {needed_m:.3g} m。</translation>
   </message>
   <message>
+   <source>One place agrees, but more than half of the image lies beyond the map there, so that its position isn't known.</source>
+   <translation>有一处吻合，但影像在该处有一半以上位于地图之外，因此其位置无法确定。</translation>
+  </message>
+  <message>
    <source>One place agrees, but the image doesn't tell its position in all directions.</source>
    <translation>有一个地点相符，但影像不能在所有方向上确定其位置。</translation>
   </message>

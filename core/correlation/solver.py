@@ -156,7 +156,7 @@ def _no_match(reason: Sentence) -> Localization:
     return Localization(Status.NO_MATCH, Method.MAP_CORRELATION, reason=reason)
 
 
-def _result(
+def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was asked
     pyramid: MapPyramid,
     poses: list[ScoredPose],
     covariance: np.ndarray,
