@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..compat import SOURCE_POLYGON
 from ..translation import tr
 from .declarations import (
+    CLASS_FIELD_WIDGET,
     CLASS_TABLE_WIDGET,
     DATABASE_WIDGET,
     MODEL_WIDGET,
@@ -136,6 +137,7 @@ def annotation() -> tuple[Parameter, ...]:
             tr("Class field"),
             tr("Text or number field that tells the class of each polygon."),
             layer_key=INPUT,
+            widget=CLASS_FIELD_WIDGET,
         ),
         FieldOf(
             PRIORITY_FIELD,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -124,3 +125,115 @@ def test_a_class_table_can_be_edited_where_it_is_asked_for(wrapper_in, plugin):
         wrapper = wrapper_in(dialog, "semref:rasterizeannotation", "CLASS_TABLE")
         assert wrapper.known.objectName() == "SemRefEditClassTable"
         assert wrapper.known.accessibleName() == "Edit class table"
+
+
+WITH_A_CLASS = ["rasterizeannotation", "checkannotation", "repairannotation", "classtable", "trainmodel"]
+
+
+@pytest.fixture
+def polygons(qgis_app, tmp_path):
+    """`polygons(fields)` gives a layer of the project with these fields, written “name:type”."""
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    def make(*fields: str):
+        columns = "&".join(f"field={field}" for field in fields)
+        layer = QgsVectorLayer(f"Polygon?crs=epsg:2056&{columns}", "-".join(fields).replace(":", " "), "memory")
+        QgsProject.instance().addMapLayer(layer)
+        return layer
+
+    yield make
+    QgsProject.instance().clear()
+
+
+@pytest.fixture
+def dialog_of(plugin, iface, monkeypatch):
+    """`dialog_of(id, parameters)` opens QGIS's own dialog of an algorithm; gives the wrappers of its parameters."""
+    import processing
+    from processing.gui import AlgorithmDialog
+
+    from qgis.gui import QgsBrowserGuiModel
+
+    assert AlgorithmDialog
+    browser = QgsBrowserGuiModel()
+    monkeypatch.setattr(iface, "browserModel", lambda: browser, raising=False)
+    monkeypatch.setattr(iface, "activeLayer", lambda: None, raising=False)
+    # Each of Processing's modules has taken the window when it was imported.
+    for module in [module for name, module in sys.modules.items() if name.startswith("processing.")]:
+        if hasattr(module, "iface"):
+            monkeypatch.setattr(module, "iface", iface)
+    kept = []
+
+    def make(name: str, **given):
+        dialog = processing.createAlgorithmDialog(f"semref:{name}", given)
+        dialog.show()
+        settle()
+        kept.append(dialog)
+        return dialog.mainWidget().wrappers
+
+    yield make
+    for dialog in kept:
+        dialog.close()
+        dialog.deleteLater()
+    settle()
+
+
+def set_value(wrapper, value) -> None:
+    from qgis.core import QgsProcessingContext, QgsProject
+
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    wrapper.setParameterValue(value, context)
+
+
+@pytest.mark.parametrize("algorithm", WITH_A_CLASS)
+def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_of, polygons, algorithm):
+    layer = polygons("id:integer", "name:string", "Class:string", "zorder:integer")
+    wrappers = dialog_of(algorithm)
+    key = wrappers["CLASS_FIELD"].parameterDefinition().parentLayerParameterName()
+    set_value(wrappers[key], layer.id())
+    assert wrappers["CLASS_FIELD"].parameterValue() == "Class"
+
+
+def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_its_first(dialog_of, polygons):
+    from qgis.core import QgsCategorizedSymbolRenderer
+
+    first, second, third = (
+        polygons("id:integer", *more) for more in (["class:string"], ["cover:string"], ["a:string"])
+    )
+    second.setRenderer(QgsCategorizedSymbolRenderer("cover", []))
+    wrappers = dialog_of("rasterizeannotation")
+    for layer, field in ((first, "class"), (second, "cover"), (third, "id"), (first, "class")):
+        set_value(wrappers["INPUT"], layer.id())
+        assert wrappers["CLASS_FIELD"].parameterValue() == field
+
+
+def test_a_class_field_that_is_given_or_chosen_stays(dialog_of, polygons):
+    from qgis.core import QgsProcessingFeatureSourceDefinition
+
+    layer = polygons("id:integer", "class:string", "kind:string")
+    wrappers = dialog_of("rasterizeannotation", INPUT=layer.id(), CLASS_FIELD="kind")
+    assert wrappers["CLASS_FIELD"].parameterValue() == "kind"
+    # The same layer with its selected features only.
+    set_value(wrappers["INPUT"], QgsProcessingFeatureSourceDefinition(layer.id(), True))
+    assert wrappers["CLASS_FIELD"].parameterValue() == "kind"
+
+
+def test_the_class_field_of_a_file_that_is_no_layer_yet(dialog_of, polygons, tmp_path):
+    from qgis.core import QgsProject, QgsVectorFileWriter
+
+    path = str(tmp_path / "annotation.gpkg")
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    context = QgsProject.instance().transformContext()
+    QgsVectorFileWriter.writeAsVectorFormatV3(polygons("id:integer", "class:string"), path, context, options)
+    wrappers = dialog_of("rasterizeannotation", INPUT=path)
+    assert wrappers["CLASS_FIELD"].parameterValue() == "class"
+    told = []
+    wrappers["CLASS_FIELD"].widgetValueHasChanged.connect(lambda *_: told.append(True))
+    set_value(wrappers["CLASS_FIELD"], "id")
+    set_value(wrappers["INPUT"], path)
+    assert wrappers["CLASS_FIELD"].parameterValue() == "id" and told == [True]
+
+
+def test_without_a_layer_the_class_field_is_empty(dialog_of):
+    wrappers = dialog_of("rasterizeannotation")
+    assert wrappers["CLASS_FIELD"].parameterValue() in ("", None)

@@ -9,16 +9,25 @@ from __future__ import annotations
 from functools import partial
 from typing import Callable
 
-from qgis.core import QgsProcessingParameterDefinition
+from qgis.core import (
+    QgsProcessingContext,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameters,
+    QgsProject,
+    QgsVectorLayer,
+)
 from qgis.gui import (
     QgsAbstractProcessingParameterWidgetWrapper,
+    QgsFieldComboBox,
     QgsFileWidget,
     QgsGui,
     QgsProcessingGui,
 )
+from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...processing.framework.declarations import (
+    CLASS_FIELD_WIDGET,
     CLASS_TABLE_WIDGET,
     DATABASE_WIDGET,
     MODEL_WIDGET,
@@ -26,6 +35,7 @@ from ...processing.framework.declarations import (
     WIDGETS,
 )
 from ..class_table.edit_button import EditButton
+from .guessed import class_field_of
 from .known import DATABASE, MODEL, chosen
 from .known_button import KnownButton
 
@@ -41,6 +51,7 @@ def offer_widgets() -> None:
             MODEL_WIDGET: f"{__name__}.ModelWidget",
             OPEN_WIDGET: f"{__name__}.OpenWidget",
             CLASS_TABLE_WIDGET: f"{__name__}.ClassTableWidget",
+            CLASS_FIELD_WIDGET: f"{__name__}.ClassFieldWidget",
         }
     )
 
@@ -83,6 +94,17 @@ class ClassTableWidget:
             wrapper = _of_designer(parameter, dialog)
         else:
             wrapper = _FileWrapper(parameter, _type_of(name), EditButton)
+        wrapper.setDialog(dialog)
+        return wrapper
+
+
+class ClassFieldWidget:
+    """A box of the layer's fields that begins with the one that tells classes, not with the first one."""
+
+    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
+        name = type(dialog).__name__
+        is_model = name == _MODELER
+        wrapper = _of_designer(parameter, dialog) if is_model else _ClassFieldWrapper(parameter, _type_of(name))
         wrapper.setDialog(dialog)
         return wrapper
 
@@ -131,6 +153,60 @@ class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
 
     def _tell(self, *_path) -> None:
         self.widgetValueHasChanged.emit(self)
+
+
+class _ClassFieldWrapper(QgsAbstractProcessingParameterWidgetWrapper):
+    """QGIS's box of fields, which follows the layer of the dialog; whoever gives a field afterwards is heeded."""
+
+    def createWidget(self):
+        box = QgsFieldComboBox()
+        box.setToolTip(self.parameterDefinition().toolTip())
+        box.fieldChanged.connect(self._tell)
+        # As for the box of a file: the connection keeps Python's half of it until the box is gone.
+        box.destroyed.connect(lambda *_, half=box: None)
+        return box
+
+    def postInitialize(self, wrappers):
+        super().postInitialize(wrappers)
+        for wrapper in wrappers:
+            if wrapper.parameterDefinition().name() == self.parameterDefinition().parentLayerParameterName():
+                wrapper.widgetValueHasChanged.connect(self._use_layer_of)
+                self._use_layer_of(wrapper)
+
+    def _use_layer_of(self, wrapper) -> None:
+        definition, value = wrapper.parameterDefinition(), wrapper.parameterValue()
+        # A layer that is a file alone lives as long as its context.
+        context = QgsProcessingContext()
+        context.setProject(QgsProject.instance())
+        layer = QgsProcessingParameters.parameterAsVectorLayer(definition, {definition.name(): value}, context)
+        box = self._box()
+        if layer is not None and _same(layer, box.layer()):
+            return
+        self._context = context
+        box.setLayer(layer)
+        guessed = class_field_of(layer) if layer is not None else ""
+        if guessed:
+            box.setField(guessed)
+
+    def _box(self) -> QgsFieldComboBox:
+        """The widget, which QGIS gives back as a box of any texts."""
+        return sip.cast(self.wrappedWidget(), QgsFieldComboBox)
+
+    def setWidgetValue(self, value, context):
+        self._box().setField("" if value is None else str(value))
+
+    def widgetValue(self):
+        return self._box().currentField() or None
+
+    def _tell(self, *_field) -> None:
+        self.widgetValueHasChanged.emit(self)
+
+
+def _same(layer: QgsVectorLayer, before: QgsVectorLayer | None) -> bool:
+    """Whether both are one; what is a file alone is opened anew whenever a dialog's value is told."""
+    if before is None or QgsProject.instance().mapLayer(layer.id()) is not None:
+        return before is not None and before.id() == layer.id()
+    return before.source() == layer.source()
 
 
 def _of_designer(parameter: QgsProcessingParameterDefinition, dialog):

@@ -10,6 +10,7 @@ from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
 from ....processing.exchange.database_layers import database_file
 from ....processing.translation import tr
 from ....storage.database.undo import can_undo, file_before
+from ...fields.guessed import class_field_of, priority_field_of
 from ...running.correction_run import Correction
 from ...widgets.layouts import name_fold, narrow
 from ...widgets.remaining_bar import RemainingBar
@@ -19,10 +20,6 @@ from .places_table import is_places
 
 SCOPE = "SemRef"
 _ANNOTATION_ENTRY, _CLASS_ENTRY, _PRIORITY_ENTRY = "/annotation", "/class_field", "/priority_field"
-
-_CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe", "type", "code")
-_PRIORITY_FIELDS = ("priority", "zorder", "z_order", "draw_order", "layer")
-"""What people call them, the likeliest first."""
 
 
 class UpdateBox(QgsCollapsibleGroupBox):
@@ -132,7 +129,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         project = QgsProject.instance()
         remembered = project.mapLayer(project.readEntry(SCOPE, _ANNOTATION_ENTRY)[0])
         offered = [self.annotation.layer(row) for row in range(self.annotation.count())]
-        likely = [layer for layer in offered if layer is not None and _class_field_of(layer)]
+        likely = [layer for layer in offered if layer is not None and class_field_of(layer)]
         if remembered is not None or likely:
             self.annotation.setLayer(remembered or likely[0])
 
@@ -143,21 +140,8 @@ class UpdateBox(QgsCollapsibleGroupBox):
             project = QgsProject.instance()
             is_remembered = project.readEntry(SCOPE, _ANNOTATION_ENTRY)[0] == layer.id()
             entries = [project.readEntry(SCOPE, entry)[0] for entry in (_CLASS_ENTRY, _PRIORITY_ENTRY)]
-            guesses = _class_field_of(layer), _field_of(layer, _PRIORITY_FIELDS, True)
+            guesses = class_field_of(layer), priority_field_of(layer)
             chosen = entries if is_remembered else guesses
             self.class_field.setField(chosen[0])
             self.priority_field.setField(chosen[1])
         self._show_ready()
-
-
-def _class_field_of(layer: QgsVectorLayer) -> str:
-    """By which the layer's style tells classes apart, else one that is called so; empty for none."""
-    renderer = layer.renderer()
-    is_by_class = renderer is not None and renderer.type() == "categorizedSymbol"
-    styled = renderer.classAttribute().strip('"') if is_by_class else ""
-    return styled if styled in layer.fields().names() else _field_of(layer, _CLASS_FIELDS)
-
-
-def _field_of(layer: QgsVectorLayer, names: tuple[str, ...], is_number: bool = False) -> str:
-    by_name = {field.name().lower(): field for field in layer.fields() if not is_number or field.isNumeric()}
-    return next((by_name[name].name() for name in names if name in by_name), "")
