@@ -18,6 +18,11 @@ from ..translation import tr
 from .database_layers import REFERENCES, WINDOWS
 from .lineage import QGIS_STANDARD, Lineage, each_once
 
+_MOST_LINES, _LONGEST_HISTORY = 50, 150_000
+"""Lines and characters of a history: no note of more than a million is read, and in XML a sign may take six."""
+
+_LEFT_OUT = "…"
+
 
 @dataclass(frozen=True)
 class Note:
@@ -36,7 +41,7 @@ class Note:
         made.setAbstract(self._abstract())
         made.setLicenses(list(self.lineage.licenses))
         made.setRights(list(self.lineage.rights))
-        made.setHistory([*self.earlier, *self.lineage.history()])
+        made.setHistory(_shortened([*self.earlier, *self.lineage.history()]))
         made.setCrs(layer.crs())
         extent = QgsLayerMetadata.Extent()
         spatial = QgsLayerMetadata.SpatialExtent()
@@ -62,6 +67,20 @@ class Note:
         if not self.lineage.sources:
             return self.abstract
         return f"{self.abstract}\n\n{tr('Made of: {sources}').format(sources='; '.join(self.lineage.sources))}"
+
+
+def _shortened(history: list[str]) -> list[str]:
+    """The first line, which tells what made the layer, and the newest; a line of “…” where others are left out."""
+    lines = [line for line in history if line != _LEFT_OUT]
+    was_shortened = len(lines) < len(history)
+    first, newest, length = lines[:1], [], sum(map(len, lines[:1]))
+    for line in reversed(lines[1:]):
+        length += len(line)
+        if len(newest) == _MOST_LINES - 1 or length > _LONGEST_HISTORY:
+            was_shortened = True
+            break
+        newest.insert(0, line)
+    return [*first, *([_LEFT_OUT] if was_shortened else []), *newest]
 
 
 def keep_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:

@@ -150,7 +150,6 @@ def dialog_of(plugin, iface, monkeypatch):
     """`dialog_of(id, parameters)` opens QGIS's own dialog of an algorithm; gives the wrappers of its parameters."""
     import processing
     from processing.gui import AlgorithmDialog
-
     from qgis.gui import QgsBrowserGuiModel
 
     assert AlgorithmDialog

@@ -12,6 +12,8 @@ from made_inputs import scattered_objects, square, write_layer, write_raster
 from qgis.core import QgsLayerMetadata, QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from semref.processing.exchange.database_layers import add_database_to_map
+from semref.processing.exchange.layer_notes import Note
+from semref.processing.exchange.lineage import Lineage
 
 BUILD, UPDATE, LOCALIZE = "semref:builddatabase", "semref:updatedatabase", "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -63,6 +65,35 @@ def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label
         assert "updatedatabase" in told.history()[1]
         assert told.licenses() == ["ODbL 1.0"]
         assert "Land cover of Erewhon (ODbL 1.0)" in told.abstract()
+
+
+def history_after(lines: list[str]) -> list[str]:
+    """Of a layer with these lines after one more run."""
+    told = QgsLayerMetadata()
+    told.setHistory(lines)
+    layer = QgsVectorLayer("Point?crs=epsg:2056", "landmarks", "memory")
+    note = Note("Landmarks", "", Lineage(command="processing.run('update')", version="1"))
+    return note.after(told).metadata(layer).history()
+
+
+def test_the_history_of_many_updates_keeps_the_first_line_and_the_newest_ones(qgis_app):
+    lines = ["built"]
+    for number in range(120):
+        lines = history_after(lines)
+        assert len(lines) == (number + 2 if number < 49 else 51)
+        # The lines are told apart by the number of their run.
+        lines[-1] = f"update {number}"
+    assert lines[:2] == ["built", "…"]
+    assert lines[2:] == [f"update {number}" for number in range(71, 120)]
+
+
+def test_a_history_of_long_lines_stays_what_a_reader_takes(qgis_app):
+    lines = ["built"]
+    for number in range(30):
+        lines = history_after([*lines, f"{number} " + '"<&' * 7000])
+    assert lines[:2] == ["built", "…"] and "update" in lines[-1]
+    assert lines[-2].startswith("29 ") and len(lines) > 6
+    assert 100_000 < sum(map(len, lines)) <= 150_001
 
 
 def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):
