@@ -25,6 +25,12 @@ REFERENCE = "reference"
 BACKGROUND = "background"
 ROLES = (REFERENCE, BACKGROUND)
 
+BENEATH_ALL = -1_000_000.0
+"""Draw order of a class that lies wherever no polygon does."""
+
+OTHER = "other"
+"""Name of such a class, as networks have it that learned ground without a label as something else."""
+
 LONGEST_LINE = 10_000
 """Characters of a line of a class table; csv itself stops at 131,072 a field."""
 
@@ -153,6 +159,28 @@ class ClassTable:
     def by_value(self, value: int) -> LandCoverClass | None:
         """The class of pixels with a value; None without one."""
         return next((c for c in self.classes if c.value == value), None)
+
+    @property
+    def filling(self) -> LandCoverClass | None:
+        """The class that lies wherever no polygon does; None without one."""
+        return next((c for c in self.classes if c.value != UNLABELED and c.draw_order == BENEATH_ALL), None)
+
+    def with_filling(self) -> ClassTable:
+        """The same with a class that lies wherever no polygon does: ``other``, unless there is one.
+
+        Raises:
+            ClassTableError: All values are taken.
+        """
+        if self.filling is not None:
+            return self
+        kept = [c for c in self.classes if c.name.casefold() != OTHER]
+        known = next((c for c in self.classes if c.name.casefold() == OTHER and c.value != UNLABELED), None)
+        if known is None:
+            taken = {c.value for c in kept}
+            free = [value for value in range(1, MAXIMUM_VALUE + 1) if value not in taken]
+            require_class_count(MAXIMUM_VALUE if free else MAXIMUM_VALUE + 1)
+            known = LandCoverClass(free[0], OTHER, known_color(OTHER) or _PALETTE[-1])
+        return ClassTable((*kept, replace(known, draw_order=BENEATH_ALL)))
 
     def find(self, text: str) -> LandCoverClass | None:
         """The class a person means by ``text``: its name (case-insensitive if need be), half of it, or its value.

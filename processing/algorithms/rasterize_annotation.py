@@ -8,9 +8,9 @@ from qgis.core import QgsCoordinateReferenceSystem
 
 from ..compat import wkt_for_gdal
 from ..framework import offers
-from ..framework.annotation import AnnotationAlgorithm, pixel_grid, union_of_bounds
+from ..framework.annotation import AnnotationAlgorithm, filling_polygon, pixel_grid, union_of_bounds
 from ..framework.base import Declared, follow
-from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput
+from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput, Switch
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -32,6 +32,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
     PIXEL_SIZE = "PIXEL_SIZE"
     EXTENT = "EXTENT"
     TARGET_CRS = "TARGET_CRS"
+    OTHER_GROUND = "OTHER_GROUND"
     OUTPUT = "OUTPUT"
     CLASS_COUNT = "CLASS_COUNT"
     LABELED_FRACTION = "LABELED_FRACTION"
@@ -69,6 +70,15 @@ class RasterizeAnnotation(AnnotationAlgorithm):
                 tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
                 optional=True,
             ),
+            Switch(
+                self.OTHER_GROUND,
+                tr("Ground without a polygon is something else"),
+                tr(
+                    "Such ground, within the extent of the polygons, becomes the class “other”. Only where everything "
+                    "that is of a class was drawn. With a single class, such as buildings, map correlation needs it."
+                ),
+                default=False,
+            ),
             RasterOutput(
                 self.OUTPUT,
                 tr("Label map"),
@@ -83,11 +93,14 @@ class RasterizeAnnotation(AnnotationAlgorithm):
 
         crs = self.label_map_crs(values, feedback, values.crs(self.TARGET_CRS))
         polygons, table = self.burn_polygons(values, feedback, crs, READING_SHARE)
-        frame = self._frame(values, crs, polygons)
+        drawn, frame = len(polygons), self._frame(values, crs, polygons)
+        table = table.with_filling() if values.switch(self.OTHER_GROUND) else table
+        if table.filling is not None:
+            polygons.insert(0, filling_polygon(table.filling.value, [polygon.bounds for polygon in polygons]))
         height, width = frame.shape_hw
         feedback.pushInfo(
             tr("Burning {count} polygons into {width} × {height} pixels").format(
-                count=len(polygons), width=width, height=height
+                count=drawn, width=width, height=height
             )
         )
         with outputs.label_map(self.OUTPUT, table) as path:
@@ -106,6 +119,13 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         )
         if not labeled:
             feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
+        elif len(present) == 1:
+            feedback.pushWarning(
+                tr(
+                    "The label map has one class alone, and map correlation needs two. If everything of this class was "
+                    "drawn, switch “Ground without a polygon is something else” on: more images will be found."
+                )
+            )
         return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
 
     def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: list[BurnPolygon]) -> MapFrame:

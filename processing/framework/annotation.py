@@ -129,6 +129,17 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         require_known_classes(AnnotationCounts(unknown=Counter(unknown)), self._source, lookup.table)
 
 
+def filling_polygon(value: int, bounds: Iterable[Bounds]) -> BurnPolygon:
+    """What lies beneath all polygons, as far as they reach, if it comes first; ``value``: of its class."""
+    from qgis.core import QgsRectangle
+
+    from ...storage.burning import BurnPolygon
+
+    reach = union_of_bounds(bounds)
+    outline = QgsGeometry.fromRect(QgsRectangle(*reach))
+    return BurnPolygon(bytes(outline.asWkb().data()), value, -math.inf, reach)
+
+
 def geometry_of(wkb: bytes | None, multi: bool = False) -> QgsGeometry | None:
     """A geometry for a sink; ``multi``: as a multi-geometry."""
     if wkb is None:

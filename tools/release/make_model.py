@@ -92,6 +92,13 @@ def annotation_parameters() -> list:
     ]
 
 
+def other_ground():
+    """Whether ground without a polygon is a class of its own."""
+    from qgis.core import QgsProcessingParameterBoolean
+
+    return QgsProcessingParameterBoolean("OTHER_GROUND", "Ground without a polygon is something else", False)
+
+
 def same(*names: str) -> dict:
     """Inputs of a step that have the names of the model's parameters."""
     return {name: name for name in names}
@@ -110,9 +117,10 @@ def annotation_to_database():
             number("WINDOW_SIZE", "Window size (map units)", number.Double, 1280.0, minValue=0.001),
             number("STRIDE", "Stride (map units)", number.Double, 350.0, minValue=0.001),
             number("MINIMUM_AREA", "Minimum area (m²)", number.Double, 100.0, minValue=0.0),
+            other_ground(),
         ],
     )
-    rasterized = same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE", "PIXEL_SIZE")
+    rasterized = same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE", "PIXEL_SIZE", "OTHER_GROUND")
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Label map"})
     built = same("REFERENCE_CLASSES", "WINDOW_SIZE", "STRIDE", "MINIMUM_AREA")
     # The model designer finds an error where a parameter that must be given is left to its default.
@@ -164,12 +172,13 @@ def correction_to_database():
             QgsProcessingParameterRasterLayer("LABELS", model_texts("correctiontodatabase").names["LABELS"]),
             QgsProcessingParameterFile("DATABASE", "Reference database", extension="gpkg"),
             QgsProcessingParameterFeatureSource("CHANGED", "Changed areas", polygons, optional=True),
+            other_ground(),
         ],
     )
     maker.step("pixels", "native:rasterlayerproperties", {"INPUT": "LABELS"}, {})
     # A layer stands for its extent and for its CRS.
     grid = {"PIXEL_SIZE": ("pixels", "PIXEL_WIDTH"), "EXTENT": "LABELS", "TARGET_CRS": "LABELS"}
-    rasterized = {**same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"), **grid}
+    rasterized = {**same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE", "OTHER_GROUND"), **grid}
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Corrected label map"})
     updated = {**same("DATABASE", "CHANGED"), "LABELS": ("rasterize", "OUTPUT"), "OPEN_OUTPUT": True}
     maker.step("update", "semref:updatedatabase", updated, {"OUTPUT": "Updated database"})

@@ -325,3 +325,24 @@ def test_a_line_too_long_for_any_table_is_refused():
     with pytest.raises(ClassTableError) as refused:
         class_table_from_csv(line, "classes.csv")
     assert refused.value.sentence.code == "labels.class_table_line_too_long"
+
+
+def test_a_table_gets_a_class_for_ground_that_no_polygon_covers():
+    made = class_table_from_names(["building", "water"]).with_filling()
+    assert made.filling == made.by_value(3) and made.filling.name == "other" and not made.filling.is_reference
+    assert made.with_filling() is made
+    assert class_table_from_csv(made.to_csv()).filling == made.filling
+    assert class_table_from_names(["building"]).filling is None
+
+
+def test_a_class_other_that_is_there_is_taken_and_one_for_no_label_makes_room():
+    own = class_table_from_csv("value,name\n4,Other\n9,building\n").with_filling()
+    assert (own.filling.value, own.filling.name, len(own)) == (4, "Other", 2)
+    none = class_table_from_csv("value,name\n0,other\n1,building\n").with_filling()
+    assert (none.filling.value, len(none)) == (2, 2)
+
+
+def test_a_full_table_has_no_room_for_ground_that_no_polygon_covers():
+    full = class_table_from_names([f"class {n}" for n in range(255)])
+    with pytest.raises(ClassTableError, match="255"):
+        full.with_filling()

@@ -171,3 +171,46 @@ def test_a_class_table_in_latin1_with_semicolons_matches_its_names(labels, tmp_p
     table = write_text(tmp_path / "t.csv", "value;name;color;role\n5;Grünland;#00ff00;background\n", "latin-1")
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "Grünland")])
     assert (labels(layer, CLASS_TABLE=str(table)) == 5).all()
+
+
+TWO = [(square(0, 0, 4), "building"), (square(12, 0, 4), "building")]
+
+
+def test_ground_without_a_polygon_becomes_a_class_of_its_own_where_that_is_asked(rasterize, tmp_path):
+    results = rasterize(write_layer(tmp_path / "a.gpkg", TWO), OTHER_GROUND=True)
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
+    assert category_names(results["OUTPUT"])[1:3] == ["building", "other"] and results["LABELED_FRACTION"] == 1
+
+
+def test_it_lies_beneath_polygons_without_a_priority_too(rasterize, tmp_path):
+    shapes = [(square(0, 0, 4), "building", None), (square(12, 0, 4), "building", 3)]
+    layer = write_layer(tmp_path / "a.gpkg", shapes, [("class", "text"), ("order", "integer")])
+    results = rasterize(layer, OTHER_GROUND=True, PRIORITY_FIELD="order")
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
+
+
+def test_beyond_the_polygons_nothing_tells_that_there_is_something_else(rasterize, tmp_path):
+    layer = write_layer(tmp_path / "a.gpkg", TWO)
+    alone, wide = rasterize(layer, OTHER_GROUND=True)["OUTPUT"], tmp_path / "wide.tif"
+    source = ogr.Open(str(layer))
+    left, _, _, top = source.GetLayer(0).GetExtent()
+    extent = f"{left - 3},{left + 16},{top - 4},{top}"
+    results = rasterize(layer, OTHER_GROUND=True, EXTENT=extent, OUTPUT=str(wide))
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [0] * 3 + list(read_pixels(alone)[0]))
+
+
+def test_the_map_of_such_a_table_is_made_again_without_being_asked(rasterize, tmp_path):
+    """So a corrected annotation keeps it: it is rasterized with the table of the database."""
+    first = rasterize(write_layer(tmp_path / "a.gpkg", TWO), OTHER_GROUND=True)["OUTPUT"]
+    table = write_text(tmp_path / "again.csv", stored_table(first))
+    corrected = write_layer(tmp_path / "b.gpkg", [*TWO, (square(5, 0, 4), "building")])
+    again = rasterize(corrected, CLASS_TABLE=str(table), OUTPUT=str(tmp_path / "again.tif"))["OUTPUT"]
+    np.testing.assert_array_equal(read_pixels(again)[0], [1] * 4 + [2] + [1] * 4 + [2] * 3 + [1] * 4)
+
+
+def test_a_map_of_one_class_warns_that_map_correlation_needs_two(rasterize, tmp_path, feedback):
+    layer = write_layer(tmp_path / "a.gpkg", TWO)
+    rasterize(layer, OTHER_GROUND=True)
+    assert "map correlation needs two" not in feedback.textLog()
+    rasterize(layer)
+    assert "map correlation needs two" in feedback.textLog()
