@@ -1652,6 +1652,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Gelände ohne Klasse</translation>
   </message>
   <message>
+   <source>Ground without a polygon is something else</source>
+   <translation>Boden ohne Polygon ist etwas anderes</translation>
+  </message>
+  <message>
    <source>HSV ranges</source>
    <translation>HSV-Bereiche</translation>
   </message>
@@ -3868,6 +3872,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Erfolg unter Störungen</translation>
   </message>
   <message>
+   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
+   <translation>Solcher Boden wird, so weit die Polygone reichen, zur Klasse „other“. Nur wo alles gezeichnet ist, was zu einer Klasse gehört. Bei einer einzigen Klasse, etwa Gebäuden, braucht die Kartenkorrelation das.</translation>
+  </message>
+  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>Tabellen und Diagramme in einer Datei zum Lesen und Drucken.</translation>
   </message>
@@ -4174,6 +4182,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
+  </message>
+  <message>
+   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
+   <translation>Die Klassenkarte hat nur eine Klasse, und die Kartenkorrelation braucht zwei. Wenn alles von dieser Klasse gezeichnet ist, „Boden ohne Polygon ist etwas anderes“ einschalten: Es werden mehr Bilder gefunden.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>

@@ -1652,6 +1652,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Terreno sin etiqueta</translation>
   </message>
   <message>
+   <source>Ground without a polygon is something else</source>
+   <translation>El terreno sin polígono es otra cosa</translation>
+  </message>
+  <message>
    <source>HSV ranges</source>
    <translation>Rangos HSV</translation>
   </message>
@@ -3868,6 +3872,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Acierto con ruido</translation>
   </message>
   <message>
+   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
+   <translation>Ese terreno, hasta donde llegan los polígonos, pasa a ser la clase «other». Solo donde se dibujó todo lo que es de una clase. Con una sola clase, como edificios, la correlación de mapas lo necesita.</translation>
+  </message>
+  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>Tablas y gráficos en un solo archivo para leer e imprimir.</translation>
   </message>
@@ -4174,6 +4182,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>El mapa de etiquetas no trae nombres de clases; sus clases se nombran por sus valores.</translation>
+  </message>
+  <message>
+   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
+   <translation>El mapa de etiquetas tiene una sola clase y la correlación de mapas necesita dos. Si se dibujó todo lo de esta clase, active «El terreno sin polígono es otra cosa»: se encontrarán más imágenes.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>

@@ -1652,6 +1652,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Terrain sans étiquette</translation>
   </message>
   <message>
+   <source>Ground without a polygon is something else</source>
+   <translation>Le terrain sans polygone est autre chose</translation>
+  </message>
+  <message>
    <source>HSV ranges</source>
    <translation>Plages HSV</translation>
   </message>
@@ -3868,6 +3872,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Réussite sous l’effet du bruit</translation>
   </message>
   <message>
+   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
+   <translation>Ce terrain, dans l’emprise des polygones, devient la classe « other ». Seulement là où tout ce qui relève d’une classe a été dessiné. Avec une seule classe, comme les bâtiments, la corrélation de cartes en a besoin.</translation>
+  </message>
+  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>Tableaux et graphiques dans un seul fichier à lire et à imprimer.</translation>
   </message>
@@ -4174,6 +4182,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>La carte d’étiquettes n’apporte pas de noms de classes ; ses classes sont nommées par leurs valeurs.</translation>
+  </message>
+  <message>
+   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
+   <translation>La carte d’étiquettes n’a qu’une classe, et la corrélation de cartes en demande deux. Si tout ce qui est de cette classe a été dessiné, activez « Le terrain sans polygone est autre chose » : davantage d’images seront trouvées.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>

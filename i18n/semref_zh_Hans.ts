@@ -1652,6 +1652,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>没有标签的地面</translation>
   </message>
   <message>
+   <source>Ground without a polygon is something else</source>
+   <translation>没有多边形的地面是其他地物</translation>
+  </message>
+  <message>
    <source>HSV ranges</source>
    <translation>HSV 范围</translation>
   </message>
@@ -3868,6 +3872,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>噪声下的成功率</translation>
   </message>
   <message>
+   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
+   <translation>在多边形的范围内，这样的地面成为类别“other”。仅在每个类别的地物都已全部绘制时使用。只有一个类别（例如建筑物）时，地图相关需要它。</translation>
+  </message>
+  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>表格和图表，汇总在一个可供阅读和打印的文件中。</translation>
   </message>
@@ -4174,6 +4182,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>标签图不带类别名称；其类别以值命名。</translation>
+  </message>
+  <message>
+   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
+   <translation>标签图只有一个类别，而地图相关需要两个。如果该类别的地物已全部绘制，请打开“没有多边形的地面是其他地物”：会找到更多图像。</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
