@@ -122,7 +122,7 @@ class Assessment:
         self.conditions = conditions
         self.footprint = footprint
         self.correlation = correlation
-        self._database = database
+        self.database = database
         self.localizer = localizer
         self.seed = seed
         self._texture = _texture(database, footprint)
@@ -137,7 +137,7 @@ class Assessment:
         offsets = rng.uniform(-spread / 2, spread / 2, (len(chosen), 2))
         headings = rng.uniform(0, 360, len(chosen))
         centers = places[chosen] + offsets
-        values = self._database.class_table.reference_values
+        values = self.database.class_table.reference_values
         queries = []
         for number, (place, (x, y), heading) in enumerate(zip(chosen.tolist(), centers.tolist(), headings.tolist())):
             view, noise = self.conditions.drawn(self.simulator.view(x, y, heading), rng, values)
@@ -210,7 +210,7 @@ class Assessment:
             the commonest class, share of the ground with labels, texture of class areas.
         """
         index = self.localizer.index
-        pixel, references = self.simulator.pixel, self._database.references
+        pixel, references = self.simulator.pixel, self.database.references
         log_areas_px = index.log_areas - 2 * math.log(pixel)
         chance = 2 * math.pi * center_noise(log_areas_px, pixel, index.settings) ** 2 * index.densities
         distractors = index.settings.rough_distractors

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..database.model import ReferenceDatabase
@@ -43,3 +44,20 @@ class AssessmentJob:
             DatabaseError: For a database without landmarks.
         """
         return Assessment(database, localizer, footprint, self.conditions, self.seed, self.correlation)
+
+
+def job_of(assessments: Sequence[Assessment]) -> AssessmentJob:
+    """What is the same for all images of some assessments of one database, which lies in a file.
+
+    Args:
+        assessments: Made alike but for their footprints.
+    """
+    first = assessments[0]
+    return AssessmentJob(
+        first.database.source or "",
+        first.database.overview is not None,
+        tuple(assessment.footprint for assessment in assessments),
+        first.conditions,
+        first.seed,
+        first.correlation,
+    )

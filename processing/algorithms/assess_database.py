@@ -15,15 +15,17 @@ from ..framework import offers
 from ..framework.assessing import AssessAlgorithm, footprint_sizes, reason_text, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.declarations import Number, NumberResult, PolygonOutput, Text
+from ..framework.scheduled import SCHEDULER, ordered, require_scheduler, scheduler
 from ..translation import tr
 from ..wording.numbers import shown
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
+    from ...core.assessment.assessment import Assessment, PlaceQuery
     from ...core.assessment.cells import Cells
     from ...core.database.model import ReferenceDatabase, Windows
-    from ...core.localizer.localizer import Localizer
+    from ...core.evaluation.trial import Trial
     from ..framework.outputs import Outputs
     from ..framework.values import Values
     from ..reports.assessment_report import AssessedFootprint
@@ -103,6 +105,7 @@ class AssessDatabase(AssessAlgorithm):
                 is_integer=True,
             ),
             *self.noise_parameters(),
+            scheduler(),
             PolygonOutput(
                 self.OUTPUT,
                 tr("Expected success"),
@@ -120,9 +123,11 @@ class AssessDatabase(AssessAlgorithm):
     def check(self, values: Values) -> None:
         footprint_sizes(values.text(self.FOOTPRINT), 1.0)
         super().check(values)
+        require_scheduler(values)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.assessment.cells import ground_cells
+        from ..reports.assessment_report import AssessedFootprint
 
         database, crs = self.read_all(values, feedback)
         footprints = footprint_sizes(values.text(self.FOOTPRINT), database.parameters.window_size)
@@ -131,10 +136,16 @@ class AssessDatabase(AssessAlgorithm):
         if not len(cells):
             raise ParameterError("algorithms.nothing_to_assess", path=database.source)
         localizer = self.indexed(database, feedback)
+        count = values.integer(self.TRIALS)
+        assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]
+        planned = [assessment.plan(cells.centers, cells.size, count) for assessment in assessments]
+        tried = self._tried(values, assessments, planned, feedback)
         results = []
-        for n, footprint in enumerate(footprints):
-            share = [5 + 90 * (n + done) / len(footprints) for done in (0, 1)]
-            results.append(self._assessed(values, database, localizer, footprint, cells, feedback, share))
+        for assessment, (trials, correlated) in zip(assessments, tried):
+            known = cells.centers, trials, correlated, cells.size
+            estimates = cancelable(assessment.estimate, *known, feedback=feedback)
+            footprint = assessment.footprint
+            results.append(AssessedFootprint(footprint, estimates, trials, correlated, assessment.model))
         check_canceled(feedback)
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, self._report(values, database, cells, results))
@@ -143,23 +154,23 @@ class AssessDatabase(AssessAlgorithm):
         self._say(results, threshold, feedback)
         return {self.LOCALIZABLE_FRACTION: float((results[0].estimates.success >= threshold).mean())}
 
-    def _assessed(
+    def _tried(
         self,
         values: Values,
-        database: ReferenceDatabase,
-        localizer: Localizer,
-        footprint: float,
-        cells: Cells,
+        assessments: Sequence[Assessment],
+        planned: Sequence[Sequence[PlaceQuery]],
         feedback: QgsProcessingFeedback,
-        share: Sequence[float],
-    ) -> AssessedFootprint:
-        from ..reports.assessment_report import AssessedFootprint
+    ) -> list[tuple[list[Trial], dict[int, Trial]]]:
+        """Of each assessment, as of ``simulate``; by the workers of SCHEDULER, where it is given."""
+        if values.has(SCHEDULER):
+            from ...core.assessment.job import job_of
 
-        assessment = self.assessment(values, database, localizer, footprint, feedback)
-        queries = assessment.plan(cells.centers, cells.size, values.integer(self.TRIALS))
-        trials, correlated = self.simulate(assessment, queries, feedback, *share)
-        estimates = cancelable(assessment.estimate, cells.centers, trials, correlated, cells.size, feedback=feedback)
-        return AssessedFootprint(footprint, estimates, trials, correlated, assessment.model)
+            return ordered(values, job_of(assessments), planned, feedback)
+        tried = []
+        for n, (assessment, queries) in enumerate(zip(assessments, planned)):
+            share = [5 + 90 * (n + done) / len(planned) for done in (0, 1)]
+            tried.append(self.simulate(assessment, queries, feedback, *share))
+        return tried
 
     def _report(
         self, values: Values, database: ReferenceDatabase, cells: Cells, results: Sequence[AssessedFootprint]

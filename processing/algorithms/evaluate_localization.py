@@ -15,6 +15,7 @@ from ..compat import POINT
 from ..framework import offers
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.declarations import Choice, FileOutput, Number, NumberRange, NumberResult, PointOutput
+from ..framework.scheduled import SCHEDULER, ordered, require_scheduler, scheduler
 from ..translation import tr
 from ..wording.sentences import worded
 
@@ -97,6 +98,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             *self._judging(),
             offers.network(),
             offers.comparison(),
+            scheduler(),
             PointOutput(
                 self.OUTPUT,
                 tr("Trials"),
@@ -198,6 +200,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def check(self, values: Values) -> None:
         self._ranges(values)
+        require_scheduler(values)
 
     def _ranges(self, values: Values) -> TrialRanges:
         """Raises ParameterError for ranges that can't be."""
@@ -228,7 +231,13 @@ class EvaluateLocalization(SemRefAlgorithm):
         for method in methods:
             evaluation.localizer.check(method)
         is_reported = outputs.wants(self.REPORT) or outputs.wants(self.JSON)
-        trials = self._try(evaluation, self._jobs(values, evaluation, list(methods), is_reported), feedback)
+        jobs = self._jobs(values, evaluation, list(methods), is_reported)
+        feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
+        if values.has(SCHEDULER):
+            tried = ordered(values, self._job, jobs, feedback)
+            trials = [trial for of_image in tried for trial in of_image]
+        else:
+            trials = self._try(evaluation, jobs, feedback)
         # Everything is written last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         self._write_texts(values, outputs, trials, methods, database)
@@ -266,7 +275,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback
     ) -> tuple[Evaluation, ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
-        from ...core.evaluation.evaluation import Evaluation
+        from ...core.evaluation.job import EvaluationJob
         from ...storage.database.reader import read_database
         from ...storage.rasters import GdalLabels
         from ..exchange.layers import map_frame
@@ -277,16 +286,16 @@ class EvaluateLocalization(SemRefAlgorithm):
         crs = database_crs(database)
         labels = GdalLabels(self._layer.path)
         self._check_map(labels, database, crs)
-        evaluation = Evaluation(
-            database,
-            labels,
+        self._job = EvaluationJob(
+            database.source,
+            self._layer.path,
             map_frame(labels, self._layer),
             self._ranges(values),
             values.integer(self.SEED),
             values.integer(self.MINIMUM_REFERENCES),
             values.optional_number(self.RIGHT_WITHIN),
         )
-        return evaluation, database, crs
+        return self._job.evaluation(database, labels), database, crs
 
     def _check_map(self, labels: GdalLabels, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem) -> None:
         """Raises LabelMapError unless the label map has the database's CRS and classes."""
@@ -313,7 +322,6 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _try(self, evaluation: Evaluation, jobs: Sequence[Job], feedback: QgsProcessingFeedback) -> list[Trial]:
         """All trials; raises Canceled within a moment."""
-        feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.setProgressText(tr("Localizing"))
         trials, started = [], time.monotonic()
         for n, (query, methods) in enumerate(jobs):

@@ -1,0 +1,90 @@
+"""SCHEDULER of Assess reference database and Evaluate localization: workers find what QGIS finds."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+
+import pytest
+from made_inputs import scattered_objects, write_raster
+from osgeo import ogr
+from qgis.core import QgsProcessingException
+
+ASSESS, EVALUATE = "semref:assessdatabase", "semref:evaluatelocalization"
+SIZE = 160
+NAMES = ["unlabeled", "building", "water", "bare_land"]
+LABELS = scattered_objects(420, 480, 300, seed=21, background=0)
+pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here")
+
+
+@pytest.fixture(scope="module")
+def database(build_area):
+    return build_area(LABELS, NAMES, SIZE, 40)
+
+
+@pytest.fixture(scope="module")
+def label_map(tmp_path_factory):
+    return str(write_raster(tmp_path_factory.mktemp("map") / "labels.tif", LABELS, names=NAMES))
+
+
+def rows(path):
+    source = ogr.Open(path)
+    return [(feature.items(), feature.GetGeometryRef().ExportToIsoWkt()) for feature in source.GetLayer(0)]
+
+
+def require_same(found, expected):
+    """The last digits of sums depend on how many threads OpenBLAS has: one in workers."""
+    assert len(found) == len(expected) > 0
+    for (values, shape), (others, other) in zip(found, expected):
+        assert shape == other and values.keys() == others.keys()
+        for name, value in values.items():
+            if isinstance(value, float):
+                assert value == pytest.approx(others[name], rel=1e-5, abs=1e-7), name
+            else:
+                assert value == others[name], name
+
+
+def test_workers_assess_what_qgis_assesses(run_algorithm, database, tmp_path, feedback):
+    asked = {"DATABASE": database, "TRIALS": 60, "FOOTPRINT": "160;120", "SPACING": 80}
+    expected = run_algorithm(ASSESS, {**asked, "OUTPUT": str(tmp_path / "qgis.gpkg")})
+    scheduled = {**asked, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "dask.gpkg")}
+    scheduled["REPORT"] = str(tmp_path / "report.html")
+    found = run_algorithm(ASSESS, scheduled, feedback)
+    assert found["LOCALIZABLE_FRACTION"] == pytest.approx(expected["LOCALIZABLE_FRACTION"])
+    require_same(rows(found["OUTPUT"]), rows(expected["OUTPUT"]))
+    assert (tmp_path / "report.html").stat().st_size > 10_000 and feedback.progress() == 100
+
+
+def test_workers_evaluate_what_qgis_evaluates(run_algorithm, database, label_map, tmp_path, feedback):
+    asked = {"DATABASE": database, "LABELS": label_map, "TRIALS": 12, "METHODS": [0, 1]}
+    expected = run_algorithm(EVALUATE, {**asked, "OUTPUT": str(tmp_path / "qgis.gpkg"), "REPORT": None})
+    scheduled = {**asked, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "dask.gpkg")}
+    scheduled["JSON"] = str(tmp_path / "numbers.json")
+    found = run_algorithm(EVALUATE, scheduled, feedback)
+    for key in ("SUCCESS_RATE", "MEDIAN_ERROR", "FALSE_ACCEPT_RATE"):
+        assert found[key] == pytest.approx(expected[key], rel=1e-5)
+    assert found["SUCCESS_RATE"] > 0.3
+    require_same(rows(found["OUTPUT"]), rows(expected["OUTPUT"]))
+    numbers = json.loads((tmp_path / "numbers.json").read_text(encoding="utf-8"))
+    assert len(numbers["trials"]) == 24 and numbers["scaling"]
+
+
+@pytest.mark.parametrize("algorithm", [ASSESS, EVALUATE])
+def test_a_cancel_leaves_nothing(run_algorithm, database, label_map, tmp_path, feedback, algorithm):
+    def cancel(share):
+        if share > 0:
+            feedback.cancel()
+
+    feedback.progressChanged.connect(cancel)
+    asked = {"DATABASE": database, "LABELS": label_map, "SCHEDULER": "local:1"}
+    if algorithm == ASSESS:
+        del asked["LABELS"]
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        run_algorithm(algorithm, {**asked, "OUTPUT": str(tmp_path / "found.gpkg")}, feedback)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_no_scheduler_is_refused(run_algorithm, database, tmp_path):
+    asked = {"DATABASE": database, "SCHEDULER": "four", "OUTPUT": str(tmp_path / "found.gpkg")}
+    with pytest.raises(QgsProcessingException, match="SCHEDULER is “four”; give local: and a number"):
+        run_algorithm(ASSESS, asked)
