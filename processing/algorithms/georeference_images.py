@@ -83,8 +83,8 @@ class GeoreferenceImages(SemRefAlgorithm):
                 tr("Matches"),
                 tr(
                     "Those of the same run: the landmarks that agree become control points, with how far each is off. "
-                    "Without them, or where an image has fewer than four, the corners, edges and middle as the fix "
-                    "puts them do."
+                    "Without them, where an image has fewer than four, or where map correlation placed it, the "
+                    "corners, edges and middle as the fix puts them do."
                 ),
                 optional=True,
                 kinds=(SOURCE_POINT,),
@@ -182,6 +182,7 @@ class _Writer:
         elif self._kind == WORLD_FILE:
             write_world_file(file, target, self._crs_wkt, corners)
         else:
-            chosen = points if len(points) >= LEAST_MATCHES else corner_points(file, corners)
+            is_by_landmarks = len(points) >= LEAST_MATCHES and not image.is_by_areas
+            chosen = points if is_by_landmarks else corner_points(file, corners)
             write_points(file, target, self._crs_wkt, chosen)
         require_whole_raster(target, os.path.basename(target))

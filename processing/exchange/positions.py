@@ -10,6 +10,7 @@ import numpy as np
 
 from ...core.errors import ParameterError
 from ...core.geometry.footprint import image_corners
+from ...core.localization import Method
 from ...storage.georeferences import ControlPoint
 from ..compat import is_null
 
@@ -32,6 +33,7 @@ class FoundImage:
         pixel_size: Map units; None where the method tells none.
         was_leveled: Whether the camera was tilted, so that position, heading and size alone don't tell the ground.
         ground: (4, 2) corners of the ground it shows, upper left first, clockwise; None where no footprint was given.
+        is_by_areas: Whether map correlation placed it: landmarks may agree with that, but tell it less well.
     """
 
     path: str
@@ -41,6 +43,7 @@ class FoundImage:
     pixel_size: float | None
     was_leveled: bool
     ground: np.ndarray | None
+    is_by_areas: bool = False
 
     @property
     def has_place(self) -> bool:
@@ -150,6 +153,7 @@ def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> FoundImage:
         _number(feature, "pixel_size"),
         feature.fieldNameIndex("camera_x") >= 0 and _number(feature, "camera_x") is not None,
         grounds.get(path),
+        feature.fieldNameIndex("method") >= 0 and _text(feature, "method") == Method.MAP_CORRELATION,
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from full_disks import files_of_at_most
 from made_inputs import NORTH, WEST, scattered_objects, write_layer, write_raster
-from osgeo import gdal
+from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
 from semref.core.geometry.frame import MapFrame
@@ -122,6 +122,18 @@ def test_matched_landmarks_become_control_points_with_how_far_each_is_off(georef
 def test_without_matches_corners_edges_and_middle_are_the_control_points(georeference):
     _, folder = georeference(FORMAT=2)
     points = points_of(folder / "tilted.png.points")
+    assert points[:, 2:4].tolist() == [[c, -r] for r in (0, 150, 300) for c in (0, 150, 300)]
+
+
+def test_where_map_correlation_placed_an_image_its_fix_tells_the_control_points(georeference, localized, tmp_path):
+    """Of houses that a network joins centers are off by meters, while areas place the image to decimeters."""
+    by_areas = tmp_path / "by_areas.gpkg"
+    gdal.VectorTranslate(str(by_areas), localized["OUTPUT"], layerName="positions")
+    source = ogr.Open(str(by_areas), 1)
+    source.ExecuteSQL("UPDATE positions SET method = 'map correlation'")
+    source = None
+    _, folder = georeference(FORMAT=2, POSITIONS=str(by_areas), MATCHES=localized["MATCHES"])
+    points = points_of(folder / "level.png.points")
     assert points[:, 2:4].tolist() == [[c, -r] for r in (0, 150, 300) for c in (0, 150, 300)]
 
 
