@@ -4640,8 +4640,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die desselben Laufs: wie Bilder liegen, die mit geneigter Kamera aufgenommen wurden.</translation>
   </message>
   <message>
-   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
-   <translation>Die desselben Laufs: Die übereinstimmenden Landmarken werden Passpunkte, mit ihrer Abweichung. Ohne sie, oder wo ein Bild weniger als vier hat, sind es Ecken, Kanten und Mitte, wie der Fix sie legt.</translation>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, where an image has fewer than four, or where map correlation placed it, the corners, edges and middle as the fix puts them do.</source>
+   <translation>Die desselben Laufs: Die übereinstimmenden Landmarken werden zu Passpunkten, mit der Abweichung eines jeden. Ohne sie, wo ein Bild weniger als vier hat oder wo die Kartenkorrelation es gefunden hat, sind es Ecken, Kanten und Mitte, wie der Fix sie legt.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>

@@ -4640,8 +4640,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las de la misma ejecución: cómo yacen las imágenes tomadas con la cámara inclinada.</translation>
   </message>
   <message>
-   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
-   <translation>Las de la misma ejecución: los hitos que concuerdan pasan a ser puntos de control, con la desviación de cada uno. Sin ellas, o si una imagen tiene menos de cuatro, lo son las esquinas, los bordes y el centro según la posición hallada.</translation>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, where an image has fewer than four, or where map correlation placed it, the corners, edges and middle as the fix puts them do.</source>
+   <translation>Las de la misma ejecución: los hitos que concuerdan pasan a ser puntos de control, con lo que se desvía cada uno. Sin ellos, donde una imagen tiene menos de cuatro o donde la situó la correlación de mapas, lo son las esquinas, los bordes y el centro tal como los pone la posición.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>

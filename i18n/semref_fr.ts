@@ -4640,8 +4640,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Celles du même traitement : comment se placent les images prises avec une caméra inclinée.</translation>
   </message>
   <message>
-   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
-   <translation>Celles du même traitement : les repères visuels concordants deviennent des points de calage, avec leur écart. Sans elles, ou si une image en a moins de quatre, ce sont les coins, les bords et le milieu selon la position trouvée.</translation>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, where an image has fewer than four, or where map correlation placed it, the corners, edges and middle as the fix puts them do.</source>
+   <translation>Celles de la même exécution : les repères visuels qui concordent deviennent des points de contrôle, avec l’écart de chacun. Sans eux, là où une image en a moins de quatre, ou là où la corrélation de cartes l’a placée, ce sont les coins, les bords et le milieu tels que la position les place.</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>

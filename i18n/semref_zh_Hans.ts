@@ -4640,8 +4640,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>同一次运行的结果：倾斜拍摄的影像如何铺在地面上。</translation>
   </message>
   <message>
-   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, or where an image has fewer than four, the corners, edges and middle as the fix puts them do.</source>
-   <translation>同一次运行的结果：一致的地标成为控制点，并注明各自的偏差。没有时，或某影像少于四个时，用定位结果给出的角点、边中点和中心。</translation>
+   <source>Those of the same run: the landmarks that agree become control points, with how far each is off. Without them, where an image has fewer than four, or where map correlation placed it, the corners, edges and middle as the fix puts them do.</source>
+   <translation>同一次运行的结果：吻合的地标成为控制点，并带有各自的偏差。没有它们、图像的地标少于四个，或由地图相关定位时，则使用按定位结果放置的角点、边中点和中心。</translation>
   </message>
   <message>
    <source>Tile size (pixels)</source>
