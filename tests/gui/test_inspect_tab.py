@@ -113,3 +113,14 @@ def test_qgis_s_own_locator_takes_the_prefix(dock, iface, area):
         if found and not locator.isRunning():
             break
     assert name in found
+
+
+def test_names_of_windows_are_read_from_left_to_right_in_every_language(dock):
+    from qgis.PyQt.QtCore import Qt
+
+    inspect = dock.content.inspect
+    dock.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
+    settle()
+    assert inspect.layoutDirection() == Qt.LayoutDirection.RightToLeft
+    assert inspect.look_alikes.layoutDirection() == inspect.numbers.layoutDirection() == Qt.LayoutDirection.LeftToRight
+    dock.unsetLayoutDirection()

@@ -74,9 +74,23 @@ def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, widt
     metrics, room = table.fontMetrics(), table.viewport().width() - _ICON_AND_MARGINS_PX
     for name in ("photo_01.jpg", "DJI_20261122_143201_0018_Wide_Mission_7.JPG"):
         above, below = fitted(f"{name} · Fix · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split("\n")
-        assert above.endswith(f" · Fix · {odds}") and above[:2] == name[:2]
+        assert above.endswith(f" · {odds}") and above[:2] == name[:2]
         assert max(metrics.horizontalAdvance(line) for line in (above, below)) <= room
     assert not table.horizontalScrollBar().isVisible()
+
+
+@pytest.mark.parametrize("status", ["Fix", "Position trouvée", "Posición encontrada"])
+def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface, found, status):
+    from semref.ui.tabs.localize.results_table import fitted
+
+    metrics, odds = found.results.table.fontMetrics(), "1 de cada 1.000.000 errónea"
+    text = f"photo_01.jpg · {status} · {odds}"
+    wide = metrics.horizontalAdvance(text)
+    assert fitted(text, "photo_01.jpg", metrics, wide).strip() == text
+    assert fitted(text, "photo_01.jpg", metrics, wide - 1).strip() == f"photo_01.jpg · {odds}"
+    # A reason is told, not a number: there is nothing to leave out.
+    other = fitted("photo_01.jpg · No match", "photo_01.jpg", metrics, metrics.horizontalAdvance("· No match photo_"))
+    assert other.strip().endswith("· No match") and other.startswith("p")
 
 
 def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, iface, found):
@@ -259,3 +273,22 @@ def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_
         assert tab.results.image.canvas.scene().items()
     finally:
         qgis_app.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
+
+
+def test_a_long_name_of_a_database_is_shortened_and_does_not_keep_the_dock_wide(dock, iface, area, tmp_path):
+    import shutil
+
+    name = "reference_database_of_the_whole_country_with_a_long_name"
+    path = shutil.copy(area.database, tmp_path / f"{name}.gpkg")
+    database = dock.content.database
+    least = dock.minimumSizeHint().width()
+    database.file.setFilePath(str(path))
+    database.setCollapsed(True)
+    settle()
+    assert dock.minimumSizeHint().width() == least
+    as_wide_as(dock, iface, 320)
+    settle()
+    assert database.title().startswith("Reference") and database.title().endswith("name") and "…" in database.title()
+    as_wide_as(dock, iface, 900)
+    settle()
+    assert database.title() == f"Reference database: {name}"

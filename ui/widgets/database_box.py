@@ -6,8 +6,8 @@ from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
-from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
-from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
 from qgis.PyQt.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
 from ...processing.translation import tr
@@ -19,6 +19,9 @@ from .buttons import tool_button
 from .layouts import name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
+
+_FOLD_PX = 48
+"""The triangle beside the title, and margins."""
 
 
 class DatabaseBox(QgsCollapsibleGroupBox):
@@ -131,10 +134,26 @@ class DatabaseBox(QgsCollapsibleGroupBox):
 
     def _show_title(self, *_) -> None:
         """With the file's name while the box that shows it is folded away."""
-        title, name = tr("Reference database"), Path(self.path()).stem
-        self.setTitle(f"{title}: {name}" if self.isCollapsed() and name else title)
+        name = Path(self.path()).stem
+        if not self.isCollapsed() or not name:
+            self.setTitle(tr("Reference database"))
+            return
+        font = QFont(self.font())
+        font.setBold(True)
+        title = tr("Reference database: {name}").format(name=name)
+        room = self.width() - _FOLD_PX
+        self.setTitle(QFontMetrics(font).elidedText(title, Qt.TextElideMode.ElideMiddle, room))
 
     # --- QWidget ---
+
+    def minimumSizeHint(self) -> QSize:
+        # A long name of a file shall not keep the dock wide.
+        least = super().minimumSizeHint()
+        return QSize(min(least.width(), self.layout().minimumSize().width()), least.height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._show_title()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(dropped_files(event.mimeData())[0]):

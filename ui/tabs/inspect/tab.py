@@ -118,6 +118,9 @@ class InspectTab(QWidget):
         self.numbers.setColumnHidden(_APART, True)
         self.numbers.horizontalHeaderItem(_APART).setToolTip(tr("How far the compared image’s vector differs here"))
         self.look_alikes = QTableWidget(0, 2)
+        for table in (self.numbers, self.look_alikes):
+            # From right to left “3360_960” would be painted as another window, “960_3360”.
+            table.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
         self.look_alikes.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.look_alikes.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.look_alikes.verticalHeader().hide()

@@ -22,6 +22,10 @@ from .results_model import COLUMN_COUNT, IMAGE, NAME_ROLE, ORDER, SORT_ROLE, SUM
 _IMAGE_COLUMN_MINIMUM_PX = 120
 _ICON_AND_MARGINS_PX = 32
 _NAME_LEAST_PX = 48
+_NAME_LETTERS = 12
+"""Of a name, by which most photos are told apart."""
+
+_BETWEEN = " · "
 _ROW_MARGIN_PX = 4
 _ROWS, _LEAST_ROWS = 6, 4
 """Of text; a result takes two of them where there is no room for columns."""
@@ -40,9 +44,16 @@ class TwoLines(QStyledItemDelegate):
 
 
 def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
-    """``text`` with the name at its beginning shortened in its middle, so that the first line fits."""
+    """``text`` with the name at its beginning shortened in its middle, so that the first line fits.
+
+    Where little would be left of the name, the status goes that stands before how surely it was found: its mark in
+    front of the text tells it, too.
+    """
     above, _, below = text.partition("\n")
     rest = above[len(name) :]
+    told = metrics.horizontalAdvance(name[:_NAME_LETTERS])
+    if width_px - metrics.horizontalAdvance(rest) < told and rest.count(_BETWEEN) > 1:
+        rest = _BETWEEN + rest.rpartition(_BETWEEN)[2]
     room = max(width_px - metrics.horizontalAdvance(rest), _NAME_LEAST_PX)
     return f"{metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room)}{rest}\n{below}"
 
