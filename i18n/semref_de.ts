@@ -3312,6 +3312,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Referenzdatenbank</translation>
   </message>
   <message>
+   <source>Reference database: {name}</source>
+   <translation>Referenzdatenbank: {name}</translation>
+  </message>
+  <message>
    <source>Relative deviation of the scale</source>
    <translation>Relative Abweichung des Maßstabs</translation>
   </message>

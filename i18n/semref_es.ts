@@ -3312,6 +3312,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Base de datos de referencia</translation>
   </message>
   <message>
+   <source>Reference database: {name}</source>
+   <translation>Base de datos de referencia: {name}</translation>
+  </message>
+  <message>
    <source>Relative deviation of the scale</source>
    <translation>Desviación relativa de la escala</translation>
   </message>

@@ -3312,6 +3312,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Base de données de référence</translation>
   </message>
   <message>
+   <source>Reference database: {name}</source>
+   <translation>Base de données de référence : {name}</translation>
+  </message>
+  <message>
    <source>Relative deviation of the scale</source>
    <translation>Écart relatif de l’échelle</translation>
   </message>

@@ -3312,6 +3312,10 @@ Layers are drawn as they are styled in the project.</source>
    <translation>参考数据库</translation>
   </message>
   <message>
+   <source>Reference database: {name}</source>
+   <translation>参考数据库：{name}</translation>
+  </message>
+  <message>
    <source>Relative deviation of the scale</source>
    <translation>尺度相对偏差</translation>
   </message>
