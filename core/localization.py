@@ -195,7 +195,7 @@ class Localization:
         status: What came of the image.
         method: The road that found the fix, or was tried first.
         references: Landmarks described.
-        reason: Why there is no fix; None with one.
+        reason: Why there is no fix; of one, what it doesn't hold for, if anything.
         best: The best place, also where it is not good enough for a fix.
         confidence: Of a fix: probability that it is right, 1 − ``risk``; 1 − d/T of topology vectors, as published,
             which is no probability.

@@ -72,12 +72,18 @@ def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings
     best = int(summed.argmax())
     if summed[best] < both:
         return None
-    return Side(complex(_DIRECTIONS[best]), float(_BEGINS[best]) * diagonal / 2)
+    return _side(best, diagonal)
 
 
-def is_uneven(of_image: Agreement, diagonal: float, settings: ConstellationSettings) -> bool:
-    """Whether on some side hardly any of the image's landmarks agree, so that another place is worth a search."""
-    return bool((_told(of_image, diagonal, settings) >= settings.uneven_log_odds).any())
+def uneven_side(of_image: Agreement, diagonal: float, settings: ConstellationSettings) -> Side | None:
+    """The side on which hardly any of the image's landmarks agree, so that another place is worth a search; or None."""
+    told = _told(of_image, diagonal, settings)
+    best = int(told.argmax())
+    return _side(best, diagonal) if told[best] >= settings.uneven_log_odds else None
+
+
+def _side(number: int, diagonal: float) -> Side:
+    return Side(complex(_DIRECTIONS[number]), float(_BEGINS[number]) * diagonal / 2)
 
 
 def _told(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> np.ndarray:

@@ -135,8 +135,14 @@ class ConstellationSettings:
         empty_side_log_odds: How much more likely, ln, two shares have to be than one: of the image's landmarks and of
             the map's each, and of both together. Of 408 whole images the highest with 6 of each is 15.1; 72 of 102 put
             together have more than 17 [Liechtenstein, north; probability].
-        uneven_log_odds: The same of the image's landmarks alone, from which on those that don't agree are sought
-            elsewhere [reasoning; probability].
+        uneven_log_odds: The same of the image's landmarks alone, from which on those of that side that don't agree are
+            sought elsewhere, and a fix tells of it [reasoning; probability].
+        side_log_odds: With so many log odds, at about the same pixel size, those are of another place; with
+            ``minimum_log_odds`` at any pixel size [Liechtenstein, north; probability].
+        side_pixel_sizes: About the same pixel size: up to this ratio [reasoning].
+        side_seeds: Clusters of poses that are fitted roughly for a side, whose landmarks are few [by hand, for the
+            time; probability].
+        side_verified: Poses verified for a side at most [by hand, for the time; probability].
     """
 
     scales: tuple[float, float] = (0.4, 2.5)
@@ -203,6 +209,10 @@ class ConstellationSettings:
     empty_side_share: float = 0.45
     empty_side_log_odds: tuple[float, float] = (6.0, 17.0)
     uneven_log_odds: float = 8.0
+    side_log_odds: float = 10.0
+    side_pixel_sizes: float = 1.11
+    side_seeds: int = 300
+    side_verified: int = 40
 
 
 CONSTELLATION = ConstellationSettings()

@@ -24,8 +24,8 @@ from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from .hypotheses import QueryTriangles, SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
-from .parts import Agreement, empty_side, is_uneven
-from .search import level_poses, rounds, same_place, search, tilted_poses, with_repeats
+from .parts import Agreement, Side, empty_side, uneven_side
+from .search import level_poses, rounds, search, tilted_poses, with_repeats
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -65,9 +65,14 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
     searched = _search_for(query, verifier, prior, allowed_risk, errors or SharedErrors())
     decided = _decide(objects, query, verifier, searched, allowed_risk)
-    other = _other_place(query, verifier, searched.found[0]) if decided.is_fix else None
-    if other is None or decided.best is None:
+    if decided.best is None or not decided.is_fix:
         return decided
+    best = searched.found[0]
+    of_image = _agreement(query, best, settings)
+    side = uneven_side(of_image, query.diagonal, settings)
+    other = None if side is None else _other_place(query, verifier, best, side)
+    if other is None:
+        return replace(decided, reason=_remark(of_image, _agreement_of_map(index, best), query.diagonal, settings))
     places = decided.best, _place(index, other, other.pose)
     told = Sentence("localization.one_side_elsewhere")
     return replace(decided, status=Status.AMBIGUOUS, reason=told, confidence=None, alternatives=places)
@@ -217,8 +222,7 @@ def _flaw(
     """Status and reason of a place that is no fix however sure it is: of two places, or too loose."""
     index, settings = verifier.index, verifier.index.settings
     of_image = _agreement(query, best, settings)
-    of_map = Agreement(best.pose.in_image(index.points[best.expected]), np.isin(best.expected, best.objects))
-    if empty_side(of_image, of_map, query.diagonal, settings) is not None:
+    if empty_side(of_image, _agreement_of_map(index, best), query.diagonal, settings) is not None:
         return Status.AMBIGUOUS, Sentence("localization.one_side_elsewhere")
     if error_95 is None or error_95 > settings.largest_error * query.diagonal * abs(best.pose.turn):
         return Status.NO_MATCH, Sentence("localization.position_too_loose")
@@ -231,20 +235,58 @@ def _agreement(query: SeenLandmarks, evidence: PoseEvidence, settings: Constella
     return Agreement(query.points[telling[evidence.possible]], np.isin(evidence.possible, evidence.matched))
 
 
-def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence) -> PoseEvidence | None:
-    """Where the landmarks that don't agree have overwhelming odds, if those are of one side; None where nowhere."""
-    settings = verifier.index.settings
-    agreement = _agreement(query, best, settings)
-    if not is_uneven(agreement, query.diagonal, settings):
-        return None
+def _agreement_of_map(index: ConstellationIndex, evidence: PoseEvidence) -> Agreement:
+    """Which of the map's landmarks that the image should show agree with it."""
+    points = evidence.pose.in_image(index.points[evidence.expected])
+    return Agreement(points, np.isin(evidence.expected, evidence.objects))
+
+
+def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, side: Side) -> PoseEvidence | None:
+    """Another place that the landmarks of a side show that don't agree with the best one; None where they show none.
+
+    One camera made both, most likely: at about the same pixel size, less evidence is enough.
+    """
+    index, settings = verifier.index, verifier.index.settings
     telling = telling_objects(query, settings.largest_objects)
     others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
-    triangles, cap = rounds(query_triangles(others, settings), settings)[0]
-    found, seeds = level_poses(verifier, others, triangles, None, cap)
-    if found and (found[0].log_odds > 0 or not best.pose.is_level):
-        found = tilted_poses(verifier, others, found, seeds)
-    evident = found and found[0].log_odds >= settings.minimum_log_odds
-    return found[0] if evident and not same_place(query, found[0], best, settings) else None
+    others = others.select(np.flatnonzero(side.holds(others.points)))
+    thorough = replace(settings, seeds=settings.side_seeds, verified=settings.side_verified, rough_share=0.0)
+    there = replace(verifier, index=replace(index, settings=thorough), side=side)
+    triangles, cap = query_triangles(others, settings), settings.maximum_hits[1]
+    size, ratio = abs(best.pose.turn), settings.side_pixel_sizes
+    same_camera = Prior(pixel_size_range=(size / ratio, size * ratio))
+    for prior, least in ((same_camera, settings.side_log_odds), (None, settings.minimum_log_odds)):
+        found, seeds = level_poses(there, others, triangles, prior, cap)
+        if found and (found[0].log_odds > 0 or not best.pose.is_level):
+            found = tilted_poses(there, others, found, seeds)
+        if found and found[0].log_odds >= least:
+            moved = float(np.median(np.abs(found[0].pose.on_map(others.points) - best.pose.on_map(others.points))))
+            # Nearer, it is the same ground, seen by a tilted camera or a lens that no pose describes.
+            return found[0] if moved > settings.same_tilted_place * query.diagonal * size else None
+    return None
+
+
+_PARTS = {
+    "left": Sentence("localization.left_part"),
+    "right": Sentence("localization.right_part"),
+    "upper": Sentence("localization.upper_part"),
+    "lower": Sentence("localization.lower_part"),
+}
+
+
+def _remark(
+    of_image: Agreement, of_map: Agreement, diagonal: float, settings: ConstellationSettings
+) -> Sentence | None:
+    """What a fix doesn't hold for: a side on which hardly any landmarks agree, though they show no other place."""
+    for code, seen in (("localization.one_side_unknown", of_image), ("localization.one_side_unseen", of_map)):
+        side = uneven_side(seen, diagonal, settings)
+        if side is not None:
+            held = side.holds(seen.points)
+            right, up = side.direction.real, side.direction.imag
+            across, along = "right" if right > 0 else "left", "upper" if up > 0 else "lower"
+            part = _PARTS[across if abs(right) >= abs(up) else along]
+            return Sentence(code, part=part, agree=int(seen.agree[held].sum()), count=int(held.sum()))
+    return None
 
 
 def _place(index: ConstellationIndex, evidence: PoseEvidence, pose: Pose) -> Place:

@@ -13,6 +13,7 @@ import numpy as np
 from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
 from .hypotheses import SeenLandmarks
 from .index import AREA_BIN, AREA_BINS, ConstellationIndex
+from .parts import Side
 from .settings import ConstellationSettings
 
 MEDIAN_OF_RAYLEIGH = 1.1774
@@ -63,12 +64,14 @@ class Verifier:
         width_px: Of the image.
         height_px: Of the image.
         minimum_area_px: Area, px², below which objects were not taken from the image.
+        side: The part of the image that is looked at; None for all of it.
     """
 
     index: ConstellationIndex
     width_px: float
     height_px: float
     minimum_area_px: float
+    side: Side | None = None
 
 
 @dataclass(frozen=True)
@@ -335,6 +338,8 @@ def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -
     missing = len(expected) - len(np.intersect1d(expected, objects[matched], assume_unique=True))
     makers = settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted
     log_odds = averaged_log_odds(ratios[could_be], is_matched[could_be], missing, makers, settings)
+    # Matches that draw a camera to a tilt that no camera has are no evidence for it.
+    log_odds -= pose.tilt_surprise(query.diagonal)
     possible = np.flatnonzero(could_be)
     return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, expected, possible)
 
@@ -351,6 +356,8 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     log_areas_px = index.log_areas[found] - 2 * np.log(pose.pixel_sizes(inside))
     edge = np.exp(log_areas_px / 2)
     seen = (np.abs(inside.real) < half.real - edge) & (np.abs(inside.imag) < half.imag - edge)
+    if verifier.side is not None:
+        seen &= verifier.side.holds(inside)
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
     if len(query.points) >= settings.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))

@@ -124,6 +124,15 @@ class Pose:
         """(n,) how near the ground is, against the image's center; 1 everywhere for a level camera."""
         return np.maximum(1 + (self.slope.conjugate() * image).real, 0.2)
 
+    def tilt_surprise(self, diagonal: float) -> float:
+        """How much less likely, ln, such a tilt is than none, of a camera as they are expected; 0 for a level one.
+
+        Args:
+            diagonal: Of the image, pixels.
+        """
+        stretch, slope = abs(self.stretch) / STRETCH_DEVIATION, abs(self.slope) * diagonal / 2 / SLOPE_DEVIATION
+        return (stretch**2 + slope**2) / 2
+
     def pixel_sizes(self, image: np.ndarray) -> np.ndarray:
         """(n,) size of a pixel on the ground at image points: the root of the area it covers."""
         return abs(self.turn) * self.depth(image) ** -1.5

@@ -82,9 +82,10 @@ def agreed(
 
 
 def _as_fix(found: Localization, risk: float) -> Localization:
-    """A place as a fix with the risk that all evidence together leaves."""
+    """A place as a fix with the risk that all evidence together leaves; what a fix was said not to hold for stays."""
+    said = found.reason if found.is_fix else None
     return replace(
-        found, status=Status.FIX, reason=None, confidence=1 - risk, risk=risk, is_doubted=False, alternatives=()
+        found, status=Status.FIX, reason=said, confidence=1 - risk, risk=risk, is_doubted=False, alternatives=()
     )
 
 

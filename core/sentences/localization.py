@@ -29,6 +29,18 @@ SENTENCES = {
     "localization.one_side_elsewhere": (
         "Landmarks agree with the map on one side of the image only: it may show two places."
     ),
+    "localization.one_side_unknown": (
+        "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of "
+        "another place. The fix holds for the rest."
+    ),
+    "localization.one_side_unseen": (
+        "In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another "
+        "place. The fix holds for the rest."
+    ),
+    "localization.left_part": "left part",
+    "localization.right_part": "right part",
+    "localization.upper_part": "upper part",
+    "localization.lower_part": "lower part",
     "localization.rivals": Plural(
         "{count} other place fits almost as well as the best one.",
         "{count} other places fit almost as well as the best one.",

@@ -257,6 +257,8 @@ def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
     if result.position is None:
         feedback.pushInfo(f"{name}: {worded(result.status.title)}. {worded(result.reason)}")
         return
+    if result.reason is not None:
+        feedback.pushInfo(f"{name}: {worded(result.reason)}")
     details = (
         (result.window, tr("window {value}")),
         (result.distance, tr("distance {value:.4f}")),

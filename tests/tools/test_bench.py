@@ -332,8 +332,18 @@ def test_images_of_two_places_are_told_apart_by_whether_both_sides_could_tell(be
     reliability = bench("reliability")
     fix, few = (replace(told(bench, 1e-9, False), smaller_side=number) for number in (7, 1))
     said = replace(fix, is_fix=False, reason="localization.one_side_elsewhere")
-    text = reliability.of_two_places([fix, few, few, said])
+    text = reliability.of_two_places([fix, replace(few, reason=reliability.REMARKS[0]), few, said])
     assert "such 1/4, 25 %" in text and "places 3/4" in text and "such 1/2" in text and "places 1/2" in text
+    assert "1 of which say" in text and "0 of which say" in text
+
+
+def test_right_fixes_that_say_what_they_do_not_hold_for_are_counted(bench):
+    right = told(bench, 1e-9, True)
+    reliability = bench("reliability")
+    said = replace(right, reason=reliability.REMARKS[1])
+    refused = replace(right, is_fix=False, reason="localization.one_side_elsewhere")
+    text = reliability.remarked([right, right, said, refused, replace(said, is_right=False)])
+    assert "1/3" in text and "of two places: 1." in text
 
 
 def test_an_image_without_its_place_and_the_mirrored_one_are_judged_as_wrong_ones(bench):

@@ -61,6 +61,9 @@ RISKS = (0.5, 1e-2, 1e-4, 1e-6)
 DECADES = (1.0, 0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0)
 
 
+REMARKS = ("localization.one_side_unknown", "localization.one_side_unseen")
+"""What a fix says that does not hold for one side of the image."""
+
 FEW = 5
 """Landmarks that a side of an image of two places must show before it could be told."""
 
@@ -98,10 +101,11 @@ def measure(run: inputs.Run) -> dict[str, str]:
         by_decade(told),
         costs(told),
         of_two_places(halves),
+        remarked(told),
     ]
     if (run.data / two_dates.SOURCE).exists():
         other = list(_kept(run, None, "christchurch", max(count // 4, 4)))
-        text += [_CHRISTCHURCH.format(count=len(other)), curve(other), by_decade(other), costs(other)]
+        text += [_CHRISTCHURCH.format(count=len(other)), curve(other), by_decade(other), costs(other), remarked(other)]
     return {"reliability": "\n\n".join(text)}
 
 
@@ -317,11 +321,23 @@ def of_two_places(told: Sequence[Told]) -> str:
     parts = []
     for chosen in (told, [t for t in told if t.smaller_side >= FEW]):
         said = sum(t.reason == "localization.one_side_elsewhere" for t in chosen)
-        fixes = sum(t.is_fix for t in chosen)
+        fixes = [t for t in chosen if t.is_fix]
         parts.append(
-            f"told as such {page.rate(said, len(chosen))}, a fix of one of the places {page.rate(fixes, len(chosen))}"
+            f"told as such {page.rate(said, len(chosen))}, a fix of one of the places "
+            f"{page.rate(len(fixes), len(chosen))}, {sum(t.reason in REMARKS for t in fixes)} of which say for which "
+            f"part of the image they don't hold"
         )
     return (
         f"Images of two places, cut at 0.3–0.7 of the edge, clean to 40 / 40 / 10 %: {parts[0]}. "
         f"Where both sides show {FEW} landmarks or more: {parts[1]}."
+    )
+
+
+def remarked(told: Sequence[Told]) -> str:
+    """How often a right fix of the whole image says that there is a part of it that it doesn't hold for."""
+    right = [t for t in told if t.kind == OF_MAP and t.is_fix and t.is_right]
+    elsewhere = sum(t.is_right and t.reason == "localization.one_side_elsewhere" for t in told if t.kind == OF_MAP)
+    return (
+        f"Right fixes that say so, too: {page.rate(sum(t.reason in REMARKS for t in right), len(right))}, mostly where "
+        f"the image reaches beyond the map. Right places refused as of two places: {elsewhere}."
     )

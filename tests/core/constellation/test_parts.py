@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.constellation.parts import Agreement, Side, empty_side
+from semref.core.constellation.parts import Agreement, Side, empty_side, uneven_side
 from semref.core.constellation.settings import CONSTELLATION
 
 DIAGONAL = 1000.0
@@ -47,6 +47,18 @@ def test_landmarks_missed_on_one_side_without_others_instead_are_no_other_place(
 
 def test_a_handful_of_landmarks_tells_nothing():
     assert empty_side(seen(1.0, 0.0, 8), seen(1.0, 0.0, 8, 1), DIAGONAL, CONSTELLATION) is None
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_side_whose_landmarks_hardly_agree_is_uneven_and_found(seed):
+    side = uneven_side(seen(0.6, 0.0, seed=seed), DIAGONAL, CONSTELLATION)
+    assert side is not None and side.direction.real > 0.7
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
+def test_chance_makes_hardly_any_image_uneven(share):
+    sides = [uneven_side(seen(share, share, 60, seed), DIAGONAL, CONSTELLATION) for seed in range(100)]
+    assert sum(side is not None for side in sides) <= 2
 
 
 def test_a_side_begins_where_it_says():

@@ -8,6 +8,7 @@ import pytest
 
 from semref.core.constellation.hypotheses import SeenLandmarks
 from semref.core.constellation.index import AREA_BINS
+from semref.core.constellation.parts import Side
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.verification import (
     Nearest,
@@ -158,6 +159,11 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     expected = np.flatnonzero(inside & (index.log_areas > limit))
     assert sorted(expected_objects(fewer, larger, made.pose)) == expected.tolist()
     assert 0 < len(expected) < inside.sum()
+    # Of a side, those of that side.
+    side = Side(1j, 50.0)
+    there = expected_objects(replace(verifier, side=side), made.query, made.pose)
+    assert sorted(there) == np.flatnonzero(inside & (seen.imag > 50.0)).tolist()
+    assert 0 < len(there) < inside.sum()
 
 
 def test_a_tilted_camera_is_verified_from_where_its_pose_holds(index, verifier, made):

@@ -245,6 +245,10 @@ def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_r
     assert checked_by_areas(doubted, 0.2).status == Status.NO_MATCH
 
 
+def test_what_a_fix_does_not_hold_for_stays_told_when_class_areas_agree():
+    assert checked_by_areas(replace(STARS, reason=SAID), 0.9).reason == SAID
+
+
 def test_agreement_is_worth_more_the_closer_it_is():
     values = [worth_of(agreement) for agreement in (-1.0, 0.0, 0.3, 0.5, 0.7, 1.0)]
     assert values == sorted(values) and values[0] < -10 and 0 < values[-1] < 10
