@@ -30,8 +30,8 @@ SENTENCES = {
         "Landmarks agree with the map on one side of the image only: it may show two places."
     ),
     "localization.one_side_unknown": (
-        "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of "
-        "another place. The fix holds for the rest."
+        "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or "
+        "of another place. The fix holds for the rest."
     ),
     "localization.one_side_unseen": (
         "In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another "
