@@ -92,21 +92,21 @@ def measure(run: inputs.Run) -> dict[str, str]:
     if run.area.name == "sample":
         return {"reliability": "Not measured: the real data is not here."}
     count = run.how_many(COUNT, QUICK_COUNT)
-    ground = Ground.of(run)
+    ground, sections = Ground.of(run), {}
+    if run.wants(TWO_PLACES):
+        sections[TWO_PLACES] = of_two_places(list(_kept(run, ground, TWO_PLACES, max(count // 10, 4))))
+    if run.wants("reliability"):
+        sections["reliability"] = _reliability(run, ground, count)
+    return sections
+
+
+def _reliability(run: inputs.Run, ground: Ground, count: int) -> str:
     told = list(_kept(run, ground, "country", count))
-    halves = list(_kept(run, ground, TWO_PLACES, max(count // 10, 4)))
-    text = [
-        _ABOUT.format(half=run.half, count=len(told)),
-        curve(told),
-        by_decade(told),
-        costs(told),
-        of_two_places(halves),
-        remarked(told),
-    ]
+    text = [_ABOUT.format(half=run.half, count=len(told)), curve(told), by_decade(told), costs(told), remarked(told)]
     if (run.data / two_dates.SOURCE).exists():
         other = list(_kept(run, None, "christchurch", max(count // 4, 4)))
         text += [_CHRISTCHURCH.format(count=len(other)), curve(other), by_decade(other), costs(other), remarked(other)]
-    return {"reliability": "\n\n".join(text)}
+    return "\n\n".join(text)
 
 
 _ABOUT = """\
