@@ -94,7 +94,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
     count = run.how_many(COUNT, QUICK_COUNT)
     ground, sections = Ground.of(run), {}
     if run.wants(TWO_PLACES):
-        sections[TWO_PLACES] = of_two_places(list(_kept(run, ground, TWO_PLACES, max(count // 10, 4))))
+        sections["two places"] = of_two_places(list(_kept(run, ground, TWO_PLACES, max(count // 10, 4))))
     if run.wants("reliability"):
         sections["reliability"] = _reliability(run, ground, count)
     return sections
