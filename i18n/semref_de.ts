@@ -1840,6 +1840,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Im Projekt…</translation>
   </message>
   <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of another place. The fix holds for the rest.</source>
+   <translation>Im {part} des Bildes stimmen nur {agree} von {count} Landmarken mit der Karte überein: dort neu, außerhalb der Karte oder von einem anderen Ort. Die Position gilt für den Rest.</translation>
+  </message>
+  <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another place. The fix holds for the rest.</source>
+   <translation>Im {part} des Bildes sind nur {agree} von {count} Landmarken der Karte zu sehen: verdeckt, verändert oder ein anderer Ort. Die Position gilt für den Rest.</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>Hinweis</translation>
   </message>
@@ -5572,6 +5580,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>größter (m)</translation>
   </message>
   <message>
+   <source>left part</source>
+   <translation>linken Teil</translation>
+  </message>
+  <message>
    <source>length</source>
    <translation>Länge</translation>
   </message>
@@ -5614,6 +5626,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>lost in pixels</source>
    <translation>in Pixeln verloren</translation>
+  </message>
+  <message>
+   <source>lower part</source>
+   <translation>unteren Teil</translation>
   </message>
   <message>
    <source>mean IoU</source>
@@ -5828,6 +5844,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>richtige Fixe</translation>
   </message>
   <message>
+   <source>right part</source>
+   <translation>rechten Teil</translation>
+  </message>
+  <message>
    <source>right where predicted</source>
    <translation>richtig, wo vorhergesagt</translation>
   </message>
@@ -5986,6 +6006,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>unknown reason</source>
    <translation>unbekannter Grund</translation>
+  </message>
+  <message>
+   <source>upper part</source>
+   <translation>oberen Teil</translation>
   </message>
   <message>
    <source>usable</source>

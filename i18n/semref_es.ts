@@ -1840,6 +1840,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>En el proyecto…</translation>
   </message>
   <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of another place. The fix holds for the rest.</source>
+   <translation>En la {part} de la imagen solo {agree} de {count} hitos coinciden con el mapa: son nuevos allí, están fuera del mapa o son de otro lugar. La posición vale para el resto.</translation>
+  </message>
+  <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another place. The fix holds for the rest.</source>
+   <translation>En la {part} de la imagen solo se ven {agree} de {count} hitos del mapa: ocultos, cambiados u otro lugar. La posición vale para el resto.</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>Información</translation>
   </message>
@@ -5572,6 +5580,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>mayor (m)</translation>
   </message>
   <message>
+   <source>left part</source>
+   <translation>parte izquierda</translation>
+  </message>
+  <message>
    <source>length</source>
    <translation>longitud</translation>
   </message>
@@ -5614,6 +5626,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>lost in pixels</source>
    <translation>perdido en píxeles</translation>
+  </message>
+  <message>
+   <source>lower part</source>
+   <translation>parte inferior</translation>
   </message>
   <message>
    <source>mean IoU</source>
@@ -5828,6 +5844,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>posiciones correctas</translation>
   </message>
   <message>
+   <source>right part</source>
+   <translation>parte derecha</translation>
+  </message>
+  <message>
    <source>right where predicted</source>
    <translation>correcto donde se predijo</translation>
   </message>
@@ -5986,6 +6006,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>unknown reason</source>
    <translation>motivo desconocido</translation>
+  </message>
+  <message>
+   <source>upper part</source>
+   <translation>parte superior</translation>
   </message>
   <message>
    <source>usable</source>

@@ -1840,6 +1840,14 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Dans le projet…</translation>
   </message>
   <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of another place. The fix holds for the rest.</source>
+   <translation>Dans la {part} de l’image, seuls {agree} repères sur {count} concordent avec la carte : nouveaux, hors de la carte ou d’un autre lieu. La position vaut pour le reste.</translation>
+  </message>
+  <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another place. The fix holds for the rest.</source>
+   <translation>Dans la {part} de l’image, seuls {agree} repères de la carte sur {count} sont visibles : cachés, changés, ou un autre lieu. La position vaut pour le reste.</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>Information</translation>
   </message>
@@ -5572,6 +5580,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>plus grand (m)</translation>
   </message>
   <message>
+   <source>left part</source>
+   <translation>partie gauche</translation>
+  </message>
+  <message>
    <source>length</source>
    <translation>longueur</translation>
   </message>
@@ -5614,6 +5626,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>lost in pixels</source>
    <translation>perdu en pixels</translation>
+  </message>
+  <message>
+   <source>lower part</source>
+   <translation>partie inférieure</translation>
   </message>
   <message>
    <source>mean IoU</source>
@@ -5828,6 +5844,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>positions correctes</translation>
   </message>
   <message>
+   <source>right part</source>
+   <translation>partie droite</translation>
+  </message>
+  <message>
    <source>right where predicted</source>
    <translation>correct là où prédit</translation>
   </message>
@@ -5986,6 +6006,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>unknown reason</source>
    <translation>raison inconnue</translation>
+  </message>
+  <message>
+   <source>upper part</source>
+   <translation>partie supérieure</translation>
   </message>
   <message>
    <source>usable</source>

@@ -1840,6 +1840,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>工程中的数据库…</translation>
   </message>
   <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or of another place. The fix holds for the rest.</source>
+   <translation>影像{part}的 {count} 个地标中只有 {agree} 个与地图一致：可能是新建的、在地图之外，或属于另一个地点。定位结果对其余部分有效。</translation>
+  </message>
+  <message>
+   <source>In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or another place. The fix holds for the rest.</source>
+   <translation>影像{part}只能看到地图 {count} 个地标中的 {agree} 个：可能被遮挡、已改变，或是另一个地点。定位结果对其余部分有效。</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>提示</translation>
   </message>
@@ -5572,6 +5580,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>最大(m)</translation>
   </message>
   <message>
+   <source>left part</source>
+   <translation>左侧</translation>
+  </message>
+  <message>
    <source>length</source>
    <translation>长度</translation>
   </message>
@@ -5614,6 +5626,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>lost in pixels</source>
    <translation>像素化后丢失</translation>
+  </message>
+  <message>
+   <source>lower part</source>
+   <translation>下部</translation>
   </message>
   <message>
    <source>mean IoU</source>
@@ -5828,6 +5844,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>正确定位结果</translation>
   </message>
   <message>
+   <source>right part</source>
+   <translation>右侧</translation>
+  </message>
+  <message>
    <source>right where predicted</source>
    <translation>预测中正确的比例</translation>
   </message>
@@ -5986,6 +6006,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>unknown reason</source>
    <translation>未知原因</translation>
+  </message>
+  <message>
+   <source>upper part</source>
+   <translation>上部</translation>
   </message>
   <message>
    <source>usable</source>
