@@ -37,13 +37,24 @@ class GdalImage:
         ImageError: The file can't be read.
     """
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: str, size_wh: tuple[int, int] | None = None) -> None:
+        """Opens the image.
+
+        Args:
+            path: The file.
+            size_wh: (width, height) to which it is reduced, by means of its pixels; None for its own.
+        """
         self._path = path
         try:
             self._file = open_raster(path)
         except LabelMapError as error:
             raise ImageError(error.sentence) from None
-        self._view = _in_colors(self._file)
+        self._colors = self._view = _in_colors(self._file)
+        if size_wh is not None:
+            width, height = size_wh
+            self._view = gdal.Translate(
+                "", self._colors, format="VRT", width=width, height=height, resampleAlg="average"
+            )
         self.bands = color_bands(self._view)
         kinds = {self._view.GetRasterBand(number).DataType for number in self.bands}
         if any(gdal.DataTypeIsComplex(kind) for kind in kinds):

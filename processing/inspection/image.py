@@ -167,7 +167,7 @@ def photo_rgba(path: str, longest_px: int) -> np.ndarray:
     height, width = photo.shape_hw
     step = -(-max(height, width) // longest_px)
     if step > 1:
-        photo = GdalImage(path, (width // step, height // step))
+        photo = GdalImage(path, (max(1, width // step), max(1, height // step)))
         height, width = photo.shape_hw
     rgb, known = photo.read(0, 0, width, height)
     opacity = np.full((height, width), 255, np.uint8) if known is None else np.where(known, 255, 0).astype(np.uint8)
