@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any, Callable
 
+from ..core.evaluation.offered import OFFERED
 from ..core.geometry.error_settings import MAP_ACCURACY
 from ..core.segmentation.devices import KEYS
 
@@ -28,6 +29,7 @@ examples, from the plugin's folder:
   python -m cluster build labels.tif --database out.gpkg --reference-classes "building;water" --local 4
   python -m cluster build /vsis3/maps/labels.tif --database out.gpkg --scheduler tcp://10.0.0.5:8786
   python -m cluster segment orthophoto.vrt --model landcover.onnx --labels labels.tif --local 4
+  python -m cluster evaluate area.gpkg labels.tif --output numbers.json --trials 400 --local 4
   python -m cluster localize photos/ --database area.npz --model landcover.onnx --json --local 4
 
 docs/guide/cluster.md tells how to start workers on a laptop, with SLURM and with Kubernetes."""
@@ -83,6 +85,27 @@ _SEGMENT: tuple[tuple[str, str, Any, Any, str], ...] = (
 )
 """As _BUILD; an empty default: must be given."""
 
+_EVALUATE: tuple[tuple[str, str, Any, Any, str], ...] = (
+    ("--output", "FILE", str, "", "the JSON to write, on this machine"),
+    ("--methods", "METHODS", str, "automatic;topology-vector", "separated by “;” (automatic;topology-vector)"),
+    (
+        "--trials",
+        "COUNT",
+        within(int, 1, 1_000_000),
+        200,
+        "images; tables need 1.5 times as many again (200)",
+    ),
+    ("--mirrored", "PERCENT", within(float, 0, 90), 25.0, "of them that are mirrored and can't be right (25)"),
+    ("--minimum-references", "COUNT", within(int, 0, 1_000_000), 3, "landmarks of windows that images lie around (3)"),
+    ("--right-within", "LENGTH", within(float, 0, 1e9), None, "map units; by default 2 % of the ground's edge"),
+    ("--seed", "NUMBER", within(int, 0, 2**31 - 1), 1, "another number gives other images (1)"),
+    *(
+        (f"--{name}", "LOW,HIGH", str, None, f"as the algorithm's {name.upper()} ({low:g},{high:g})")
+        for name, (low, high) in OFFERED.items()
+    ),
+)
+"""As _SEGMENT."""
+
 _IMAGE = "a photo or an orthophoto: a path that all workers see, a VRT of many files, or a name of GDAL's"
 _DEVICE = "what runs the network at the workers (cpu); graphics cards may round otherwise"
 _JSON = "tells what happens as a line of JSON each, on the output"
@@ -121,7 +144,19 @@ def parser() -> argparse.ArgumentParser:
         segment.add_argument(name, metavar=value, type=kind, default=default, required=default == "", help=text)
     segment.add_argument("--device", choices=KEYS, default="cpu", help=_DEVICE)
     _add_workers(segment)
-    for command in (build, segment):
+    evaluate = commands.add_parser(
+        "evaluate",
+        help="how well a database localizes, as semref:evaluatelocalization",
+        description="Tries a database with images cut from a label map, as semref:evaluatelocalization in QGIS, and "
+        "writes its numbers.",
+    )
+    evaluate.add_argument("database", metavar="DATABASE", help="a path that all workers see")
+    evaluate.add_argument("labels", metavar="LABELS", help=_LABELS)
+    for name, value, kind, default, text in _EVALUATE:
+        help_text = text.replace("%", "%%")
+        evaluate.add_argument(name, metavar=value, type=kind, default=default, required=default == "", help=help_text)
+    _add_workers(evaluate)
+    for command in (build, segment, evaluate):
         command.add_argument("--json", action="store_true", help=_JSON)
     localize = commands.add_parser(
         "localize",

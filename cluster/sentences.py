@@ -14,6 +14,8 @@ SENTENCES = {
     "cluster.worker_failed": "A worker could not do its part ({reason}).",
     "cluster.map_changed": "{path} was changed while it was read; start again when it stays as it is.",
     "cluster.not_a_number": "{option} is “{text}”; give numbers separated by “;”.",
+    "cluster.no_method": "“{name}” is no method; give some of {known}, separated by “;”.",
+    "cluster.no_range": "{option} is “{text}”; give the smallest and the largest value, such as 0,20.",
     "cluster.stride_above_size": "The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.",
     "cluster.output_is_input": "The result would replace {path}; choose another name.",
     "cluster.photo_not_in_meters": (

@@ -9,7 +9,8 @@ from osgeo import gdal, osr
 
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
-from .rasters import GdalLabels
+from ..core.labels.class_table import ClassTable
+from .rasters import GdalLabels, named_classes, stored_class_table
 
 _WGS84 = 4326
 _POINTS_AT_ONCE = 50_000
@@ -41,6 +42,36 @@ def label_map_frame(labels: GdalLabels, path: str) -> MapFrame:
     transform = labels.dataset.GetGeoTransform(can_return_null=True)
     require_map_grid(transform, path)
     return MapFrame(srs.ExportToWkt(["FORMAT=WKT2_2019"]), tuple(transform), labels.shape_hw)
+
+
+def require_crs_of(frame: MapFrame, database_crs: str, path: str) -> None:
+    """Raises LabelMapError for a label map in another CRS than the database's.
+
+    Args:
+        frame: Where the map lies.
+        database_crs: WKT of the database's.
+        path: What the map is called in what is said.
+    """
+    own, other = (osr.SpatialReference(wkt) for wkt in (frame.crs, database_crs))
+    if not own.IsSame(other):
+        names = own.GetName() or "", other.GetName() or ""
+        raise LabelMapError("storage.map_in_other_crs", path=path, crs=names[0], database_crs=names[1])
+
+
+def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None:
+    """Raises LabelMapError for a label map that calls a class otherwise than the database does.
+
+    Args:
+        labels: The map.
+        table: Of the database.
+        path: What the map is called in what is said.
+    """
+    for found in stored_class_table(labels.dataset, path) or named_classes(labels.dataset):
+        known = table.by_value(found.value)
+        if known is not None and known.name != found.name:
+            raise LabelMapError(
+                "storage.class_called_otherwise", path=path, value=found.value, name=found.name, known=known.name
+            )
 
 
 def longitudes_latitudes(points_xy: np.ndarray, crs_wkt: str) -> tuple[np.ndarray, np.ndarray]:

@@ -16,6 +16,13 @@ SENTENCES = {
     "storage.not_in_meters": (
         "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters."
     ),
+    "storage.map_in_other_crs": (
+        "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS."
+    ),
+    "storage.class_called_otherwise": (
+        "{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s "
+        "class table."
+    ),
     "storage.no_overlap": "The reference and the prediction don't overlap; choose maps of the same ground.",
     "storage.tilted_for_world_file": (
         "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead."

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsGeometry, QgsPointXY
 
 from ...core.errors import LabelMapError, ParameterError
+from ...core.evaluation.offered import OFFERED, ORDER
 from ...core.localization import Method
 from ..compat import POINT
 from ..framework import offers
@@ -30,11 +31,6 @@ if TYPE_CHECKING:
     from ..framework.values import Values
 
     Job = tuple[WindowQuery, list[Method]]
-
-GRID_CELLS = 16
-MOST_IN_A_CELL = 20
-"""A cell of the grid of noise has TRIALS / GRID_CELLS images, but 2 at least and so many at most; so has a step of the
-offset."""
 
 
 class EvaluateLocalization(SemRefAlgorithm):
@@ -150,11 +146,9 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _ranges_offered(self) -> list[NumberRange]:
         """What trials draw their values from."""
-        defaults = {self.MISSED: "20,20", self.INVENTED: "20,20", self.MISNAMED: "5,5", self.RAGGED: "0,1"}
-        defaults |= {self.BACKGROUND: "5,5", self.DISPLACED: "1.1,1.1", self.SHIFTED: "0.5,0.5", self.LEANING: "0,1"}
-        defaults |= {self.LENS: "0,1", self.TILT: "0,3"}
+        defaults = {name.upper(): f"{low:g},{high:g}" for name, (low, high) in OFFERED.items()}
         ranges = (
-            (self.SCALE, tr("Scale"), tr("Ground that an image shows, as a multiple of the window size."), "0.8,1.25"),
+            (self.SCALE, tr("Scale"), tr("Ground that an image shows, as a multiple of the window size.")),
             (
                 self.OFFSET,
                 tr("Offset"),
@@ -162,15 +156,15 @@ class EvaluateLocalization(SemRefAlgorithm):
                     "Distance of an image’s center from the nearest window’s, as a share of the stride: 0 to 0 lies on "
                     "the windows, 0 to 0.5 anywhere."
                 ),
-                "0,0.5",
             ),
-            (self.ROTATION, tr("Rotation (°)"), tr("Heading of an image’s top, clockwise from grid north."), "0,360"),
-            *((key, title, text, defaults[key]) for key, title, text in (*offers.noises(), *offers.shared_errors())),
+            (self.ROTATION, tr("Rotation (°)"), tr("Heading of an image’s top, clockwise from grid north.")),
+            *offers.noises(),
+            *offers.shared_errors(),
         )
         # Optional, because QGIS ignores the default of a range that is not.
         return [
-            NumberRange(key, title, text, True, key not in (self.SCALE, self.OFFSET), default)
-            for key, title, text, default in ranges
+            NumberRange(key, title, text, True, key not in (self.SCALE, self.OFFSET), defaults[key])
+            for key, title, text in ranges
         ]
 
     def _judging(self) -> tuple[Number, ...]:
@@ -252,15 +246,10 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
         """What is tried with which methods; reports need more."""
-        count = values.integer(self.TRIALS)
-        mirrored = min(round(count * values.number(self.MIRRORED) / 100), count - 1)
-        jobs = [(query, methods) for query in evaluation.trials(count - mirrored, mirrored)]
-        if is_reported:
-            a_cell = min(max(count // GRID_CELLS, 2), MOST_IN_A_CELL)
-            jobs += [(query, methods[:1]) for query in evaluation.noise_grid(a_cell)]
-            jobs += [(query, methods) for query in evaluation.moves(a_cell)]
-            jobs += [(query, methods) for query in evaluation.tables()]
-        return jobs
+        from ...core.evaluation.plan import planned
+
+        mirrored = values.number(self.MIRRORED) / 100
+        return planned(evaluation, methods, values.integer(self.TRIALS), mirrored, is_reported)
 
     def _methods(self, values: Values) -> dict[Method, str]:
         """Chosen methods with their titles, the one that the outputs are about first."""
@@ -268,8 +257,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         if not chosen:
             raise ParameterError("algorithms.no_methods")
         # The published method is what the others are compared with.
-        order = (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR)
-        return {method: worded(method.title) for method in order if method.number in chosen}
+        return {method: worded(method.title) for method in ORDER if method.number in chosen}
 
     def _evaluation(
         self, values: Values, feedback: QgsProcessingFeedback
@@ -299,26 +287,17 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _check_map(self, labels: GdalLabels, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem) -> None:
         """Raises LabelMapError unless the label map has the database's CRS and classes."""
-        from ...storage.rasters import named_classes, stored_class_table
+        from ...storage.map_frames import require_classes_of
         from ..exchange.reference_systems import describe_crs
 
         if self._layer.crs != crs:
             raise LabelMapError(
-                "algorithms.map_in_other_crs",
+                "storage.map_in_other_crs",
                 path=self._layer.path,
                 crs=describe_crs(self._layer.crs),
                 database_crs=describe_crs(crs),
             )
-        for found in stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset):
-            known = database.class_table.by_value(found.value)
-            if known is not None and known.name != found.name:
-                raise LabelMapError(
-                    "algorithms.class_called_otherwise",
-                    path=self._layer.path,
-                    value=found.value,
-                    name=found.name,
-                    known=known.name,
-                )
+        require_classes_of(labels, database.class_table, self._layer.path)
 
     def _try(self, evaluation: Evaluation, jobs: Sequence[Job], feedback: QgsProcessingFeedback) -> list[Trial]:
         """All trials; raises Canceled within a moment."""
@@ -340,7 +319,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         database: ReferenceDatabase,
     ) -> None:
         """Report and JSON where they are wanted."""
-        from ..reports.evaluation_json import evaluation_json
+        from ...core.evaluation.as_json import evaluation_json
         from ..reports.evaluation_report import EvaluationReport
 
         names = os.path.basename(database.source), os.path.basename(self._layer.path)
@@ -365,9 +344,9 @@ class EvaluateLocalization(SemRefAlgorithm):
         }
 
     def _write_points(self, outputs: Outputs, trials: Sequence[Trial], crs: QgsCoordinateReferenceSystem) -> None:
+        from ...core.evaluation.as_json import FIELDS, values_of
         from ...core.evaluation.evaluation import MAP, MIRRORED
         from ..exchange.layer_looks import trials_look
-        from ..reports.evaluation_json import FIELDS, values_of
 
         with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, trials_look()) as sink:
             for trial in trials:

@@ -74,13 +74,6 @@ SENTENCES = {
         "leave COMPARISON empty."
     ),
     "algorithms.no_methods": "METHODS is empty; choose at least one method.",
-    "algorithms.map_in_other_crs": (
-        "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS."
-    ),
-    "algorithms.class_called_otherwise": (
-        "{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the database’s "
-        "class table."
-    ),
     "algorithms.stride_above_size": (
         "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
         "missed; make the stride at most the window size."

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import Any, Callable
+from typing import Any, Callable, cast
 
-from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
-from ...core.evaluation.rates import Rate, RateAt
-from ...core.evaluation.summary import (
+from ..localizer.record import record
+from ..sentences import Sentence, english
+from .evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING, WindowQuery
+from .rates import Rate, RateAt
+from .summary import (
     HELD_SHARES,
     RoadSummary,
     noise_rates,
@@ -20,9 +22,7 @@ from ...core.evaluation.summary import (
     success_by_offset,
     summarize,
 )
-from ...core.evaluation.trial import Trial
-from ...core.localizer.record import record
-from ...core.sentences import Sentence, english
+from .trial import Trial
 
 FORMAT = "semref evaluation 1"
 
@@ -87,7 +87,8 @@ def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: d
 
 def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
     """One trial by the names of OUTPUT's columns; ``wording``: how its reason is said."""
-    query, view, known = trial.query, trial.query.view, record(trial.result, wording)
+    query = cast(WindowQuery, trial.query)
+    view, known = query.view, record(trial.result, wording)
     return {
         "trial": query.number,
         "kind": query.kind,
