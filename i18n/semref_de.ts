@@ -6432,6 +6432,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{option} ist „{text}“; geben Sie Zahlen an, getrennt durch „;“.</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
+   <translation>{option} ist „{text}“; den kleinsten und den größten Wert angeben, etwa 0,20.</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} braucht das Python-Paket {package}; installieren Sie es: pip install {package}.</translation>
   </message>
@@ -7278,6 +7282,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>„{name}“ ist keine beurteilte Route: Sie hat keine Punkte, oder ihr fehlen die Spalten {missing}; geben Sie an, was „Route beurteilen“ geschrieben hat.</translation>
+  </message>
+  <message>
+   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
+   <translation>„{name}“ ist kein Verfahren; einige von {known} angeben, durch „;“ getrennt.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -6432,6 +6432,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{option} es «{text}»; indique números separados por «;».</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
+   <translation>{option} es «{text}»; indique el valor menor y el mayor, por ejemplo 0,20.</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
   </message>
@@ -7278,6 +7282,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>«{name}» no es una ruta evaluada: no tiene puntos o le faltan las columnas {missing}; indique lo que escribió «Evaluar ruta».</translation>
+  </message>
+  <message>
+   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
+   <translation>«{name}» no es ningún método; indique algunos de {known}, separados por «;».</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

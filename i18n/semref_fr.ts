@@ -6432,6 +6432,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{option} est « {text} » ; indiquez des nombres séparés par « ; ».</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
+   <translation>{option} vaut « {text} » ; indiquez la plus petite et la plus grande valeur, par exemple 0,20.</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
   </message>
@@ -7278,6 +7282,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>« {name} » n’est pas une route évaluée : elle n’a pas de points, ou les colonnes {missing} manquent ; donnez ce que « Évaluer une route » a écrit.</translation>
+  </message>
+  <message>
+   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
+   <translation>« {name} » n’est pas une méthode ; indiquez-en parmi {known}, séparées par « ; ».</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

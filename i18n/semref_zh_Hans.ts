@@ -6432,6 +6432,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{option} 为“{text}”；请给出以“;”分隔的数字。</translation>
   </message>
   <message>
+   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
+   <translation>{option} 为“{text}”；请给出最小值和最大值，例如 0,20。</translation>
+  </message>
+  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} 需要 Python 包 {package}；请安装：pip install {package}。</translation>
   </message>
@@ -7278,6 +7282,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>“{name}”不是已评价的航线：没有点，或缺少列 {missing}；请给出“评价航线”的输出。</translation>
+  </message>
+  <message>
+   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
+   <translation>“{name}”不是方法；请从 {known} 中选择，用“;”分隔。</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
