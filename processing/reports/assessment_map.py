@@ -36,7 +36,8 @@ def legend(classes: Sequence[tuple[float, float, str, str]]) -> str:
     """The classes beside each other, from good to bad."""
     entries = "".join(
         f'<span style="white-space:nowrap;margin-right:18px"><svg viewBox="0 0 12 12" style="display:inline-block;'
-        f'width:12px;height:12px;vertical-align:-1px"><rect width="12" height="12" fill="{color}"/></svg> '
+        f'width:12px;height:12px;vertical-align:-1px"><rect x="0.5" y="0.5" width="11" height="11" fill="{color}" '
+        f'stroke="var(--soft)"/></svg> '
         f"{escape(text)}</span> "
         for _, _, color, text in classes[::-1]
     )

@@ -19,6 +19,9 @@ WIDEST_PX = 620
 
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
+_HALF_PX, _MARK_PX = (WIDTH - LEFT - RIGHT) / 2, 30
+"""Of a row of the legend; what stands before a name."""
+
 TITLE_ROW = 24
 CELL_WIDTH, CELL_HEIGHT = 54, 34
 CHARACTER = 8.0
@@ -100,7 +103,7 @@ def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
 
 def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, diagonal: bool = False) -> str:
     """Lines with their intervals as bands; ``diagonal`` draws the line on which both axes agree."""
-    frame = _Frame(x_axis, y_axis, len(series))
+    frame = _Frame(x_axis, y_axis, [one.name for one in series])
     parts = frame.axes()
     if diagonal:
         (x0, y0), (x1, y1) = frame.point(x_axis.limits[0], y_axis.limits[0]), frame.point(*_ends(x_axis, y_axis))
@@ -113,7 +116,7 @@ def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, 
 def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_axis: Axis, name: str) -> str:
     """Bars side by side in named groups, with whiskers; a series' x are the numbers of its groups, from 0."""
     x_axis = Axis(x_title, (0.0, max(float(len(groups)), 1.0)), [(n + 0.5, text) for n, text in enumerate(groups)])
-    frame = _Frame(x_axis, y_axis, len(series))
+    frame = _Frame(x_axis, y_axis, [one.name for one in series])
     parts = frame.axes(x_grid=False)
     width = 0.76 / max(len(series), 1)
     for number, one in enumerate(series):
@@ -183,11 +186,11 @@ def _channels(color: str) -> list[int]:
 
 
 class _Frame:
-    """Where values lie in a chart with axes; ``entries``: rows of the legend above it."""
+    """Where values lie in a chart with axes; ``names``: the entries of the legend above it."""
 
-    def __init__(self, x_axis: Axis, y_axis: Axis, entries: int) -> None:
+    def __init__(self, x_axis: Axis, y_axis: Axis, names: Sequence[str]) -> None:
         self.x_axis, self.y_axis = x_axis, y_axis
-        self.top = TOP + (LEGEND_ROW * math.ceil(entries / 2) if entries else 0)
+        self.top = TOP + LEGEND_ROW * math.ceil(len(names) / _entries_a_row(names))
         self.bottom = self.top + HEIGHT - TOP - BOTTOM
         self.height = self.bottom + BOTTOM
 
@@ -262,18 +265,25 @@ def _marker(x: float, y: float, number: int) -> str:
     return f'<path d="M{x:.1f} {y:.1f}m{corners[number % SERIES]}" style="fill:{_color(number)}"/>'
 
 
+def _entries_a_row(names: Sequence[str]) -> int:
+    fit = all(_MARK_PX + CHARACTER * _room(name) <= _HALF_PX + RIGHT for name in names)
+    return 2 if fit else 1
+
+
 def _legend(frame: _Frame, names: Sequence[str], lines: bool = True, colors: Sequence[str] = ()) -> list[str]:
-    """Two entries a row, above the chart."""
+    """Two entries a row, above the chart; one where a name is long."""
     parts = []
+    abreast = _entries_a_row(names)
     for number, name in enumerate(names):
-        x, y = LEFT + (WIDTH - LEFT - RIGHT) / 2 * (number % 2), TOP + LEGEND_ROW * (number // 2) - 2
+        row, place = divmod(number, abreast)
+        x, y = LEFT + _HALF_PX * place, TOP + LEGEND_ROW * row - 2
         if lines:
             parts.append(f'<path d="M{x:.1f} {y}h24" {_stroke(_color(number), DASHES[number % SERIES], 2)}/>')
             parts.append(_marker(x + 12, y, number))
         else:
             color = (colors[number] if colors else "") or _color(number)
             parts.append(f'<rect x="{x + 6:.1f}" y="{y - 6}" width="12" height="12" style="fill:{color}"/>')
-        parts.append(f'<text x="{x + 30:.1f}" y="{y + 4}">{escape(name)}</text>')
+        parts.append(f'<text x="{x + _MARK_PX:.1f}" y="{y + 4}">{escape(name)}</text>')
     return parts
 
 

@@ -147,3 +147,23 @@ def test_what_to_do_next_is_a_list_of_sentences_and_nothing_without_any():
 def test_a_series_may_have_a_color_of_its_own_also_in_the_legend():
     svg = charts.bar_chart(["a"], [Series("errors", [0], [1.0], color="var(--bad)")], "x", Y, "bars")
     assert svg.count("fill:var(--bad)") == 2
+
+
+@pytest.mark.parametrize("second", ["Automatic", "Topology vector (He & Wu 2025)", "二维拓扑向量（论文发表的方法）"])
+def test_no_entry_of_a_legend_runs_out_of_its_chart_or_into_the_next_one(second):
+    names = ["Constellation", second, "b"]
+    drawings = (
+        charts.line_chart([Series(name, [0.0, 0.5], [0.0, 1.0]) for name in names], X, Y, "lines"),
+        charts.bar_chart(["a"], [Series(name, [0], [0.5]) for name in names], "n", Y, "bars"),
+    )
+    for svg in drawings:
+        entries = [one for one in drawn(svg).iter(f"{SVG}text") if one.text in names]
+        assert [one.text for one in entries] == names
+        rows = {}
+        for one in entries:
+            rows.setdefault(float(one.get("y")), []).append((float(one.get("x")), len(one.text.encode("gb18030"))))
+        for row in rows.values():
+            # A letter of the page is hardly wider than 6.5 pixels, a Chinese one twice as wide.
+            ends = [x + 6.5 * letters for x, letters in row]
+            starts = [x - 30 for x, _ in row[1:]] + [charts.WIDTH]
+            assert all(end <= start for end, start in zip(ends, starts))
