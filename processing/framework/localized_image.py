@@ -96,6 +96,11 @@ class LocalizedImage:
     camera: str = ""
 
 
+def is_photo(path: str) -> bool:
+    """Whether a file is of a kind that cameras write, and that keeps no label image as it is."""
+    return path.lower().endswith((".jpg", ".jpeg"))
+
+
 class LabelImages:
     """A folder of label images, each named after its image; called with an image's path and its (H, W) labels.
 

@@ -14,7 +14,7 @@ from ..wording.sentences import worded
 from . import offers, priors
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable
 from .declarations import Choice, File, Files, FolderOutput, Number, Parameter, PointOutput, PolygonOutput
-from .localized_image import LabelImages, LocalizedImage
+from .localized_image import LabelImages, LocalizedImage, is_photo
 from .scheduled import ordered
 
 if TYPE_CHECKING:
@@ -174,6 +174,10 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         paths = image_files(values.files(self.IMAGES))
         if needed and not paths:
             raise ParameterError("algorithms.no_images")
+        if not values.file(self.MODEL) and any(map(is_photo, paths)):
+            feedback.pushWarning(
+                tr("These are photos: choose a model.") + " " + tr("Else colors are taken for classes.")
+            )
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:
             # The published method, exactly: images as they are.

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
 from made_models import metadata, painted, write_model, writer
-from osgeo import ogr
+from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
 from semref.core.segmentation.onnx_file import with_metadata
@@ -106,6 +106,18 @@ def test_a_photos_height_and_lens_tell_how_large_the_network_sees_it(
     run_algorithm(algorithm, {**parameters, "ATTITUDE": str(table), "OUTPUT": str(tmp_path / "p.gpkg")}, feedback)
     assert "a.png: a pixel shows 100 cm of the ground" in feedback.textLog()
     assert "sees the photo at 50 cm a pixel" in feedback.textLog()
+
+
+def test_photos_without_a_model_are_told_so(localize, tmp_path, feedback):
+    photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
+    gdal.Translate(str(photo), str(plain), format="JPEG")
+    localize([photo], MODEL=None)
+    assert "These are photos: choose a model. Else colors are taken for classes." in feedback.textLog()
+    label_image = write_raster(tmp_path / "b.png", LABELS[:SIZE, :SIZE], transform=None)
+    before = feedback.textLog().count("These are photos")
+    localize([label_image], MODEL=None)
+    localize([photo])
+    assert feedback.textLog().count("These are photos") == before
 
 
 def test_a_bad_photo_does_not_stop_the_others(localize, tmp_path):

@@ -14,6 +14,7 @@ from ....core.errors import ParameterError
 from ....core.localization import Status
 from ....processing.exchange.flight_styles import flight_look, track_look
 from ....processing.exchange.results_file import open_results, write_results
+from ....processing.framework.localized_image import is_photo
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...findings import ResultLayers, read_findings
@@ -292,11 +293,6 @@ class LocalizeTab(QWidget):
             "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
         )
         self._messages.warning(sentence.format(layers=", ".join(names)))
-
-
-def is_photo(path: str) -> bool:
-    """Whether a file is of a kind that cameras write, and that keeps no label image as it is."""
-    return path.lower().endswith((".jpg", ".jpeg"))
 
 
 def _copy_of(layer: QgsVectorLayer) -> QgsVectorLayer:
