@@ -1,0 +1,47 @@
+"""A search takes what is known of all images and of each one's camera to the localizer."""
+
+import numpy as np
+
+from semref.core.geometry.camera import Camera, Lens
+from semref.core.geometry.leveling import Attitude
+from semref.core.labels.class_shares import SeenLabels
+from semref.core.localization import Localization, Method, Prior, Status
+from semref.core.localizer.search import Search
+
+LABELS = np.zeros((40, 60), np.uint8)
+
+
+class Localizer:
+    """Notes what it is asked."""
+
+    def __init__(self):
+        self.asked = []
+
+    def pixel_sizes(self, shape_hw, scales):
+        return tuple(scale * 100 / min(shape_hw) for scale in scales)
+
+    def localize(self, labels_hw, method, prior, with_matches, shares):
+        self.asked.append((labels_hw.shape, method, prior, with_matches, shares))
+        return Localization(Status.NO_MATCH, method)
+
+
+def test_scales_become_pixel_sizes_of_the_image_s_shorter_edge():
+    localizer = Localizer()
+    search = Search(Method.CONSTELLATION, Prior((1.0, 2.0), 30.0), (0.5, 2.0), True)
+    search.localized(localizer, SeenLabels(LABELS), Camera())
+    shape, method, prior, with_matches, shares = localizer.asked[0]
+    assert (shape, method, with_matches, shares) == ((40, 60), Method.CONSTELLATION, True, None)
+    assert prior == Prior((1.0, 2.0), 30.0, pixel_size_range=(1.25, 5.0))
+
+
+def test_what_the_camera_knows_counts_where_nobody_said_otherwise():
+    camera = Camera(heading_deg=70.0)
+    assert Search(Method.CONSTELLATION).prior_of(Localizer(), camera, (40, 60)).heading_deg == 70.0
+    told = Search(Method.CONSTELLATION, Prior(heading_deg=10.0))
+    assert told.prior_of(Localizer(), camera, (40, 60)).heading_deg == 10.0
+
+
+def test_a_tilted_image_is_leveled_first():
+    localizer, camera = Localizer(), Camera(Attitude(10.0, 5.0), Lens("field_of_view", 60.0))
+    Search(Method.CONSTELLATION).localized(localizer, SeenLabels(LABELS), camera)
+    assert localizer.asked[0][0] != LABELS.shape
