@@ -82,11 +82,9 @@ def radius_parts(known: PoseCovariance) -> Sentence | None:
 
 
 def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:
-    """Why there is no fix, or what makes a fix's radius."""
-    said = result.reason
-    if said is None and result.is_fix and result.covariance is not None:
-        said = radius_parts(result.covariance)
-    return "" if said is None else wording(said)
+    """Why there is no fix; of a fix what it doesn't hold for, and what makes its radius."""
+    parts = radius_parts(result.covariance) if result.is_fix and result.covariance is not None else None
+    return " ".join(wording(said) for said in (result.reason, parts) if said is not None)
 
 
 def _deviations(result: Localization) -> dict[str, Any]:

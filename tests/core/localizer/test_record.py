@@ -61,6 +61,9 @@ def test_a_fix_tells_what_its_radius_is_made_of():
     known = replace(COVARIANCE, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
     said = record(replace(FIX, covariance=known))["reason"]
     assert said == "What makes the 95 % radius: accuracy of the map 1.2 m, noise of single landmarks 0.5 m."
+    remark = Sentence("localization.one_side_unknown", part="left part", agree=0, count=24)
+    both = record(replace(FIX, covariance=known, reason=remark))["reason"]
+    assert both.startswith("In the left part of the image only 0 of 24 landmarks agree") and both.endswith(said)
 
 
 def test_deviations_that_no_trials_confirm_are_not_told():
