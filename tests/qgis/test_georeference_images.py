@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -128,10 +129,13 @@ def test_without_matches_corners_edges_and_middle_are_the_control_points(georefe
 def test_where_map_correlation_placed_an_image_its_fix_tells_the_control_points(georeference, localized, tmp_path):
     """Of houses that a network joins centers are off by meters, while areas place the image to decimeters."""
     by_areas = tmp_path / "by_areas.gpkg"
-    gdal.VectorTranslate(str(by_areas), localized["OUTPUT"], layerName="positions")
+    shutil.copy(localized["OUTPUT"], by_areas)
     source = ogr.Open(str(by_areas), 1)
-    source.ExecuteSQL("UPDATE positions SET method = 'map correlation'")
-    source = None
+    layer = source.GetLayer(0)
+    for row in list(layer):
+        row.SetField("method", "map correlation")
+        layer.SetFeature(row)
+    row = layer = source = None
     _, folder = georeference(FORMAT=2, POSITIONS=str(by_areas), MATCHES=localized["MATCHES"])
     points = points_of(folder / "level.png.points")
     assert points[:, 2:4].tolist() == [[c, -r] for r in (0, 150, 300) for c in (0, 150, 300)]
