@@ -49,6 +49,17 @@ def test_colors_of_a_busy_picture_are_near_their_own(shrunk):
     assert np.abs(found[1:-1, 1:-1].astype(int) - ramp[1:-1, 1:-1]).mean() < 6
 
 
+def test_swatches_of_a_legend_keep_their_colors_beside_a_busy_map(shrunk):
+    rng = np.random.default_rng(3)
+    picture = rng.normal((150, 140, 70), 25, (300, 400, 3)).clip(0, 255).astype(np.uint8)
+    swatches = [(25, 110, 45), (70, 150, 220), (160, 30, 120), (250, 250, 60)]
+    for n, color in enumerate(swatches):
+        picture[20 + 40 * n : 31 + 40 * n, 10:21] = color
+    found, _ = shrunk(picture)
+    for n, color in enumerate(swatches):
+        assert np.abs(found[25 + 40 * n, 15].astype(int) - color).max() <= palette_png.NEAR
+
+
 def test_a_large_file_gets_fewer_colors(shrunk):
     _, whole = shrunk(noise())
     found, smaller = shrunk(noise(), whole - 1)

@@ -12,6 +12,12 @@ from PIL import Image, ImageOps, UnidentifiedImageError
 COLOR_COUNTS = (256, 192, 128, 96, 64)
 FRAME_GRAY = 160
 
+SWATCH_PIXELS = 60
+"""A color that is so often there is one of a swatch, a button or a text, not a shade of a map in between."""
+
+NEAR, MOST_KEPT = 6.0, 32
+"""Of the colors that are farther from the palette, so many take the place of its rarest ones."""
+
 
 def shrink(source: Path, target: Path, largest_bytes: int) -> None:
     """Writes the picture with a thin frame and a palette; with fewer colors when it would be larger than that.
@@ -25,9 +31,7 @@ def shrink(source: Path, target: Path, largest_bytes: int) -> None:
     picture.paste(ImageOps.expand(picture.crop((1, 1, picture.width - 1, picture.height - 1)), 1, (FRAME_GRAY,) * 3))
     for count in COLOR_COUNTS:
         content = io.BytesIO()
-        picture.quantize(palette=_seen(picture).quantize(count), dither=Image.Dither.NONE).save(
-            content, "PNG", optimize=True
-        )
+        picture.quantize(palette=_palette(picture, count), dither=Image.Dither.NONE).save(content, "PNG", optimize=True)
         if content.tell() <= largest_bytes:
             break
     else:
@@ -35,11 +39,21 @@ def shrink(source: Path, target: Path, largest_bytes: int) -> None:
     target.write_bytes(content.getvalue())
 
 
-def _seen(picture: Image.Image) -> Image.Image:
-    """Its colors in a row, each as often as the root of how often it is there.
+def _palette(picture: Image.Image, count: int) -> Image.Image:
+    """A palette of so many of its colors, those of a legend's swatches among them.
 
-    By how often alone, the colors of a legend's swatches would be lost to the shades of a map.
+    A color counts as often as the root of how often it is there; those of swatches that are still lost to the shades of
+    a map replace the colors that are used least.
     """
     colors, counts = np.unique(np.asarray(picture).reshape(-1, 3), axis=0, return_counts=True)
     row = np.repeat(colors, np.ceil(np.sqrt(counts)).astype(int), axis=0)
-    return Image.fromarray(row[np.newaxis])
+    found = Image.fromarray(row[np.newaxis]).quantize(count)
+    palette = np.array(found.getpalette()[: 3 * count], np.float64).reshape(-1, 3)
+    offsets = np.stack([((palette - color) ** 2).sum(axis=1) for color in colors.astype(np.float64)])
+    nearest, distances = offsets.argmin(axis=1), np.sqrt(offsets.min(axis=1))
+    lost = np.flatnonzero((counts >= SWATCH_PIXELS) & (distances > NEAR))
+    lost = lost[np.argsort(-distances[lost], kind="stable")][:MOST_KEPT]
+    used = np.bincount(nearest, counts, minlength=len(palette))
+    palette[np.argsort(used, kind="stable")[: len(lost)]] = colors[lost]
+    found.putpalette(palette.astype(np.uint8).ravel().tolist())
+    return found
