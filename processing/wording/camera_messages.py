@@ -22,7 +22,7 @@ def camera_read(camera: Camera, shape_hw: tuple[int, int]) -> str:
         (attitude and attitude.pitch_deg, tr("pitch {value:.1f}°")),
         (_most_shift(camera, shape_hw) if known else None, tr("lens straightened by up to {value:.1f} % of the width")),
     )
-    return ", ".join(text.format(value=value + 0.0) for value, text in parts if value is not None)
+    return ", ".join(text.format(value=_tenths(value)) for value, text in parts if value is not None)
 
 
 def _most_shift(camera: Camera, shape_hw: tuple[int, int]) -> float | None:
@@ -40,4 +40,10 @@ def camera_remark(camera: Camera, shape_hw: tuple[int, int]) -> str:
         text = tr("The shape is not that of {source}, so the image is taken as it is.")
         return text.format(source=camera.source)
     text = tr("Leveled: roll {roll:.1f}°, pitch {pitch:.1f}° ({source}).")
-    return text.format(roll=camera.attitude.roll_deg, pitch=camera.attitude.pitch_deg, source=camera.source)
+    roll, pitch = (_tenths(angle) for angle in (camera.attitude.roll_deg, camera.attitude.pitch_deg))
+    return text.format(roll=roll, pitch=pitch, source=camera.source)
+
+
+def _tenths(value: float) -> float:
+    """To a tenth, and never −0."""
+    return round(value, 1) + 0.0

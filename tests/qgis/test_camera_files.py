@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -114,6 +115,8 @@ def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
     assert angles(camera) == (1.5, -20) and camera.time_s == 12.25 and camera.source == "cameras.csv"
     assert camera.lens.focal_length_px((30, 40)) == 35
     assert "roll 1.5°, pitch -20.0° (cameras.csv)" in camera_remark(camera, (30, 40))
+    level = replace(camera, attitude=replace(camera.attitude, roll_deg=-0.03, pitch_deg=-0.0))
+    assert "roll 0.0°, pitch 0.0°" in camera_remark(level, (30, 40))
     assert camera.leveling((30, 40)).shape_hw != (30, 40)
 
 
