@@ -5,7 +5,11 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-TRAINER = """#!{python}
+# The first line may not name a path with a space: sh reads the second, Python takes it for a text.
+TRAINER = """\
+#!/bin/sh
+'''exec' "{python}" "$0" "$@"
+' '''
 import json, os, shutil, sys, time
 def tell(event, **values):
     print(json.dumps({{"event": event, **values}}), flush=True)

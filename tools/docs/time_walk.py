@@ -100,8 +100,11 @@ def by_processor_time(folder: Path, python: str) -> str:
     return str(program)
 
 
+# The first line may not name a path with a space: sh reads the second, Python takes it for a text.
 _BY_PROCESSOR_TIME = """\
-#!{own}
+#!/bin/sh
+'''exec' "{own}" "$0" "$@"
+' '''
 import json, os, sys
 if len(sys.argv) > 2:
     job = json.load(open(sys.argv[2]))
