@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import signal
 import sqlite3
 import subprocess
 import sys
@@ -13,7 +12,7 @@ import time
 import numpy as np
 import pytest
 from built_database import BUILD, content
-from clustered import SETTINGS
+from clustered import SETTINGS, lose_a_worker, require_nothing_after
 from made_inputs import write_raster
 from osgeo import gdal, osr
 
@@ -57,23 +56,11 @@ def test_it_holds_what_the_algorithm_builds(built, label_map, run_algorithm, tmp
 
 
 def test_two_workers_of_which_one_is_killed_give_the_same_bytes(cluster, built, label_map, tmp_path):
-    psutil = pytest.importorskip("psutil")
     target = tmp_path / "two.gpkg"
     running = cluster.start(
         "build", label_map, "--database", target, "--reference-classes", "building;water", *SETTINGS, "--local", 2
     )
-    for line in running.stderr:
-        if "Finding landmarks" in line:
-            break
-    workers = [
-        child
-        for child in psutil.Process(running.pid).children(recursive=True)
-        if "spawn_main" in " ".join(child.cmdline())
-    ]
-    assert len(workers) >= 2
-    workers[0].send_signal(signal.SIGKILL)
-    _, errors = running.communicate(timeout=120)
-    assert running.returncode == 0, errors
+    lose_a_worker(running, "Finding landmarks")
     assert target.read_bytes() == built.read_bytes()
 
 
@@ -119,14 +106,7 @@ def test_an_interrupt_leaves_nothing(cluster, label_map, tmp_path, name):
     running = cluster.start(
         "build", label_map, "--database", target, "--reference-classes", "building", *SETTINGS, "--local", 1
     )
-    for line in running.stderr:
-        if "Finding landmarks" in line:
-            break
-    running.send_signal(getattr(signal, name))
-    _, errors = running.communicate(timeout=60)
-    assert running.returncode == 130
-    assert errors.splitlines()[-1] == "cluster: ended; nothing was written."
-    assert list(tmp_path.iterdir()) == []
+    require_nothing_after(name, running, "Finding landmarks", tmp_path)
 
 
 def test_the_style_is_what_the_algorithm_s_is(built):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-import signal
 
 import pytest
 from built_database import NAMES
+from clustered import require_nothing_after
 from made_inputs import scattered_objects, write_raster
 
 SIZE = 160
@@ -42,13 +42,7 @@ def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, area
 
 def test_an_interrupt_leaves_nothing(cluster, area, tmp_path):
     running = cluster.start("evaluate", *area, "--output", tmp_path / "never.json", "--local", 1)
-    for line in running.stderr:
-        if "Localizing" in line:
-            break
-    running.send_signal(signal.SIGINT)
-    _, errors = running.communicate(timeout=60)
-    assert running.returncode == 130 and errors.splitlines()[-1] == "cluster: ended; nothing was written."
-    assert list(tmp_path.iterdir()) == []
+    require_nothing_after("SIGINT", running, "Localizing", tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import signal
-
 import pytest
 from built_database import NAMES
+from clustered import lose_a_worker, require_nothing_after
 from made_inputs import scattered_objects, write_raster
 
 from semref.core.assessment.assessment import Assessment
@@ -86,16 +85,8 @@ def answers(cluster, orders, tmp_path_factory):
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_two_workers_answer_as_one_does_though_one_of_them_is_killed(cluster, orders, answers, tmp_path, kind):
-    psutil = pytest.importorskip("psutil")
     running = cluster.start("order", orders[kind], "--found", tmp_path / "found.json", "--local", 2)
-    for line in running.stderr:
-        if "Localizing" in line:
-            break
-    children = psutil.Process(running.pid).children(recursive=True)
-    workers = [child for child in children if "spawn_main" in " ".join(child.cmdline())]
-    workers[0].send_signal(signal.SIGKILL)
-    _, errors = running.communicate(timeout=120)
-    assert running.returncode == 0, errors
+    lose_a_worker(running, "Localizing")
     assert (tmp_path / "found.json").read_bytes() == answers(kind)
 
 
@@ -145,13 +136,7 @@ def test_simulated_images_are_those_of_one_process(orders, answers, tmp_path):
 
 def test_an_interrupt_leaves_nothing(cluster, orders, tmp_path):
     running = cluster.start("order", orders["evaluation"], "--found", tmp_path / "never.json", "--local", 1)
-    for line in running.stderr:
-        if "Localizing" in line:
-            break
-    running.send_signal(signal.SIGINT)
-    _, errors = running.communicate(timeout=60)
-    assert running.returncode == 130 and errors.splitlines()[-1] == "cluster: ended; nothing was written."
-    assert list(tmp_path.iterdir()) == []
+    require_nothing_after("SIGINT", running, "Localizing", tmp_path)
 
 
 def test_a_database_that_is_gone_is_said_in_one_sentence(cluster, orders, tmp_path):

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import signal
-
 import numpy as np
 import pytest
+from clustered import lose_a_worker, require_nothing_after
 from made_inputs import NORTH, WEST, scattered_objects, write_raster
 from made_models import painted, write_model
 
@@ -50,29 +49,15 @@ def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, phot
 
 
 def test_a_worker_that_is_killed_changes_nothing(cluster, photo, model, seen, tmp_path):
-    psutil = pytest.importorskip("psutil")
     target = tmp_path / "labels.tif"
     running = cluster.start("segment", photo, "--model", model, "--labels", target, "--local", 2)
-    for line in running.stderr:
-        if "Segmenting" in line:
-            break
-    children = psutil.Process(running.pid).children(recursive=True)
-    workers = [child for child in children if "spawn_main" in " ".join(child.cmdline())]
-    workers[0].send_signal(signal.SIGKILL)
-    _, errors = running.communicate(timeout=120)
-    assert running.returncode == 0, errors
+    lose_a_worker(running, "Segmenting")
     assert target.read_bytes() == seen[0].read_bytes()
 
 
 def test_an_interrupt_leaves_nothing(cluster, photo, model, tmp_path):
     running = cluster.start("segment", photo, "--model", model, "--labels", tmp_path / "never.tif", "--local", 1)
-    for line in running.stderr:
-        if "Segmenting" in line:
-            break
-    running.send_signal(signal.SIGINT)
-    _, errors = running.communicate(timeout=60)
-    assert running.returncode == 130 and errors.splitlines()[-1] == "cluster: ended; nothing was written."
-    assert list(tmp_path.iterdir()) == []
+    require_nothing_after("SIGINT", running, "Segmenting", tmp_path)
 
 
 @pytest.mark.parametrize(
