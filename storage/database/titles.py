@@ -46,7 +46,7 @@ _REGISTER = (
 
 
 def tell_titles(path: str) -> None:
-    """Writes the titles into a new database; GDAL writes them itself from 3.7 on only. Raises sqlite3.Error."""
+    """Writes the titles into a new database; GDAL 3.6 can't write them itself. Raises sqlite3.Error."""
     rows = [(table, name, text, text) for table, titles in _TITLES.items() for name, text in titles.items()]
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         for statement in _TABLES:
