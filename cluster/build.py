@@ -16,7 +16,7 @@ from osgeo import gdal
 from ..core.database.build import BuildSettings
 from ..core.database.model import ReferenceDatabase
 from ..core.database.parts import PartsBuilder
-from ..core.errors import LabelMapError, ParameterError
+from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..storage.database.overview_file import OverviewFile
@@ -27,7 +27,7 @@ from ..storage.map_frames import label_map_frame, longitudes_latitudes
 from ..storage.metadata import plugin_metadata
 from ..storage.rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, count_values
 from .engine import DaskRunner, connected
-from .inputs import Teller, require_apart, seen_by_workers, state
+from .inputs import Teller, require_apart, require_unchanged, seen_by_workers, state
 
 _WRITTEN_FROM = 0.85
 """Share of all that is done when writing begins."""
@@ -68,8 +68,7 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
             _tell_rounding(builder, frame, settings, teller)
             for text, share in builder.steps():
                 teller.step(text, _WRITTEN_FROM * share)
-        if state(path) != before:
-            raise LabelMapError("cluster.map_changed", path=path)
+        require_unchanged({path: before})
         database = _complete(builder)
         for text, share in _written(temporary, database, overview, before):
             teller.step(text, _WRITTEN_FROM + (1 - _WRITTEN_FROM) * share)

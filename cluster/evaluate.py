@@ -19,7 +19,7 @@ from ..storage.files import written_beside
 from ..storage.map_frames import label_map_frame, require_classes_of, require_crs_of
 from ..storage.rasters import GdalLabels
 from .engine import DaskRunner, connected
-from .inputs import Teller, require_apart, seen_by_workers, state
+from .inputs import Teller, require_apart, require_unchanged, seen_by_workers, state
 from .order import answered
 
 
@@ -40,7 +40,8 @@ def evaluate(options: Namespace, teller: Teller) -> dict[str, Any]:
     for given in (database_path, path):
         require_apart(given, options.output)
     methods, ranges = _methods(options.methods), _ranges(options)
-    database, labels, before = read_database(database_path, with_overview=True), GdalLabels(path), state(path)
+    before = {given: state(given) for given in (database_path, path)}
+    database, labels = read_database(database_path, with_overview=True), GdalLabels(path)
     frame = label_map_frame(labels, path)
     require_crs_of(frame, database.parameters.crs, path)
     require_classes_of(labels, database.class_table, path)
@@ -54,8 +55,7 @@ def evaluate(options: Namespace, teller: Teller) -> dict[str, Any]:
     with written_beside(str(Path(options.output).absolute())) as temporary:
         with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
             tried = answered(job, pieces, DaskRunner(client, ""), teller)
-        if state(path) != before:
-            raise ParameterError("cluster.map_changed", path=path)
+        require_unchanged(before)
         trials = [trial for of_image in tried for trial in of_image]
         text = evaluation_json(trials, methods, _settings(options, ranges))
         Path(temporary).write_bytes(text.encode("utf-8"))

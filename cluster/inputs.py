@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Protocol
 
@@ -35,3 +36,10 @@ def state(path: str) -> tuple[int, float]:
     """(bytes, time of the last change) of a file, as GDAL knows them; zeros for what is no file."""
     found = gdal.VSIStatL(path)
     return (found.size, found.mtime) if found is not None else (0, 0)
+
+
+def require_unchanged(before: Mapping[str, tuple[int, float]]) -> None:
+    """Raises ParameterError where a file is another one than when ``state`` told that of it."""
+    for path, then in before.items():
+        if state(path) != then:
+            raise ParameterError("cluster.map_changed", path=path)

@@ -16,7 +16,7 @@ from ..core.localizer.search import ImagesJob
 from ..storage.carried import from_text, read, to_text, write
 from ..storage.files import written_beside
 from .engine import DaskRunner, connected
-from .inputs import Teller, seen_by_workers
+from .inputs import Teller, require_apart, require_unchanged, seen_by_workers, state
 from .jobs import ASSESS, CORRELATE, EVALUATE, IMAGES
 
 _TRIALS_A_TASK, _SIMULATED_A_TASK = 4, 25
@@ -39,10 +39,16 @@ def order(options: Namespace, teller: Teller) -> dict[str, Any]:
     Raises:
         SemRefError: Anything that the user can mend.
     """
+    require_apart(options.order, options.found)
     job, pieces = read(options.order)
+    database = seen_by_workers(job.database)
+    require_apart(database, options.found)
+    before = {database: state(database)}
     with written_beside(str(Path(options.found).absolute())) as temporary:
         with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
             found = answered(job, pieces, DaskRunner(client, ""), teller)
+        # Workers open it each at its time.
+        require_unchanged(before)
         write(temporary, found)
     return {"pieces": len(pieces)}
 

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from ..core.errors import LabelMapError
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.class_bias import class_bias_text
 from ..core.segmentation.tiling import Tiles
@@ -19,7 +18,7 @@ from ..storage.files import written_beside
 from ..storage.label_map_file import LabelMapFile, whole_tile_rows
 from ..storage.rasters import read_class_table
 from .engine import DaskRunner, connected
-from .inputs import Teller, require_apart, seen_by_workers, state
+from .inputs import Teller, require_apart, require_unchanged, seen_by_workers, state
 from .photos import Opened, Opening, opened
 from .tasks import SEGMENT
 
@@ -57,8 +56,7 @@ def segment(options: Namespace, teller: Teller) -> dict[str, Any]:
             for first, labels in whole_tile_rows(_rows(photo, opening, runner, sure, Path(temporary).parent)):
                 file.write_rows(first, labels)
                 teller.step("Segmenting", (first + len(labels)) / height)
-        if state(opening.image) != before:
-            raise LabelMapError("cluster.map_changed", path=opening.image)
+        require_unchanged({opening.image: before})
     return {"labels": options.labels, "width": width, "height": height, "certainty": sure.mean}
 
 

@@ -173,11 +173,11 @@ def settle(seconds: float) -> None:
         time.sleep(0.01)
 
 
-def wait_until(condition, what: str) -> None:
-    end = time.monotonic() + LIMIT_S
+def wait_until(condition, what: str, limit_s: float = LIMIT_S) -> None:
+    end = time.monotonic() + limit_s
     while not condition():
         if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
+            raise RuntimeError(f"{what} did not come within {limit_s:g} s")
         settle(0.1)
 
 

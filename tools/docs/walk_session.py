@@ -18,10 +18,14 @@ from pathlib import Path
 
 import qgis.utils
 from qgis.core import QgsProject, QgsSettings
-from qgis.PyQt.QtCore import QCoreApplication, QMimeData, QPointF, Qt, QTimer, QUrl
+from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QLineEdit, QTextEdit
+
+JOB = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
+sys.path.append(JOB["tools"])
+from screenshot_window import Session, settle, wait_until  # noqa: E402 - where it lies the job tells
 
 WINDOW_M, STRIDE_M, SMALLEST_M2 = 640, 160, 50
 """As the sample project's: about what its photos show, and its houses."""
@@ -163,7 +167,7 @@ class Walk:
             self.hand.drop(tab.images.list, photos)
             wait_until(lambda: tab.localize_button.isEnabled(), "photos in the list")
             self.hand.click(tab.localize_button)
-            wait_until(lambda: not tab.run.running, "the localization")
+            wait_until(lambda: not tab.run.running, "the localization", LIMIT_S)
         if refused():
             raise RuntimeError(refused())
         shown = tab.results.table.model()
@@ -181,7 +185,7 @@ class Walk:
         ended = []
         dialog.algorithmFinished.connect(lambda succeeded, results: ended.append((succeeded, results)))
         self.hand.click(button_of(dialog, "Ok"))
-        wait_until(lambda: ended or refusal(dialog), dialog.windowTitle())
+        wait_until(lambda: ended or refusal(dialog), dialog.windowTitle(), LIMIT_S)
         if not ended or not ended[0][0]:
             said = refusal(dialog) or dialog.findChild(QTextEdit, "txtLog").toPlainText()[-2000:]
             raise RuntimeError(f"{dialog.windowTitle()}: {said}")
@@ -232,21 +236,6 @@ def refusal(dialog) -> str:
     return "" if item is None else item.text()
 
 
-def settle(seconds: float) -> None:
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        QCoreApplication.processEvents()
-        time.sleep(0.01)
-
-
-def wait_until(condition, what: str) -> None:
-    end = time.monotonic() + LIMIT_S
-    while not condition():
-        if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
-        settle(0.05)
-
-
 def run() -> None:
     try:
         result = session()
@@ -262,17 +251,13 @@ def run() -> None:
 
 
 def session() -> dict:
-    job = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
-    sys.path.append(job["tools"])
-    from screenshot_window import Session
-
-    window = Session(job)
+    window = Session(JOB)
     window.tidy()
-    if not any(Path(job["ground"]).iterdir()):
+    if not any(Path(JOB["ground"]).iterdir()):
         import processing
 
-        processing.run("semref:makesample", {"OUTPUT": job["ground"]})
-    return {**Walk(window, job).go(), "taken": window.taken}
+        processing.run("semref:makesample", {"OUTPUT": JOB["ground"]})
+    return {**Walk(window, JOB).go(), "taken": window.taken}
 
 
 def note_exception(kind, value, trace, text, *arguments, **options) -> None:

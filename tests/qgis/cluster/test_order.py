@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import os
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 from built_database import NAMES
-from clustered import lose_a_worker, require_nothing_after
+from clustered import lose_a_worker, require_nothing_after, wait_for
 from made_inputs import scattered_objects, write_raster
 
 from semref.core.assessment.assessment import Assessment
@@ -145,4 +149,24 @@ def test_a_database_that_is_gone_is_said_in_one_sentence(cluster, orders, tmp_pa
     result = cluster("order", tmp_path / "order.json", "--found", tmp_path / "found.json", "--local", 1)
     last = result.stderr.strip().splitlines()[-1]
     assert result.returncode == 3 and "gone.gpkg" in last and "Traceback" not in result.stderr
+    assert not (tmp_path / "found.json").exists()
+
+
+def test_an_order_is_not_replaced_by_its_answer(cluster, orders):
+    before = orders["images"].read_bytes()
+    result = cluster("order", orders["images"], "--found", orders["images"], "--local", 1)
+    assert result.returncode == 2 and "would replace" in result.stderr
+    assert orders["images"].read_bytes() == before
+
+
+def test_a_database_that_is_changed_meanwhile_gives_no_answer(cluster, orders, tmp_path):
+    job, pieces = read(str(orders["images"]))
+    database = tmp_path / "area.gpkg"
+    database.write_bytes(Path(job.database).read_bytes())
+    write(str(tmp_path / "order.json"), (replace(job, database=str(database)), pieces))
+    running = cluster.start("order", tmp_path / "order.json", "--found", tmp_path / "found.json", "--local", 1)
+    wait_for(running, "Localizing")
+    os.utime(database, (1, 1))
+    _, errors = running.communicate(timeout=120)
+    assert running.returncode != 0 and "was changed while it was read" in errors
     assert not (tmp_path / "found.json").exists()
