@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from made_town import NOISE, ORIGIN, PRIOR, SIZE, Ground, error, seen_from, solve, town
 
 from semref.core.constellation import search
 from semref.core.constellation.hypotheses import find_seeds, query_triangles
@@ -13,69 +14,13 @@ from semref.core.constellation.solver import localize, make_query, matches_at
 from semref.core.constellation.verification import Verifier, verify_tilted, weigh
 from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose
-from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
+from semref.core.landmarks.landmarks import Landmarks
 from semref.core.localization import RISK, Place, Prior, Status
-from semref.core.simulation.landmark_errors import spoil_landmarks
-from semref.core.simulation.noise import LabelNoise
-from semref.core.simulation.views import PIXELS, View, cut
-
-SIZE = 640
-CLASSES = (1, 2, 3)
-ORIGIN = (500_000.0, 5_200_000.0)
-PRIOR = Prior(pixel_size_range=(0.4, 2.5))
-NOISE = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, center=1.0, log_area=0.1)
-
-
-def town(seed, size=3000, count=2500):
-    """(size, size) uint8 labels of houses in clusters, with a few fields and ponds."""
-    rng = np.random.default_rng(seed)
-    labels = np.zeros((size, size), np.uint8)
-    centers = rng.uniform(0, size, (40, 2))
-    for _ in range(count):
-        x, y = centers[rng.integers(40)] + rng.normal(0, 220, 2)
-        value = rng.choice(CLASSES, p=(0.85, 0.1, 0.05))
-        width, height = rng.uniform(8, 30, 2) * (1 if value == 1 else 1.8)
-        left, top, right, bottom = (int(v) for v in (x, y, x + width, y + height))
-        if min(left, top) < 2 or max(right, bottom) > size - 2:
-            continue
-        if not labels[top - 2 : bottom + 2, left - 2 : right + 2].any():
-            labels[top:bottom, left:right] = value
-    return labels
-
-
-class Ground:
-    def __init__(self, labels):
-        self.source = ArrayLabels(labels)
-        self.objects = extract_landmarks(labels, CLASSES, 80)
-        positions = self.objects.centers_xy * (1, -1) + ORIGIN
-        self.references = MapLandmarks(
-            positions, self.objects.classes, self.objects.areas_px, self.objects.touches_edge
-        )
-        self.index = build_index(self.references, 1.0)
-
-    def see(self, view, noise=None, seed=0):
-        objects = extract_landmarks(cut(self.source, PIXELS, view), CLASSES, 12)
-        if noise is None:
-            return objects
-        return spoil_landmarks(objects, noise, np.random.default_rng(seed), objects, (SIZE, SIZE))
 
 
 @pytest.fixture(scope="module")
 def ground():
     return Ground(town(7))
-
-
-def seen_from(column, row, heading=0.0, scale=1.0):
-    return View(column, -row, heading, scale, SIZE, SIZE)
-
-
-def solve(ground, objects, prior=PRIOR):
-    return localize(objects, (SIZE, SIZE), ground.index, prior)
-
-
-def error(result, view):
-    return np.hypot(*(np.subtract(result.best.position, ORIGIN) - view.position))
 
 
 def mirrored(objects):
@@ -336,69 +281,6 @@ def test_a_place_that_a_capped_search_leaves_out_is_found_by_one_without_a_cap(g
     assert found.status == Status.FIX and error(found, view) < 0.5
     assert not found.search_capped
     assert (found.risk, found.confidence) == (pytest.approx(1e-12, abs=1e-6), 1 - found.risk)
-
-
-def joined(*parts):
-    names = [field.name for field in dataclasses.fields(Landmarks)]
-    return Landmarks(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
-
-
-def of_two(left, right, cut=SIZE / 2):
-    """Left of the cut one image's landmarks, right of it the other's."""
-    return joined(left.select(left.centers_xy[:, 0] < cut), right.select(right.centers_xy[:, 0] >= cut))
-
-
-def test_an_image_of_two_places_is_told_as_such(ground):
-    left, right = (ground.see(seen_from(*center, 20.0)) for center in ((1400, 1600), (900, 900)))
-    found = solve(ground, of_two(left, right))
-    assert (found.status, found.reason.code) == (Status.AMBIGUOUS, "localization.one_side_elsewhere")
-    assert found.confidence is None and len(found.alternatives) == 1 and not found.is_doubted
-
-
-@pytest.fixture(scope="module")
-def half_mapped(ground):
-    """The town, of which the map lacks what lies east of x = 1,400; another place with landmarks is at 900, 900."""
-    references, known = ground.references, ground.references.positions[:, 0] < ORIGIN[0] + 1400
-    return build_index(
-        MapLandmarks(
-            references.positions[known],
-            references.classes[known],
-            references.areas_m2[known],
-            references.touches_edge[known],
-        ),
-        1.0,
-    )
-
-
-@pytest.mark.parametrize("seed", range(3))
-def test_a_second_place_is_found_by_few_landmarks_where_the_map_has_nothing_at_the_first(ground, half_mapped, seed):
-    right = ground.see(seen_from(900, 900), dataclasses.replace(NOISE, missed=0.7), seed)
-    found = localize(of_two(ground.see(seen_from(1400, 1600)), right), (SIZE, SIZE), half_mapped, PRIOR)
-    assert (found.status, found.reason.code) == (Status.AMBIGUOUS, "localization.one_side_elsewhere")
-    first, second = (np.subtract(place.position, ORIGIN) for place in found.alternatives)
-    assert np.hypot(*(first - (1400, -1600))) < 5 and np.hypot(*(second - (900, -900))) < 5
-
-
-def test_a_fix_says_which_part_of_the_image_it_does_not_hold_for(ground, half_mapped):
-    view = seen_from(1400, 1600)
-    found = localize(ground.see(view), (SIZE, SIZE), half_mapped, PRIOR)
-    assert found.status == Status.FIX and error(found, view) < 1
-    assert found.reason.code == "localization.one_side_unknown"
-    assert str(found.reason).startswith("In the right part of the image only 0 of ")
-
-
-def test_a_fix_says_which_part_of_the_image_shows_nothing_of_the_map(ground):
-    view = seen_from(1400, 1600)
-    objects = ground.see(view)
-    found = solve(ground, objects.select(objects.centers_xy[:, 1] > 0.45 * SIZE))
-    assert found.status == Status.FIX and error(found, view) < 1
-    assert str(found.reason).startswith("In the upper part of the image only 0 of ")
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_a_fix_of_one_place_says_nothing_more_however_poor_its_labels(ground, seed):
-    found = solve(ground, ground.see(seen_from(1400, 1600, 40.0 * seed), NOISE, seed))
-    assert (found.status, found.reason) == (Status.FIX, None)
 
 
 def test_without_a_fix_there_is_a_risk_and_no_confidence(ground):

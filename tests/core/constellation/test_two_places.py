@@ -1,0 +1,81 @@
+"""Images of two places, and of places that changed on one side: told as such, or a fix that says what it holds for."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from made_town import NOISE, ORIGIN, PRIOR, SIZE, Ground, error, seen_from, solve, town
+
+from semref.core.constellation.index import build_index
+from semref.core.constellation.solver import localize
+from semref.core.database.model import MapLandmarks
+from semref.core.landmarks.landmarks import Landmarks
+from semref.core.localization import Status
+
+
+@pytest.fixture(scope="module")
+def ground():
+    return Ground(town(7))
+
+
+def joined(*parts):
+    names = [field.name for field in dataclasses.fields(Landmarks)]
+    return Landmarks(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
+
+
+def of_two(left, right, cut=SIZE / 2):
+    """Left of the cut one image's landmarks, right of it the other's."""
+    return joined(left.select(left.centers_xy[:, 0] < cut), right.select(right.centers_xy[:, 0] >= cut))
+
+
+def test_an_image_of_two_places_is_told_as_such(ground):
+    left, right = (ground.see(seen_from(*center, 20.0)) for center in ((1400, 1600), (900, 900)))
+    found = solve(ground, of_two(left, right))
+    assert (found.status, found.reason.code) == (Status.AMBIGUOUS, "localization.one_side_elsewhere")
+    assert found.confidence is None and len(found.alternatives) == 1 and not found.is_doubted
+
+
+@pytest.fixture(scope="module")
+def half_mapped(ground):
+    """The town, of which the map lacks what lies east of x = 1,400; another place with landmarks is at 900, 900."""
+    references, known = ground.references, ground.references.positions[:, 0] < ORIGIN[0] + 1400
+    return build_index(
+        MapLandmarks(
+            references.positions[known],
+            references.classes[known],
+            references.areas_m2[known],
+            references.touches_edge[known],
+        ),
+        1.0,
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_second_place_is_found_by_few_landmarks_where_the_map_has_nothing_at_the_first(ground, half_mapped, seed):
+    right = ground.see(seen_from(900, 900), dataclasses.replace(NOISE, missed=0.7), seed)
+    found = localize(of_two(ground.see(seen_from(1400, 1600)), right), (SIZE, SIZE), half_mapped, PRIOR)
+    assert (found.status, found.reason.code) == (Status.AMBIGUOUS, "localization.one_side_elsewhere")
+    first, second = (np.subtract(place.position, ORIGIN) for place in found.alternatives)
+    assert np.hypot(*(first - (1400, -1600))) < 5 and np.hypot(*(second - (900, -900))) < 5
+
+
+def test_a_fix_says_which_part_of_the_image_it_does_not_hold_for(ground, half_mapped):
+    view = seen_from(1400, 1600)
+    found = localize(ground.see(view), (SIZE, SIZE), half_mapped, PRIOR)
+    assert found.status == Status.FIX and error(found, view) < 1
+    assert found.reason.code == "localization.one_side_unknown"
+    assert str(found.reason).startswith("In the right part of the image only 0 of ")
+
+
+def test_a_fix_says_which_part_of_the_image_shows_nothing_of_the_map(ground):
+    view = seen_from(1400, 1600)
+    objects = ground.see(view)
+    found = solve(ground, objects.select(objects.centers_xy[:, 1] > 0.45 * SIZE))
+    assert found.status == Status.FIX and error(found, view) < 1
+    assert str(found.reason).startswith("In the upper part of the image only 0 of ")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_fix_of_one_place_says_nothing_more_however_poor_its_labels(ground, seed):
+    found = solve(ground, ground.see(seen_from(1400, 1600, 40.0 * seed), NOISE, seed))
+    assert (found.status, found.reason) == (Status.FIX, None)
