@@ -57,7 +57,7 @@ def evaluate(options: Namespace, teller: Teller) -> dict[str, Any]:
             tried = answered(job, pieces, DaskRunner(client, ""), teller)
         require_unchanged(before)
         trials = [trial for of_image in tried for trial in of_image]
-        text = evaluation_json(trials, methods, _settings(options, ranges))
+        text = evaluation_json(trials, methods, _settings(options, ranges), evaluation.tried_windows)
         Path(temporary).write_bytes(text.encode("utf-8"))
     first = summarize(trials, methods[0])
     return {

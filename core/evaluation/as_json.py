@@ -67,11 +67,21 @@ FIELDS = (
 """Columns of the trials as a layer, with their types."""
 
 
-def evaluation_json(trials: Sequence[Trial], methods: Sequence[str], settings: dict[str, Any]) -> str:
-    """settings: as they were given; methods: the most important first, whose grid of noise it is."""
+def evaluation_json(
+    trials: Sequence[Trial], methods: Sequence[str], settings: dict[str, Any], tried_windows: Rate
+) -> str:
+    """An evaluation as text.
+
+    Args:
+        trials: All of them.
+        methods: The most important first, whose grid of noise it is.
+        settings: As they were given.
+        tried_windows: Windows that images were taken around, of all.
+    """
     content = {
         "format": FORMAT,
         "settings": settings,
+        "windows": {"tried": tried_windows.successes, "all": tried_windows.trials},
         "methods": {method: _method(trials, method) for method in methods},
         "noise": {
             "method": methods[0],

@@ -23,6 +23,7 @@ from ..simulation.conditions import LARGEST_LENS, LARGEST_TILT_DEG, Conditions
 from ..simulation.label_errors import spoil_labels
 from ..simulation.noise import LabelNoise
 from ..simulation.views import View, cut
+from .rates import Rate
 from .trial import Query, Trial, judge
 
 MAP, MIRRORED, NOISE, SCALING, ROTATION, OFFSET = PARTS = ("map", "mirrored", "noise", "scaling", "rotation", "offset")
@@ -163,6 +164,11 @@ class Evaluation:
         self._windows = self._usable_windows(minimum_references)
         if not len(self._windows):
             raise ParameterError("assessment.no_window_on_labels", minimum_references=minimum_references)
+
+    @property
+    def tried_windows(self) -> Rate:
+        """How many windows images are taken around, of all of their size: the ground that the rates are about."""
+        return Rate(len(self._windows), int(np.count_nonzero(self._database.windows.sizes == self._edge)))
 
     def trials(self, count: int, mirrored: int) -> Iterator[WindowQuery]:
         """``count`` queries of the map, then ``mirrored`` mirrored ones."""

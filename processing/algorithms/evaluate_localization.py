@@ -219,6 +219,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float | None]:
         from ...core.evaluation.summary import summarize
+        from ..reports.evaluation_report import tried_ground
 
         methods = self._methods(values)
         evaluation, database, crs = self._evaluation(values, feedback)
@@ -227,6 +228,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         is_reported = outputs.wants(self.REPORT) or outputs.wants(self.JSON)
         jobs = self._jobs(values, evaluation, list(methods), is_reported)
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
+        feedback.pushInfo(tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES)))
         if values.has(SCHEDULER):
             tried = ordered(values, self._job, jobs, feedback)
             trials = [trial for of_image in tried for trial in of_image]
@@ -234,7 +236,7 @@ class EvaluateLocalization(SemRefAlgorithm):
             trials = self._try(evaluation, jobs, feedback)
         # Everything is written last: a cancel before leaves nothing behind.
         check_canceled(feedback)
-        self._write_texts(values, outputs, trials, methods, database)
+        self._write_texts(values, outputs, trials, methods, evaluation)
         self._write_points(outputs, trials, crs)
         self._say(trials, methods, feedback)
         first = summarize(trials, next(iter(methods)))
@@ -316,21 +318,22 @@ class EvaluateLocalization(SemRefAlgorithm):
         outputs: Outputs,
         trials: Sequence[Trial],
         methods: dict[Method, str],
-        database: ReferenceDatabase,
+        evaluation: Evaluation,
     ) -> None:
         """Report and JSON where they are wanted."""
         from ...core.evaluation.as_json import evaluation_json
-        from ..reports.evaluation_report import EvaluationReport
+        from ..reports.evaluation_report import EvaluationReport, tried_ground
 
-        names = os.path.basename(database.source), os.path.basename(self._layer.path)
+        names = os.path.basename(self._job.database), os.path.basename(self._layer.path)
         given = self._settings(values)
         if outputs.wants(self.REPORT):
             titles = {p.name(): p.description() for p in self.parameterDefinitions()}
             settings = [(titles[key], _setting_text(value)) for key, value in given.items()]
-            outputs.text(self.REPORT, EvaluationReport(*names, trials, methods, settings).html())
+            ground = tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES))
+            outputs.text(self.REPORT, EvaluationReport(*names, trials, methods, settings, ground).html())
         if outputs.wants(self.JSON):
             settings = {self.DATABASE: names[0], self.LABELS: names[1], **given}
-            outputs.text(self.JSON, evaluation_json(trials, list(methods), settings))
+            outputs.text(self.JSON, evaluation_json(trials, list(methods), settings, evaluation.tried_windows))
 
     def _settings(self, values: Values) -> dict[str, Any]:
         """Values by key as they were used."""

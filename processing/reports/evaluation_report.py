@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION, SCALING
+from ...core.evaluation.rates import Rate
 from ...core.evaluation.summary import (
     MethodSummary,
     error_curve,
@@ -30,16 +31,32 @@ from .charts import Series, rate_series
 from .roads import road_rows, road_table
 
 
+def tried_ground(windows: Rate, minimum_references: int) -> str:
+    """Which ground the rates are about: a sentence for report and log."""
+    if windows.successes == windows.trials:
+        return tr("Images lie around all {count} windows.").format(count=number_text(windows.trials))
+    return tr(
+        "Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on "
+        "the label map. The rates tell nothing of other ground."
+    ).format(
+        tried=number_text(windows.successes),
+        count=number_text(windows.trials),
+        share=page.percent(windows.share),
+        minimum=number_text(minimum_references),
+    )
+
+
 @dataclass(frozen=True)
 class EvaluationReport:
     """What the report is made from. methods: as evaluated, the most important first, with their titles; settings:
-    (what, value) as they are shown."""
+    (what, value) as they are shown; ground: tried_ground."""
 
     database: str
     labels: str
     trials: Sequence[Trial]
     methods: dict[str, str]
     settings: Sequence[tuple[str, str]]
+    ground: str
 
     def html(self) -> str:
         """The whole page."""
@@ -97,7 +114,8 @@ class EvaluationReport:
             (page.number(first.median_error, "m"), tr("median error"), tr("of right fixes")),
         ]
         title = tr("Method: {method}. In brackets and below the numbers: 95 % intervals and counts.")
-        return page.key_figures(found) + page.paragraph(title.format(method=self.methods[first.method]))
+        about = f"{title.format(method=self.methods[first.method])} {self.ground}"
+        return page.key_figures(found) + page.paragraph(about)
 
     def _methods_table(self, summaries: Sequence[MethodSummary]) -> str:
         header = [

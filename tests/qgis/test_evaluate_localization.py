@@ -135,6 +135,7 @@ def reported(run_algorithm, inputs, tmp_path_factory):
 @pytest.mark.slow
 def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
     report, _, _ = reported
+    assert "Images lie around" in report
     for title in ("Table 4", "Table 5", "False accepts", "Reliability", "Success against offset", "landmarks invented"):
         assert title in report
     assert report.count("<svg") == 5
@@ -153,6 +154,7 @@ def test_the_numbers_agree_with_the_outputs_and_hold_the_tables(reported):
     assert summary["false_accepts"]["share"] == results["FALSE_ACCEPT_RATE"]
     assert (len(numbers["trials"]), len(numbers["scaling"]), len(numbers["rotation"])) == (16, 60, 72)
     assert [[cell["trials"] for cell in row] for row in numbers["noise"]["missed_by_invented"]] == [[2] * 4] * 4
+    assert 0 < numbers["windows"]["tried"] <= numbers["windows"]["all"]
     assert numbers["settings"]["TRIALS"] == 8 and numbers["settings"]["SCALE"] == [0.8, 1.25]
 
 

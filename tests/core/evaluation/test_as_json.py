@@ -4,6 +4,7 @@ import json
 
 from semref.core.evaluation.as_json import FIELDS, evaluation_json, values_of
 from semref.core.evaluation.evaluation import MAP, MIRRORED, WindowQuery
+from semref.core.evaluation.rates import Rate
 from semref.core.evaluation.trial import judge
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.views import View
@@ -27,8 +28,12 @@ def test_a_trial_has_every_column_and_how_far_off_it_is():
 
 
 def test_the_text_tells_settings_rates_and_trials():
-    told = json.loads(evaluation_json(trials(), [Method.CONSTELLATION], {"SEED": 3}))
-    assert told["settings"] == {"SEED": 3} and list(told["methods"]) == ["constellation"]
+    told = json.loads(evaluation_json(trials(), [Method.CONSTELLATION], {"SEED": 3}, Rate(7, 9)))
+    assert (
+        told["settings"] == {"SEED": 3}
+        and told["windows"] == {"tried": 7, "all": 9}
+        and list(told["methods"]) == ["constellation"]
+    )
     right = told["methods"]["constellation"]["right"]
     assert 0 < right["low"] < right["share"] == 1 / 3 < right["high"] < 1
     assert [trial["kind"] for trial in told["trials"]] == [MAP] * 3 + [MIRRORED]

@@ -156,6 +156,8 @@ def test_the_tables_scale_and_turn_whole_windows_without_noise(evaluate, databas
 def test_trials_lie_only_around_windows_with_enough_landmarks_on_the_map(evaluate, database):
     enough = int(np.median(database.windows.counts))
     assert all(query.landmarks >= enough for query in evaluate(minimum=enough).trials(60, 0))
+    told = evaluate(minimum=enough).tried_windows
+    assert (told.successes, told.trials) == (int((database.windows.counts >= enough).sum()), len(database.windows))
     part = evaluate(LABELS[:300])
     assert all(query.view.position[1] >= NORTH - 300 + 80 - 20 - 1 for query in part.trials(60, 0))
 
