@@ -1816,6 +1816,14 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Bilder ({count})</translation>
   </message>
   <message>
+   <source>Images lie around all {count} windows.</source>
+   <translation>Die Bilder liegen um alle {count} Fenster.</translation>
+  </message>
+  <message>
+   <source>Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on the label map. The rates tell nothing of other ground.</source>
+   <translation>Die Bilder liegen um {tried} von {count} Fenstern ({share}): jene, die mindestens {minimum} Landmarken haben und auf der Klassenkarte liegen. Über anderen Boden sagen die Raten nichts.</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Bilder, die {footprint:g} Karteneinheiten zeigen, werden ohne bekannte Pixelgröße nicht gesucht: zu weit von der Fenstergröße {window:g} entfernt.</translation>
   </message>

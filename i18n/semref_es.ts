@@ -1816,6 +1816,14 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Imágenes ({count})</translation>
   </message>
   <message>
+   <source>Images lie around all {count} windows.</source>
+   <translation>Las imágenes están alrededor de las {count} ventanas, todas.</translation>
+  </message>
+  <message>
+   <source>Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on the label map. The rates tell nothing of other ground.</source>
+   <translation>Las imágenes están alrededor de {tried} de {count} ventanas ({share}): las que tienen al menos {minimum} hitos y están en el mapa de etiquetas. Las tasas no dicen nada de otro terreno.</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Las imágenes que muestran {footprint:g} unidades del mapa no se buscan sin un tamaño de píxel conocido: demasiado lejos del tamaño de ventana {window:g}.</translation>
   </message>

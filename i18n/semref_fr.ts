@@ -1816,6 +1816,14 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Images ({count})</translation>
   </message>
   <message>
+   <source>Images lie around all {count} windows.</source>
+   <translation>Les images sont prises autour de toutes les {count} fenêtres.</translation>
+  </message>
+  <message>
+   <source>Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on the label map. The rates tell nothing of other ground.</source>
+   <translation>Les images sont prises autour de {tried} fenêtres sur {count} ({share}) : celles qui ont au moins {minimum} repères visuels et se trouvent sur la carte d’étiquettes. Les taux ne disent rien du reste du terrain.</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>Les images montrant {footprint:g} unités de carte ne sont pas cherchées sans taille de pixel connue : trop loin de la taille de fenêtre {window:g}.</translation>
   </message>

@@ -1816,6 +1816,14 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>影像（{count}）</translation>
   </message>
   <message>
+   <source>Images lie around all {count} windows.</source>
+   <translation>图像取自全部 {count} 个窗口周围。</translation>
+  </message>
+  <message>
+   <source>Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on the label map. The rates tell nothing of other ground.</source>
+   <translation>图像取自 {count} 个窗口中 {tried} 个（{share}）的周围：它们至少有 {minimum} 个地标，且位于标签图内。这些比率不说明其他地面的情况。</translation>
+  </message>
+  <message>
    <source>Images that show {footprint:g} map units are not looked for without a known pixel size: too far from the window size of {window:g}.</source>
    <translation>覆盖 {footprint:g} 地图单位的影像在像素大小未知时不会被搜索：与窗口大小 {window:g} 相差太大。</translation>
   </message>

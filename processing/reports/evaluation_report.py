@@ -36,8 +36,8 @@ def tried_ground(windows: Rate, minimum_references: int) -> str:
     if windows.successes == windows.trials:
         return tr("Images lie around all {count} windows.").format(count=number_text(windows.trials))
     return tr(
-        "Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie on "
-        "the label map. The rates tell nothing of other ground."
+        "Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie "
+        "on the label map. The rates tell nothing of other ground."
     ).format(
         tried=number_text(windows.successes),
         count=number_text(windows.trials),
