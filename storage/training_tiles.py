@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Callable
 
 import numpy as np
 from osgeo import gdal
@@ -151,6 +152,7 @@ class TileExport:
         fraction: float,
         mask: PixelMask | None = None,
         unseen_apart: bool = False,
+        require: Callable[[np.ndarray, ClassTable], None] | None = None,
     ) -> None:
         """Nothing is written yet.
 
@@ -163,7 +165,10 @@ class TileExport:
             mask: The pixels of the image that count; others are as if they had no data. None for all.
             unseen_apart: Whether pixels without data get a value that no class has, instead of 0: where 0 is learned as
                 a class, they are none.
+            require: Called before the first tile is written, with the (256,) pixels of each value and the classes; it
+                raises for labels that are no use. None for any.
         """
+        self._require = require
         self._image = ImageBands(image.path)
         self._mask = mask
         self._unseen_apart, self._unseen = unseen_apart, UNLABELED
@@ -198,6 +203,8 @@ class TileExport:
                 yield "Counting labels", COUNTING_SHARE * number / labeled.size
         table = table or class_table_of_map(self._labels.labels, self._files[1]) or class_table_of_values(values)
         _require_known_values(values, table)
+        if self._require is not None:
+            self._require(values, table)
         if self._unseen_apart:
             self._unseen = next((v for v in range(255, 0, -1) if table.by_value(v) is None), UNLABELED)
         held_out = validation_blocks(labeled, self._fraction)

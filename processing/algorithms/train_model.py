@@ -12,7 +12,7 @@ from ...core.errors import ImageError, ParameterError
 from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm
-from ..framework.base import Canceled, Declared, follow
+from ..framework.base import Canceled, Declared, check_canceled, follow
 from ..framework.declarations import Choice, File, FileOutput, Number, NumberResult, RasterLayer, Switch
 from ..framework.photo_source import PhotoSource
 from ..translation import tr
@@ -228,6 +228,7 @@ class TrainModel(AnnotationAlgorithm):
         from ..packages.training_environment import training_python
 
         python = training_python(values.file(self.PYTHON))
+        self._require_classes(values, feedback)
         feedback.setProgressText(tr("Starting the Python that trains"))
         ready = require_training(python, feedback)
         text = tr("{python}: torch {version} on {device}")
@@ -246,6 +247,25 @@ class TrainModel(AnnotationAlgorithm):
             outputs.text(self.REPORT, report.html())
         outputs.require(run.clear)
         return {self.MEAN_IOU: report.result["mean_iou"]}
+
+    def _require_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
+        """Refuses polygons of one class alone, by their boxes: before anything is started. Pixels tell the rest."""
+        from ..exchange.training_ground import classes_on, require_two_classes
+
+        if self._labels is not None or not self._is_rest_unknown(values):
+            return
+        parts = [(self._image_extent, self._image.crs)]
+        wanted = values.extent(self.EXTENT, self._image.crs)
+        parts += [] if wanted.isEmpty() else [(wanted, self._image.crs)]
+        parts += [] if self._area is None else [(self._area.extent, self._area.crs)]
+        lookup = self.classes(values, feedback)
+        found = classes_on(self._source, lookup, parts, values.transform_context, feedback.isCanceled)
+        check_canceled(feedback)
+        require_two_classes([value in found for value in range(256)], lookup.table)
+
+    def _is_rest_unknown(self, values: Values) -> bool:
+        """Whether nothing is learned of ground without a label."""
+        return values.choice(self.UNLABELED) == UNKNOWN
 
     def _trained(
         self, values: Values, python: str, target: str, run: TrainingRun, feedback: QgsProcessingFeedback
@@ -283,7 +303,7 @@ class TrainModel(AnnotationAlgorithm):
             values.file(self.BASE_MODEL),
             encoder=SMALL if is_small else LITE0,
             encoder_weights="" if is_small else PACKAGED,
-            learn_unlabeled=values.choice(self.UNLABELED) == SOMETHING_ELSE,
+            learn_unlabeled=not self._is_rest_unknown(values),
             epochs=values.integer(self.EPOCHS),
             light=LIGHT,
             patience=values.integer(self.PATIENCE),
@@ -328,7 +348,7 @@ class TrainModel(AnnotationAlgorithm):
             layer, extent = opened(self._photo.file(resolution_m, feedback), self.IMAGE)
             resolution_m = None
         drawn = None
-        if self._labels is None and values.choice(self.UNLABELED) == SOMETHING_ELSE:
+        if self._labels is None and not self._is_rest_unknown(values):
             # Beyond what was annotated, nothing tells that there is something else.
             drawn = self._source.extent, self._source.crs
         labels = self._source.name if self._labels is None else os.path.basename(self._labels.path)
@@ -356,6 +376,7 @@ class TrainModel(AnnotationAlgorithm):
         from ...storage.burning import LabelMapBurning
         from ...storage.training_ground import frame_of, shape_of
         from ...storage.training_tiles import TileExport
+        from ..exchange.training_ground import require_two_classes
 
         table = values.class_table(self.CLASS_TABLE)
         if self._labels is None:
@@ -365,8 +386,9 @@ class TrainModel(AnnotationAlgorithm):
         labels = replace(image, path=str(run.labels)) if self._labels is None else self._labels.file
         size, stride = fitting_tiles(shape_of(image))
         fraction = values.number(self.VALIDATION_FRACTION)
-        learns_rest = values.choice(self.UNLABELED) == SOMETHING_ELSE
-        export = TileExport(image, labels, size, stride, fraction, ground.mask(image), learns_rest)
+        is_unknown = self._is_rest_unknown(values)
+        require = require_two_classes if is_unknown else None
+        export = TileExport(image, labels, size, stride, fraction, ground.mask(image), not is_unknown, require)
         run.new_tiles.mkdir(parents=True)
         follow(export.steps(run.new_tiles, table), feedback, CUT / 2, CUT)
         run.keep_tiles()

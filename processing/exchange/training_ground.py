@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
+from typing import Callable
 
+import numpy as np
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsCsException,
+    QgsFeatureRequest,
     QgsRasterLayer,
     QgsRectangle,
 )
 
-from ...core.errors import ParameterError
+from ...core.errors import ParameterError, TrainingError
+from ...core.labels.class_table import UNLABELED, ClassTable
 from ...storage.area_mask import AreaMask
 from ...storage.rasters import RasterFile
 from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
-from ..compat import is_metric, wkt_for_gdal
+from ..compat import is_metric, is_null, wkt_for_gdal
+from .annotation import AnnotationSource, ClassLookup
 from .areas import DrawnArea, area_mask
 from .layers import RasterLayer, image_layer
 from .reference_systems import describe_crs, metric_crs
@@ -46,6 +52,48 @@ def require_common_ground(
         moved = QgsRectangle()
     if moved.isEmpty() or not moved.intersects(image.extent()):
         raise ParameterError("exchange.no_common_ground", image=image.name(), labels=name)
+
+
+def classes_on(
+    source: AnnotationSource,
+    lookup: ClassLookup,
+    parts: Sequence[Placed],
+    context: QgsCoordinateTransformContext,
+    canceled: Callable[[], bool],
+) -> set[int]:
+    """Values of the classes that an annotation has within the boxes of ``parts``, of two or more only two."""
+    shared = source.extent
+    for rectangle, crs in parts:
+        if crs.isValid() and source.crs.isValid():
+            try:
+                moved = QgsCoordinateTransform(crs, source.crs, context).transformBoundingBox(rectangle)
+            except QgsCsException:
+                # Wider than the CRS can tell, such as a map of the world.
+                continue
+            shared = shared.intersect(moved) if moved.isFinite() else shared
+    found: set[int] = set()
+    if shared.isEmpty():
+        return found
+    request = QgsFeatureRequest(source.request)
+    request.setFilterRect(shared)
+    for feature in source.features.getFeatures(request):
+        raw = feature.attribute(source.class_index)
+        found |= {None if is_null(raw) else lookup.value(raw)} - {None, UNLABELED}
+        if len(found) > 1 or canceled():
+            break
+    return found
+
+
+def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -> None:
+    """Raises TrainingError where labels are of one class alone; what is unlabeled counts as unknown.
+
+    Args:
+        counts: (256,) pixels, or features, of each value.
+        table: The classes.
+    """
+    labeled = [entry.name for entry in table if entry.value and counts[entry.value]]
+    if len(labeled) == 1:
+        raise TrainingError("training.one_class", name=labeled[0])
 
 
 def named_layer(layer: QgsRasterLayer) -> RasterLayer:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
+from made_inputs import NORTH, WEST, polygon, read_pixels, scattered_objects, square, write_layer, write_raster
 from made_models import write_model
 from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
@@ -257,6 +257,58 @@ def test_what_is_missing_is_said_before_any_work(train, parameters, said):
     QgsSettings().remove("semref/options/training_python")
     with pytest.raises(QgsProcessingException, match=said):
         train(**parameters)
+
+
+ONE_CLASS = r"Only one class \(building\) is labeled"
+
+
+@pytest.mark.parametrize(
+    "second",
+    [None, (square(900, 300, 90), "water"), (square(300, 300, 90), None)],
+    ids=["alone", "beyond", "unclassed"],
+)
+def test_a_single_class_on_the_image_is_said_before_the_python_is_asked(train, tmp_path, second):
+    asked = tmp_path / "asked"
+    polygons = [(square(100, 300, 80), "building"), *([second] if second else [])]
+    annotation = {"LABELS": None, "INPUT": str(write_layer(tmp_path / "drawn.gpkg", polygons)), "CLASS_FIELD": "class"}
+    with pytest.raises(QgsProcessingException, match=ONE_CLASS):
+        train(ready=f"open({str(asked)!r}, 'w').close(); {READY}", **annotation)
+    assert not asked.exists() and not (tmp_path / "model.training").exists()
+
+
+def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
+    polygons = [(square(100, 300, 80), "building"), (square(600, 300, 90), "water")]
+    annotation = {"LABELS": None, "INPUT": str(write_layer(tmp_path / "drawn.gpkg", polygons)), "CLASS_FIELD": "class"}
+    with pytest.raises(QgsProcessingException, match=ONE_CLASS):
+        train(EXTENT=f"{WEST},{WEST + 500},{NORTH - 500},{NORTH}", **annotation)
+    mask = write_layer(tmp_path / "mask.gpkg", [(square(50, 200, 400), "x")])
+    with pytest.raises(QgsProcessingException, match=ONE_CLASS):
+        train(MASK=str(mask), **annotation)
+    assert train(**annotation)["MEAN_IOU"] == 0.4
+
+
+def test_a_layer_of_one_class_is_trained_on_where_the_rest_is_something_else(train, tmp_path):
+    layer = write_layer(
+        tmp_path / "drawn.gpkg", [(square(100, 500, 400), "building"), (square(20, 40, 20), "building")]
+    )
+    assert train(LABELS=None, INPUT=str(layer), CLASS_FIELD="class", UNLABELED=1)["MEAN_IOU"] == 0.4
+
+
+@pytest.mark.parametrize("as_polygons", [False, True], ids=["label map", "polygons"])
+def test_a_single_class_among_the_pixels_is_said_before_tiles_are_cut(train, tmp_path, as_polygons):
+    if as_polygons:
+        # The corner of the water's box lies on the mask, its pixels don't.
+        water = polygon([(300, 600), (700, 600), (700, 100)])
+        layer = write_layer(tmp_path / "drawn.gpkg", [(square(10, 300, 290), "building"), (water, "water")])
+        mask = write_layer(tmp_path / "mask.gpkg", [(square(0, 0, 350), "x")])
+        given = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class", "MASK": str(mask)}
+    else:
+        labels = write_raster(tmp_path / "one.tif", np.minimum(LABELS, 1), names=NAMES)
+        given = {"LABELS": str(labels)}
+    trained = tmp_path / "trained"
+    with pytest.raises(QgsProcessingException, match=ONE_CLASS):
+        train(training=f"open({str(trained)!r}, 'w').close(); {EPOCH}", **given)
+    assert not trained.exists() and not (tmp_path / "model.training").exists()
 
 
 def test_image_and_labels_of_different_ground_are_refused(train, tmp_path):
