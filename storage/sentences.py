@@ -33,6 +33,7 @@ SENTENCES = {
     "storage.layer_unwritable": "The layer {name} can't be written: {reason}.",
     "storage.overview_unwritable": "The overview can't be written: {reason}.",
     "storage.no_database": "There is no database {path}; build one or choose another file.",
+    "storage.no_database_named": "No database is named; build one or choose a file.",
     "storage.database_damaged": "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
     "storage.bad_georeference": (
         "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew."

@@ -19,6 +19,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import DatabaseError
+from ...storage.database.connection import no_database
 from ..translation import tr
 from .column_names import name_columns
 
@@ -53,7 +54,7 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
         DatabaseError: Nothing was added.
     """
     if not Path(path).is_file():
-        raise DatabaseError("storage.no_database", path=path)
+        raise no_database(path)
     added = [
         QgsVectorLayer(_table_source(path, WINDOWS), tr("Windows"), "ogr"),
         QgsRasterLayer(_overview_source(path), tr("Overview"), "gdal"),

@@ -54,7 +54,7 @@ def snapshot(path: str) -> Iterator[Snapshot]:
         DatabaseError: The file is missing, foreign, in use, or damaged, whatever the block stumbles over in it.
     """
     if not os.path.isfile(path):
-        raise DatabaseError("storage.no_database", path=path)
+        raise no_database(path)
     try:
         with contextlib.closing(_connected(path)) as connection:
             connection.execute("PRAGMA trusted_schema=OFF")
@@ -91,6 +91,13 @@ _DAMAGES = (
 """What reading stumbles over where a file holds something else than it should."""
 
 _LONGEST_REASON = 200
+
+
+def no_database(path: str) -> DatabaseError:
+    """The error for a path without a file, or for none."""
+    if not path.strip():
+        return DatabaseError("storage.no_database_named")
+    return DatabaseError("storage.no_database", path=path)
 
 
 def damaged(path: str, reason: object) -> DatabaseError:

@@ -36,6 +36,21 @@ def test_a_missing_database_is_named(refused, algorithm):
     assert "/nowhere/area.gpkg" in refused(algorithm, DATABASE="/nowhere/area.gpkg")
 
 
+@pytest.mark.parametrize("path", ["", " "])
+def test_where_no_database_is_named_the_sentence_has_no_hole_in_it(qgis_app, path):
+    from qgis.core import QgsProject
+
+    from semref.core.errors import DatabaseError
+    from semref.processing.exchange.database_layers import add_database_to_map
+    from semref.processing.wording.sentences import worded
+    from semref.storage.database.reader import read_database
+
+    for reads in (read_database, lambda path: add_database_to_map(path, QgsProject.instance())):
+        with pytest.raises(DatabaseError) as caught:
+            reads(path)
+        assert worded(caught.value) == "No database is named; build one or choose a file."
+
+
 @pytest.mark.parametrize("content", [b"", b"hello", b"SQLite format 3\x00", b"SQLite format 3\x00" + bytes(200)])
 def test_a_file_that_is_no_geopackage_is_refused(refused, tmp_path, content):
     (tmp_path / "notes.gpkg").write_bytes(content)
