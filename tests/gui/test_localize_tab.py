@@ -229,7 +229,7 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes,
     middle = cut_extent().center()
     middle = QgsPointXY(middle.x() + away_m, middle.y())
     tab.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
-    assert tab.prior.text.text() == "Search: within 60 m"
+    assert tab.prior.text.text_shown == "Search: within 60 m"
     localize(dock, area.database, [area.image])
     assert tab.state.text().startswith(f"{fixes} of 1")
     tab.prior.clear.click()

@@ -66,7 +66,7 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     assert before.opacity == 35 and before.prior[:2] == (400_100, 5_399_900) and before.results == saved
     assert table(dock) == shown
     assert corners(shown_outline(iface)) is not None
-    assert tab.prior.text.text() == "Search: within 60 m"
+    assert tab.prior.text.text_shown == "Search: within 60 m"
 
 
 def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, area, tmp_path, monkeypatch, tab):

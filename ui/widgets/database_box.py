@@ -8,7 +8,7 @@ from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
 from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
-from qgis.PyQt.QtWidgets import QComboBox, QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QVBoxLayout, QWidget
 
 from ...processing.translation import tr
 from ..at_hand import annotation_at_hand
@@ -16,6 +16,7 @@ from ..fields.known import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
 from .buttons import tool_button
+from .choice_box import ChoiceBox
 from .layouts import name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
@@ -46,11 +47,9 @@ class DatabaseBox(QgsCollapsibleGroupBox):
         self.file.lineEdit().setPlaceholderText(tr("Choose a GeoPackage"))
         self.file.lineEdit().setAccessibleName(tr("Reference database"))
         self.file.setFilePath(remembered_database())
-        self.in_project = QComboBox()
+        self.in_project = ChoiceBox()
         self.in_project.setToolTip(tr("Databases whose layers are in the project"))
         self.in_project.setAccessibleName(tr("Databases whose layers are in the project"))
-        self.in_project.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.in_project.setMinimumContentsLength(8)
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
         self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Make a reference database of polygons…"))
         self.making: QWidget | None = None

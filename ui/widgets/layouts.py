@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from qgis.gui import QgsCollapsibleGroupBox
+from qgis.PyQt.QtCore import QEvent, QSize
+from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QToolButton, QWidget
 
 from ...processing.translation import tr
@@ -22,6 +24,39 @@ def row_of(*widgets: QWidget | tuple[QWidget, int]) -> QHBoxLayout:
         widget, stretch = entry if isinstance(entry, tuple) else (entry, 0)
         made.addWidget(widget, stretch)
     return made
+
+
+class FoldingRow(QWidget):
+    """Widgets that share the width side by side, and one below the other where there is no room for that."""
+
+    def __init__(self, *parts: QWidget) -> None:
+        super().__init__()
+        self._parts = parts
+        self._row = narrow(QBoxLayout(QBoxLayout.Direction.LeftToRight, self), 0)
+        for part in parts:
+            self._row.addWidget(part, 1)
+
+    def minimumSizeHint(self) -> QSize:
+        widest = max(part.minimumSizeHint().width() for part in self._parts)
+        return QSize(widest, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fold()
+
+    def event(self, event: QEvent) -> bool:
+        # A part has another text now.
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fold()
+        return super().event(event)
+
+    def _fold(self) -> None:
+        side_by_side = sum(part.minimumSizeHint().width() for part in self._parts)
+        side_by_side += (len(self._parts) - 1) * self._row.spacing()
+        directions = QBoxLayout.Direction
+        wanted = directions.LeftToRight if side_by_side <= self.width() else directions.TopToBottom
+        if self._row.direction() != wanted:
+            self._row.setDirection(wanted)
 
 
 def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:

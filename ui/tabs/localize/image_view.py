@@ -30,7 +30,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....processing.translation import tr
 from ...canvas.numbers import nearest_number
-from ...widgets.layouts import narrow, row_of
+from ...widgets.layouts import FoldingRow, narrow, row_of
 from ...widgets.placeholder import paint_placeholder
 from .image_marks import LandmarkDots, VectorStar
 from .picture import ImagePicture
@@ -71,7 +71,7 @@ class ImageView(QWidget):
         label.setBuddy(self.opacity)
         layout = narrow(QVBoxLayout(self), 0)
         layout.addWidget(self.canvas, 1)
-        layout.addLayout(row_of(label, (self.opacity, 1), self.landmarks, self.star))
+        layout.addWidget(FoldingRow(_side_by_side(label, (self.opacity, 1)), _side_by_side(self.landmarks, self.star)))
         self.opacity.valueChanged.connect(self._apply)
         self.landmarks.toggled.connect(self._apply)
         self.star.toggled.connect(self._apply)
@@ -103,6 +103,12 @@ class ImageView(QWidget):
         settings.setValue(_LANDMARKS_SETTING, self.landmarks.isChecked())
         settings.setValue(_STAR_SETTING, self.star.isChecked())
         self.canvas.apply(self.opacity.value() / 100, self.landmarks.isChecked(), self.star.isChecked())
+
+
+def _side_by_side(*widgets: QWidget | tuple[QWidget, int]) -> QWidget:
+    together = QWidget()
+    together.setLayout(narrow(row_of(*widgets), 0))
+    return together
 
 
 class _Canvas(QGraphicsView):

@@ -9,7 +9,6 @@ from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QFileDialog,
     QLabel,
     QMenu,
@@ -30,6 +29,7 @@ from ...models.model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...running.background import Reader
 from ...widgets.buttons import tool_button
+from ...widgets.choice_box import ChoiceBox
 from ...widgets.layouts import name_fold, narrow, row_of
 from .image_list import ImageList
 
@@ -210,7 +210,7 @@ class MethodRow(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefMethod")
-        self.choice = QComboBox()
+        self.choice = ChoiceBox()
         # The published method last: it is there to be compared with.
         for method in (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR):
             self.choice.addItem(worded(method.title), method.number)

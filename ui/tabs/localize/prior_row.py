@@ -9,13 +9,14 @@ from qgis.core import (
     QgsProject,
 )
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtWidgets import QLabel, QWidget
+from qgis.PyQt.QtWidgets import QWidget
 
 from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
 from ...canvas.prior_tool import PriorTool
 from ...widgets.buttons import tool_button
 from ...widgets.layouts import narrow, row_of
+from ...widgets.status_line import StatusLine
 
 
 class PriorRow(QWidget):
@@ -30,7 +31,7 @@ class PriorRow(QWidget):
         self._crs: QgsCoordinateReferenceSystem | None = None
         self._radius_m = 0.0
         self.tool = PriorTool(canvas)
-        self.text = QLabel()
+        self.text = StatusLine()
         self.draw = tool_button("/mActionCircle2Points.svg", tr("Draw where to search"), checkable=True)
         self.draw.setToolTip(tr("Draw on the map where the images are known to be: press at the middle and drag"))
         self.clear = tool_button("/mActionDeleteSelected.svg", tr("Search the whole database"))
@@ -74,14 +75,14 @@ class PriorRow(QWidget):
         measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
         self._radius_m = measure.measureLine(middle, edge)
         self.tool.circle.show(middle, edge, crs)
-        self.text.setText(LocalTemplate(tr("Search: within {radius:.0f} m")).format(radius=self._radius_m))
+        self.text.show_text(LocalTemplate(tr("Search: within {radius:.0f} m")).format(radius=self._radius_m))
         self.clear.setEnabled(True)
 
     def forget(self) -> None:
         """Searches the whole database."""
         self._middle = self._edge = None
         self.tool.circle.clear()
-        self.text.setText(tr("Search: the whole database"))
+        self.text.show_text(tr("Search: the whole database"))
         self.clear.setEnabled(False)
 
     def shut_down(self) -> None:
