@@ -2584,6 +2584,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Keine Klasse von {path} hat in beiden Karten genug Landmarken, um ihren Versatz zu nennen; ein größeres Gebiet angeben oder MODEL_OUTPUT leer lassen.</translation>
   </message>
   <message>
+   <source>No database is named; build one or choose a file.</source>
+   <translation>Es ist keine Datenbank angegeben; eine erstellen oder eine Datei wählen.</translation>
+  </message>
+  <message>
    <source>No database yet</source>
    <translation>Noch keine Datenbank</translation>
   </message>

@@ -2584,6 +2584,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Ninguna clase de {path} tiene suficientes hitos en ambos mapas para conocer su sesgo; indique un área mayor o deje MODEL_OUTPUT vacío.</translation>
   </message>
   <message>
+   <source>No database is named; build one or choose a file.</source>
+   <translation>No se indicó ninguna base de datos; cree una o elija un archivo.</translation>
+  </message>
+  <message>
    <source>No database yet</source>
    <translation>Aún no hay ninguna base de datos</translation>
   </message>

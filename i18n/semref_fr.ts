@@ -2584,6 +2584,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Aucune classe de {path} n’a assez de repères visuels dans les deux cartes pour connaître son biais ; donnez une zone plus grande ou laissez MODEL_OUTPUT vide.</translation>
   </message>
   <message>
+   <source>No database is named; build one or choose a file.</source>
+   <translation>Aucune base de données n’est indiquée ; créez-en une ou choisissez un fichier.</translation>
+  </message>
+  <message>
    <source>No database yet</source>
    <translation>Pas encore de base de données</translation>
   </message>

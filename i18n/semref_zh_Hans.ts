@@ -2584,6 +2584,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>{path} 没有任何类别在两张地图中有足够的地标来得出其偏移；请给出更大的区域，或将 MODEL_OUTPUT 留空。</translation>
   </message>
   <message>
+   <source>No database is named; build one or choose a file.</source>
+   <translation>未指定数据库；请构建一个或选择文件。</translation>
+  </message>
+  <message>
    <source>No database yet</source>
    <translation>尚无数据库</translation>
   </message>

@@ -26,6 +26,9 @@ LOCALIZE, INSPECT, CORRECT = range(3)
 
 _TAB_SETTING = "semref/dock/tab"
 
+_LEAST_WIDTH_PX = 300
+"""Narrower the dock's texts are shortened beyond reading, though nothing of it asks for more."""
+
 
 class DockContent(QWidget):
     """Joins the tabs with the database and with each other. ``shut_down`` before it is deleted."""
@@ -88,6 +91,10 @@ class DockContent(QWidget):
         self._reader.broke.connect(self._messages.bug)
         self.correct.updating.use_database(self.database.path())
         self.notice.use_model(self.localize.images.model_path())
+
+    def minimumSizeHint(self) -> QSize:
+        least = super().minimumSizeHint()
+        return QSize(max(least.width(), _LEAST_WIDTH_PX), least.height())
 
     def shut_down(self) -> None:
         """Cancels what runs, waits for what is being read, and clears the canvas."""

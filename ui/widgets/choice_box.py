@@ -21,9 +21,11 @@ class ChoiceBox(QComboBox):
         painter, option = QStylePainter(self), QStyleOptionComboBox()
         self.initStyleOption(option)
         painter.drawComplexControl(QStyle.ComplexControl.CC_ComboBox, option)
-        room = self.style().subControlRect(
-            QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
-        ).width()
+        room = (
+            self.style()
+            .subControlRect(QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self)
+            .width()
+        )
         if not option.currentIcon.isNull():
             room -= option.iconSize.width() + _BESIDE_ICON_PX
         text = option.fontMetrics.elidedText(option.currentText, Qt.TextElideMode.ElideRight, room - _MARGINS_PX)
