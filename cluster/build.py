@@ -6,7 +6,6 @@ import contextlib
 import tempfile
 from argparse import Namespace
 from collections.abc import Iterator
-from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +26,7 @@ from ..storage.map_frames import label_map_frame, longitudes_latitudes
 from ..storage.metadata import plugin_metadata
 from ..storage.rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, count_values
 from .engine import DaskRunner, connected
-from .inputs import Teller, require_apart, require_unchanged, seen_by_workers, state
+from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
 
 _WRITTEN_FROM = 0.85
 """Share of all that is done when writing begins."""
@@ -57,7 +56,7 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
     require_apart(path, options.database)
     labels = GdalLabels(path)
     frame, before = label_map_frame(labels, path), state(path)
-    table = _table(labels, path, options.reference_classes, teller)
+    table = _table(labels, path, options.reference_classes or "", teller)
     # What is read and written here goes through once: by default GDAL's cache is a share of the machine's memory.
     gdal.SetCacheMax(_CACHE_BYTES)
     with written_beside(str(Path(options.database).absolute())) as temporary, _folder_beside(temporary) as folder:
@@ -132,10 +131,9 @@ def _written(
 ) -> Iterator[tuple[str, float]]:
     """Writes the GeoPackage, dated by the label map: the same map gives the same bytes."""
     degrees = longitudes_latitudes(database.windows.centers, database.parameters.crs)
-    moment = datetime.fromtimestamp(changed[1], timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.000Z")
     styles = plain_styles(database.class_table)
     labels = overview if isinstance(overview, OverviewFile) else overview.labels
-    yield from DatabaseWriter(path, database, *degrees, labels, styles, moment).steps()
+    yield from DatabaseWriter(path, database, *degrees, labels, styles, moment_of(changed)).steps()
 
 
 class _Held(contextlib.AbstractContextManager):

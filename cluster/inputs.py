@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import datetime, timezone
 from pathlib import Path
 from typing import Protocol
 
@@ -36,6 +37,11 @@ def state(path: str) -> tuple[int, float]:
     """(bytes, time of the last change) of a file, as GDAL knows them; zeros for what is no file."""
     found = gdal.VSIStatL(path)
     return (found.size, found.mtime) if found is not None else (0, 0)
+
+
+def moment_of(found: tuple[int, float]) -> str:
+    """When a file of that state was changed last, as a GeoPackage has it: what is made of it is dated so."""
+    return datetime.fromtimestamp(found[1], timezone.utc).strftime("%Y-%m-%dT%H:%M:%S.000Z")
 
 
 def require_unchanged(before: Mapping[str, tuple[int, float]]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any, Callable
 
+from ..core.assessment.offered import OFFERED as ASSUMED
 from ..core.evaluation.offered import OFFERED
 from ..core.geometry.error_settings import MAP_ACCURACY
 from ..core.segmentation.devices import KEYS
@@ -30,6 +31,7 @@ examples, from the plugin's folder:
   python -m cluster build /vsis3/maps/labels.tif --database out.gpkg --scheduler tcp://10.0.0.5:8786
   python -m cluster segment orthophoto.vrt --model landcover.onnx --labels labels.tif --local 4
   python -m cluster evaluate area.gpkg labels.tif --output numbers.json --trials 400 --local 4
+  python -m cluster assess area.gpkg --output squares.gpkg --footprints "640;1280" --local 4
   python -m cluster localize photos/ --database area.npz --model landcover.onnx --json --local 4
 
 docs/guide/cluster.md tells how to start workers on a laptop, with SLURM and with Kubernetes."""
@@ -59,8 +61,8 @@ def within(kind: type, least: float, most: float) -> Callable[[str], float]:
 
 
 _BUILD: tuple[tuple[str, str, Any, Any, str], ...] = (
-    ("--database", "FILE", str, None, "the GeoPackage to write, on this machine"),
-    ("--reference-classes", "CLASSES", str, "", _CLASSES),
+    ("--database", "FILE", str, "", "the GeoPackage to write, on this machine"),
+    ("--reference-classes", "CLASSES", str, None, _CLASSES),
     ("--window-size", "LENGTH", float, 1280.0, "map units (1280)"),
     ("--stride", "LENGTH", float, 350.0, "map units (350)"),
     ("--levels", "NUMBERS", str, "1", "multipliers of both, separated by “;” (1)"),
@@ -74,7 +76,7 @@ _BUILD: tuple[tuple[str, str, Any, Any, str], ...] = (
         "standard deviation of where landmarks are, map units (1.1)",
     ),
 )
-"""Option, what its value is called, its type, its default, what it says."""
+"""Option, what its value is called, its type, its default (an empty one: must be given), what it says."""
 
 _SEGMENT: tuple[tuple[str, str, Any, Any, str], ...] = (
     ("--model", "FILE", str, "", "the network (ONNX): a path that all workers see"),
@@ -83,7 +85,7 @@ _SEGMENT: tuple[tuple[str, str, Any, Any, str], ...] = (
     ("--resolution", "CM", within(float, 1e-3, 1e6), None, "of a pixel as the network sees it; by default the model's"),
     ("--overlap", "PERCENT", within(float, 0, 75), None, "of tiles; by default the model's"),
 )
-"""As _BUILD; an empty default: must be given."""
+"""As _BUILD."""
 
 _EVALUATE: tuple[tuple[str, str, Any, Any, str], ...] = (
     ("--output", "FILE", str, "", "the JSON to write, on this machine"),
@@ -104,11 +106,26 @@ _EVALUATE: tuple[tuple[str, str, Any, Any, str], ...] = (
         for name, (low, high) in OFFERED.items()
     ),
 )
-"""As _SEGMENT."""
+"""As _BUILD."""
+
+_ASSESS: tuple[tuple[str, str, Any, Any, str], ...] = (
+    ("--output", "FILE", str, "", "the GeoPackage of squares to write, on this machine"),
+    ("--footprints", "LENGTHS", str, None, "edges of the ground that images show, separated by “;” (the window size)"),
+    ("--spacing", "LENGTH", float, None, "edge of the squares; by default half the smallest footprint"),
+    ("--trials", "COUNT", within(int, 20, 100_000), 1000, "simulated images of each footprint (1000)"),
+    ("--threshold", "PERCENT", within(float, 1, 99.9), 90.0, "expected success that is good enough (90)"),
+    ("--seed", "NUMBER", within(int, 0, 2**31 - 1), 1, "another number gives other images (1)"),
+    *(
+        (f"--{name}", "NUMBER", within(float, 0, most or 1e9), None, f"as the algorithm's {name.upper()} ({usual:g})")
+        for name, (usual, most) in ASSUMED.items()
+    ),
+)
+"""As _BUILD."""
 
 _IMAGE = "a photo or an orthophoto: a path that all workers see, a VRT of many files, or a name of GDAL's"
 _DEVICE = "what runs the network at the workers (cpu); graphics cards may round otherwise"
 _JSON = "tells what happens as a line of JSON each, on the output"
+_LANDMARKS_ALONE = "assesses landmarks alone, as the algorithm with MAP_CORRELATION switched off"
 _SCHEDULER = "uses the workers of a scheduler, such as tcp://10.0.0.5:8786"
 _MEMORY = (
     "with --local: of one worker, such as 2GB; by default the machine's, divided by N. A worker that takes more is "
@@ -131,8 +148,7 @@ def parser() -> argparse.ArgumentParser:
         description="Builds the reference database of a label map, as semref:builddatabase does in QGIS.",
     )
     build.add_argument("labels", metavar="LABELS", help=_LABELS)
-    for name, value, kind, default, text in _BUILD:
-        build.add_argument(name, metavar=value, type=kind, default=default, required=default is None, help=text)
+    _add_all(build, _BUILD)
     _add_workers(build)
     segment = commands.add_parser(
         "segment",
@@ -140,8 +156,7 @@ def parser() -> argparse.ArgumentParser:
         description="Turns a photo or an orthophoto into a label map by a network, as semref:segmentimage in QGIS.",
     )
     segment.add_argument("image", metavar="IMAGE", help=_IMAGE)
-    for name, value, kind, default, text in _SEGMENT:
-        segment.add_argument(name, metavar=value, type=kind, default=default, required=default == "", help=text)
+    _add_all(segment, _SEGMENT)
     segment.add_argument("--device", choices=KEYS, default="cpu", help=_DEVICE)
     _add_workers(segment)
     evaluate = commands.add_parser(
@@ -152,11 +167,19 @@ def parser() -> argparse.ArgumentParser:
     )
     evaluate.add_argument("database", metavar="DATABASE", help="a path that all workers see")
     evaluate.add_argument("labels", metavar="LABELS", help=_LABELS)
-    for name, value, kind, default, text in _EVALUATE:
-        help_text = text.replace("%", "%%")
-        evaluate.add_argument(name, metavar=value, type=kind, default=default, required=default == "", help=help_text)
+    _add_all(evaluate, _EVALUATE)
     _add_workers(evaluate)
-    for command in (build, segment, evaluate):
+    assess = commands.add_parser(
+        "assess",
+        help="where a database will localize, as semref:assessdatabase",
+        description="Tells of each square of ground how images will be localized with a database, as "
+        "semref:assessdatabase in QGIS.",
+    )
+    assess.add_argument("database", metavar="DATABASE", help="a path that all workers see")
+    _add_all(assess, _ASSESS)
+    assess.add_argument("--without-map-correlation", action="store_true", help=_LANDMARKS_ALONE)
+    _add_workers(assess)
+    for command in (build, segment, evaluate, assess):
         command.add_argument("--json", action="store_true", help=_JSON)
     localize = commands.add_parser(
         "localize",
@@ -174,6 +197,12 @@ def parser() -> argparse.ArgumentParser:
     order.add_argument("--json", action="store_true", help=_JSON)
     _add_workers(order)
     return made
+
+
+def _add_all(command: argparse.ArgumentParser, options: tuple[tuple[str, str, Any, Any, str], ...]) -> None:
+    for name, value, kind, default, text in options:
+        shown = text.replace("%", "%%")
+        command.add_argument(name, metavar=value, type=kind, default=default, required=default == "", help=shown)
 
 
 def _add_workers(command: argparse.ArgumentParser) -> None:

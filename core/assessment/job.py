@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..database.model import ReferenceDatabase
 from ..localizer.localizer import Localizer
 from ..simulation.conditions import Conditions
+from ..simulation.noise import LabelNoise
 from .assessment import Assessment
 
 
@@ -61,3 +62,24 @@ def job_of(assessments: Sequence[Assessment]) -> AssessmentJob:
         first.seed,
         first.correlation,
     )
+
+
+def conditions_of(numbers: Mapping[str, float]) -> Conditions:
+    """How poor labels and cameras are taken to be.
+
+    Args:
+        numbers: Of each name of ``offered.OFFERED``; percent, map units, degrees.
+
+    Raises:
+        ParameterError: For what can't be.
+    """
+    noise = LabelNoise(
+        numbers["missed"] / 100,
+        numbers["invented"] / 100,
+        numbers["misnamed"] / 100,
+        numbers["ragged"],
+        background=numbers["background"] / 100,
+        displaced=numbers["displaced"],
+        leaning=numbers["leaning"] / 100,
+    )
+    return Conditions(noise, numbers["shifted"], numbers["lens"] / 100, numbers["tilt"])

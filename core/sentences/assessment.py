@@ -12,6 +12,16 @@ SENTENCES = {
     "assessment.too_many_squares": (
         "The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more."
     ),
+    "assessment.footprints": (
+        "“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”."
+    ),
+    "assessment.nothing": "{path} has neither labels nor landmarks; build it again.",
+    "assessment.reason_too_few": "Too few landmarks: {landmarks:.0f} in view on average.",
+    "assessment.reason_look_alikes": "Look-alikes: another place, or the mirrored image, fits almost as well.",
+    "assessment.reason_too_loose": (
+        "Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely."
+    ),
+    "assessment.reason_wrong": "Some fixes would be wrong.",
     "assessment.point_distance": "The distance between points is {spacing:g}; give it in map units.",
     "assessment.route_without_length": "The route has no line with a length; draw one through two points at least.",
     "assessment.too_many_points": (

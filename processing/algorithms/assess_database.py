@@ -4,49 +4,31 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import numpy as np
 from qgis.core import QgsGeometry, QgsRectangle
 
 from ...core.errors import ParameterError
 from ..compat import POLYGON
 from ..framework import offers
-from ..framework.assessing import AssessAlgorithm, footprint_sizes, reason_text, setting_rows
+from ..framework.assessing import AssessAlgorithm, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.declarations import Number, NumberResult, PolygonOutput, Text
 from ..framework.scheduled import SCHEDULER, ordered, require_scheduler, scheduler
 from ..translation import tr
 from ..wording.numbers import shown
+from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.assessment.assessment import Assessment, PlaceQuery
     from ...core.assessment.cells import Cells
-    from ...core.database.model import ReferenceDatabase, Windows
+    from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.trial import Trial
     from ..framework.outputs import Outputs
     from ..framework.values import Values
     from ..reports.assessment_report import AssessedFootprint
-
-FIELDS = (
-    ("footprint", "real"),
-    ("success", "real"),
-    ("success_low", "real"),
-    ("success_high", "real"),
-    ("error", "real"),
-    ("objects", "real"),
-    ("classes", "integer"),
-    ("distinctiveness", "real"),
-    ("look_alikes", "real"),
-    ("wrong", "real"),
-    ("trials", "integer"),
-    ("verdict", "text"),
-    ("reason", "text"),
-)
-
-VERDICTS = ("hardly_ever", "sometimes", "often", "reliably", "very_reliably")
 
 
 class AssessDatabase(AssessAlgorithm):
@@ -121,12 +103,15 @@ class AssessDatabase(AssessAlgorithm):
         )
 
     def check(self, values: Values) -> None:
+        from ...core.assessment.squares import footprint_sizes
+
         footprint_sizes(values.text(self.FOOTPRINT), 1.0)
         super().check(values)
         require_scheduler(values)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.assessment.cells import ground_cells
+        from ...core.assessment.squares import footprint_sizes
         from ..reports.assessment_report import AssessedFootprint
 
         database, crs = self.read_all(values, feedback)
@@ -134,7 +119,7 @@ class AssessDatabase(AssessAlgorithm):
         spacing = values.optional_number(self.SPACING, min(footprints) / 2)
         cells = cancelable(ground_cells, database, spacing, feedback=feedback)
         if not len(cells):
-            raise ParameterError("algorithms.nothing_to_assess", path=database.source)
+            raise ParameterError("assessment.nothing", path=database.source)
         localizer = self.indexed(database, feedback)
         count = values.integer(self.TRIALS)
         assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]
@@ -196,16 +181,17 @@ class AssessDatabase(AssessAlgorithm):
         results: Sequence[AssessedFootprint],
         crs: QgsCoordinateReferenceSystem,
     ) -> None:
+        from ...core.assessment.squares import FIELDS, square_rows
         from ..exchange.assessment_styles import cells_look
 
         threshold, half = self.threshold(values), cells.size / 2
         look = cells_look(threshold, results[0].footprint, len(results) == 1)
         with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, look) as sink:
             for result in results:
-                unlike = _nearest_distinctiveness(database.windows, cells.centers, result.footprint)
-                for n, (x, y) in enumerate(cells.centers.tolist()):
+                told = database.windows, result.footprint, result.estimates, threshold, worded
+                for (x, y), row in zip(cells.centers.tolist(), square_rows(cells, *told)):
                     square = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
-                    sink.add(square, _values(result, n, unlike[n], threshold))
+                    sink.add(square, row)
 
     def _say(self, results: Sequence[AssessedFootprint], threshold: float, feedback: QgsProcessingFeedback) -> None:
         for result in results:
@@ -220,43 +206,3 @@ class AssessDatabase(AssessAlgorithm):
                     mean=float(result.estimates.success.mean()),
                 )
             )
-
-
-def _values(result: AssessedFootprint, n: int, distinctiveness: float, threshold: float) -> dict[str, Any]:
-    from ..exchange.assessment_styles import success_classes
-
-    estimates = result.estimates
-    success = float(estimates.success[n])
-    verdict = sum(success >= low for low, *_ in success_classes(threshold)[1:])
-    error = float(estimates.error[n])
-    return {
-        "footprint": result.footprint,
-        "success": success,
-        "success_low": float(estimates.low[n]),
-        "success_high": float(estimates.high[n]),
-        "error": error if np.isfinite(error) else None,
-        "objects": float(estimates.landmarks[n]),
-        "classes": int(estimates.classes[n]),
-        "distinctiveness": distinctiveness if np.isfinite(distinctiveness) else None,
-        "look_alikes": float(estimates.look_alikes[n]),
-        "wrong": float(estimates.wrong[n]),
-        "trials": int(estimates.trials[n]),
-        "verdict": VERDICTS[verdict],
-        "reason": "" if success >= threshold else reason_text(estimates.reasons[n], float(estimates.landmarks[n])),
-    }
-
-
-def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: float) -> list[float]:
-    """Of the window nearest to each place, of the level whose size is nearest to the footprint; NaN where unknown."""
-    from ...core.constellation.neighbors import nearest
-
-    sizes = np.unique(windows.sizes)
-    if not len(sizes):
-        return [np.nan] * len(places)
-    chosen = np.flatnonzero(windows.sizes == sizes[np.abs(np.log(sizes / footprint)).argmin()])
-    middle = windows.centers[chosen].mean(axis=0)
-    points, queries = ((xy - middle).astype(np.float32) for xy in (windows.centers[chosen], places))
-    number, squared = nearest(points, queries, 1)
-    found = windows.distinctiveness[chosen[number[:, 0]]]
-    # A window that doesn't hold the place says nothing about it.
-    return np.where(squared[:, 0] <= (footprint / 2) ** 2, found, np.nan).tolist()

@@ -31,7 +31,9 @@ CELL_OPACITY = 0.5
 
 def success_classes(threshold: float) -> list[tuple[float, float, str, str]]:
     """(from, to, color, legend text) of five classes of success 0…1; the upper two are good enough."""
-    edges = [0.0, threshold / 3, 2 * threshold / 3, threshold, (1 + threshold) / 2, 1.0]
+    from ...core.assessment.squares import verdict_edges
+
+    edges = verdict_edges(threshold)
     return [
         (low, high, color, f"{word} ({shown(100 * low, '.3g')}–{shown(100 * high, '.3g')} %)")
         for low, high, color, word in zip(edges, edges[1:], COLORS, verdict_words().values())

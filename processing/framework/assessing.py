@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...core.errors import DatabaseError, ParameterError
-from ...core.localization import Method, Status
-from ...core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG
+from ...core.assessment.offered import OFFERED
+from ...core.errors import DatabaseError
+from ...core.localization import Method
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
@@ -29,18 +28,7 @@ if TYPE_CHECKING:
     from ...core.simulation.conditions import Conditions
     from .values import Values
 
-_USUAL: dict[str, tuple[float, float | None]] = {
-    offers.MISSED: (20.0, 100.0),
-    offers.INVENTED: (20.0, 100.0),
-    offers.MISNAMED: (5.0, 100.0),
-    offers.RAGGED: (1.0, None),
-    offers.BACKGROUND: (100 * ASSUMED.noise.background, 100.0),
-    offers.DISPLACED: (1.1, None),
-    offers.SHIFTED: (ASSUMED.class_shift, None),
-    offers.LEANING: (100 * ASSUMED.noise.leaning, 100.0),
-    offers.LENS: (100 * ASSUMED.lens, LARGEST_LENS),
-    offers.TILT: (ASSUMED.tilt_deg, LARGEST_TILT_DEG),
-}
+_USUAL = {name.upper(): offered for name, offered in OFFERED.items()}
 """What is assumed unless somebody says otherwise, and the most that may be said, by key."""
 
 
@@ -95,8 +83,7 @@ class AssessAlgorithm(SemRefAlgorithm):
 
     def conditions(self, values: Values) -> Conditions:
         """How poor labels and cameras are taken to be, in map units. Raises ParameterError for what can't be."""
-        from ...core.simulation.conditions import Conditions
-        from ...core.simulation.noise import LabelNoise
+        from ...core.assessment.job import conditions_of
 
         factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
         compared = compared_network(values)
@@ -107,15 +94,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             is_given = factor is None or key not in offers.OF_NETWORKS
             return values.number(key) if is_given else factor * _USUAL[key][0]
 
-        shares = [number(key) / 100 for key in (self.MISSED, self.INVENTED, self.MISNAMED)]
-        noise = LabelNoise(
-            *shares,
-            number(self.RAGGED),
-            background=number(self.BACKGROUND) / 100,
-            displaced=number(self.DISPLACED),
-            leaning=number(self.LEANING) / 100,
-        )
-        return Conditions(noise, number(self.SHIFTED), number(self.LENS) / 100, number(self.TILT))
+        return conditions_of({key.lower(): number(key) for key in _USUAL})
 
     def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
         """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""
@@ -234,30 +213,9 @@ def setting_rows(conditions: Conditions, threshold: float, correlation: bool, se
     ]
 
 
-def footprint_sizes(text: str, default: float) -> list[float]:
-    """Numbers of a list separated by ``;``; the default for an empty one. Raises ParameterError."""
-    sizes = []
-    for part in (text or "").split(";"):
-        if part.strip():
-            try:
-                sizes.append(float(part.replace(",", ".")))
-            except ValueError:
-                sizes.append(math.nan)
-    if not all(0 < size < math.inf for size in sizes):
-        raise ParameterError("algorithms.footprints", text=text)
-    return list(dict.fromkeys(sizes)) or [default]
-
-
 def reason_text(reason: str, landmarks: float) -> str:
     """A sentence for the reason that keeps most images from a fix, '' for none."""
-    from ...core.assessment.assessment import WRONG
+    from ...core.assessment.squares import reason_sentence
 
-    texts = {
-        Status.TOO_FEW_REFERENCES.key: tr("Too few landmarks: {landmarks:.0f} in view on average."),
-        Status.AMBIGUOUS.key: tr("Look-alikes: another place, or the mirrored image, fits almost as well."),
-        Status.NO_MATCH.key: tr(
-            "Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely."
-        ),
-        WRONG: tr("Some fixes would be wrong."),
-    }
-    return texts.get(reason, "").format(landmarks=landmarks)
+    sentence = reason_sentence(reason, landmarks)
+    return "" if sentence is None else worded(sentence)

@@ -4,12 +4,10 @@ SENTENCES = {
     "algorithms.no_list_of_numbers": "{key}: “{text}” is not a list of numbers such as 1;2.",
     "algorithms.no_number": "{key} is {number}, which is no number; give one.",
     "algorithms.no_text": "{key} is “{text}”: a path or text has no character of value 0; remove it.",
-    "algorithms.footprints": "FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.",
     "algorithms.pixel_size": "The pixel size is {pixel_size:g} m; it must be more than 0.",
     "algorithms.too_many_pixels": (
         "The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
     ),
-    "algorithms.nothing_to_assess": "{path} has neither labels nor landmarks; build it again.",
     "algorithms.no_images": "IMAGES is empty; choose at least one image, a folder with images, or a LAYER.",
     "algorithms.odometry_of_other_images": (
         "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight."

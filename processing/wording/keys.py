@@ -33,6 +33,10 @@ SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
         "The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, "
         "so what changed can't be told; build it anew once with “Build reference database”.",
     ),
+    "assessment.footprints": (
+        "FOOTPRINT",
+        "FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.",
+    ),
     "assessment.no_window_on_labels": (
         "MINIMUM_REFERENCES",
         "No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the "

@@ -47,7 +47,8 @@ class LocalTemplate(str):
 
     def format(self, *args: Any, **values: Any) -> str:
         """As ``str.format``."""
-        return super().format(*args, **{name: _local(value) for name, value in values.items()})
+        # Python gives a text without values back as it is, and QGIS takes nothing but plain ones into columns.
+        return str(super().format(*args, **{name: _local(value) for name, value in values.items()}))
 
 
 def _local(value: Any) -> Any:

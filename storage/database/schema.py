@@ -153,3 +153,9 @@ def close(dataset: gdal.Dataset) -> None:
     dataset.FlushCache()
     if gdal.GetLastErrorType() >= gdal.CE_Failure:
         raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
+
+
+def square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:
+    """A polygon whose ring goes around from its lower left corner, as QGIS's does."""
+    ring = (left, bottom, right, bottom, right, top, left, top, left, bottom)
+    return struct.pack("<BIII10d", 1, ogr.wkbPolygon, 1, 5, *ring)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
-import struct
 from collections.abc import Iterator
 from dataclasses import fields
 
@@ -15,7 +14,7 @@ from ...core.database.model import ReferenceDatabase
 from ...core.errors import DatabaseError
 from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
-from ..vector_files import leave_wal
+from ..vector_files import leave_wal, tell_moment
 from . import schema
 from .overview_file import OverviewFile
 from .reader import store_checksums
@@ -88,7 +87,8 @@ class DatabaseWriter:
         leave_wal(self._path)
         tell_titles(self._path)
         if self._moment:
-            self._tell_moment()
+            with contextlib.closing(sqlite3.connect(self._path)) as connection, connection:
+                tell_moment(connection, self._moment)
         store_checksums(self._path)
         yield 1.0
 
@@ -129,7 +129,7 @@ class DatabaseWriter:
                 vector,
                 float(windows.distinctiveness[i]),
             )
-            yield _square_wkb(x - half, y - half, x + half, y + half), values
+            yield schema.square_wkb(x - half, y - half, x + half, y + half), values
 
     def _reference_rows(self) -> Iterator[tuple[bytes, tuple]]:
         return schema.reference_rows(self._database.references, self._database.class_table)
@@ -171,14 +171,3 @@ class DatabaseWriter:
             del made
         if failures or not is_made:
             raise DatabaseError("storage.overview_unwritable", reason=failures[0] if failures else gdal_failure())
-
-    def _tell_moment(self) -> None:
-        with contextlib.closing(sqlite3.connect(self._path)) as connection, connection:
-            connection.execute("UPDATE gpkg_contents SET last_change = ?", (self._moment,))
-            connection.execute("UPDATE layer_styles SET update_time = ?", (self._moment,))
-            connection.execute("UPDATE gpkg_metadata_reference SET timestamp = ?", (self._moment,))
-
-
-def _square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:
-    ring = (left, bottom, right, bottom, right, top, left, top, left, bottom)
-    return struct.pack("<BIII10d", 1, ogr.wkbPolygon, 1, 5, *ring)

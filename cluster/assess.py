@@ -1,0 +1,104 @@
+"""``assess``: where a database will localize, by many workers, as ``semref:assessdatabase`` tells it."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from ..core.assessment.assessment import Estimates
+from ..core.assessment.cells import Cells, ground_cells
+from ..core.assessment.job import AssessmentJob, conditions_of
+from ..core.assessment.offered import OFFERED
+from ..core.assessment.squares import FIELDS, footprint_sizes, square_rows
+from ..core.database.model import ReferenceDatabase
+from ..core.errors import DatabaseError, ParameterError
+from ..core.localizer.localizer import Localizer
+from ..storage.database.connection import DatabaseChangedError
+from ..storage.database.reader import read_overview, read_stored_database
+from ..storage.files import written_beside
+from ..storage.squares_file import write_squares
+from .engine import DaskRunner, connected
+from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
+from .order import answered
+
+
+def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
+    """Assesses the database that the command line asks for.
+
+    Args:
+        options: Of the command line.
+        teller: Takes what is being done.
+
+    Returns:
+        What came of it, by name; of the first footprint.
+
+    Raises:
+        SemRefError: Anything that the user can mend.
+    """
+    path = seen_by_workers(options.database)
+    require_apart(path, options.output)
+    footprints = footprint_sizes(options.footprints, 1.0)
+    before = {path: state(path)}
+    database = _read(path, teller)
+    footprints = footprint_sizes(options.footprints, database.parameters.window_size)
+    cells = ground_cells(database, min(footprints) / 2 if options.spacing is None else options.spacing)
+    if not len(cells):
+        raise ParameterError("assessment.nothing", path=path)
+    given = {name: usual if getattr(options, name) is None else getattr(options, name) for name, usual in _usual()}
+    correlation = not options.without_map_correlation and database.overview is not None
+    job = AssessmentJob(
+        path, database.overview is not None, tuple(footprints), conditions_of(given), options.seed, correlation
+    )
+    localizer, threshold = Localizer(database), options.threshold / 100
+    assessments = [job.assessment(database, localizer, footprint) for footprint in footprints]
+    planned = [assessment.plan(cells.centers, cells.size, options.trials) for assessment in assessments]
+    with written_beside(str(Path(options.output).absolute())) as temporary:
+        with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
+            tried = answered(job, planned, DaskRunner(client, ""), teller)
+        require_unchanged(before)
+        estimates = [
+            assessment.estimate(cells.centers, trials, correlated, cells.size)
+            for assessment, (trials, correlated) in zip(assessments, tried)
+        ]
+        squares = _squares(database, cells, footprints, estimates, threshold)
+        write_squares(temporary, FIELDS, squares, database.parameters.crs, moment_of(before[path]))
+    success = estimates[0].success
+    return {
+        "output": options.output,
+        "squares": len(cells),
+        "localizable_fraction": float((success >= threshold).mean()),
+        "mean_success": float(success.mean()),
+    }
+
+
+def _usual() -> Iterator[tuple[str, float]]:
+    return ((name, usual) for name, (usual, _) in OFFERED.items())
+
+
+def _read(path: str, teller: Teller) -> ReferenceDatabase:
+    """The database with bounds and, if it has one, overview."""
+    database = read_stored_database(path).database
+    try:
+        return replace(database, overview=read_overview(path, database.parameters))
+    except DatabaseChangedError:
+        raise
+    except DatabaseError:
+        # Landmarks can be assessed all the same.
+        teller.say(
+            "The database has no overview: the constellation alone is assessed, and where the ground ends is taken "
+            "from the extent."
+        )
+        return database
+
+
+def _squares(
+    database: ReferenceDatabase, cells: Cells, footprints: list[float], estimates: list[Estimates], threshold: float
+) -> Iterator[tuple[tuple[float, float], float, dict[str, Any]]]:
+    """Center, edge and values of each square of each footprint."""
+    centers = [(x, y) for x, y in cells.centers.tolist()]
+    for footprint, found in zip(footprints, estimates):
+        for center, row in zip(centers, square_rows(cells, database.windows, footprint, found, threshold)):
+            yield center, cells.size, row

@@ -1,0 +1,79 @@
+"""Squares as rows: verdicts by success, reasons where it is not good enough, distinctiveness of the windows there."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from semref.core.assessment.assessment import REASONS, Estimates
+from semref.core.assessment.cells import Cells
+from semref.core.assessment.squares import (
+    FIELDS,
+    VERDICTS,
+    footprint_sizes,
+    reason_sentence,
+    square_rows,
+    verdict_edges,
+)
+from semref.core.errors import ParameterError
+from semref.core.sentences import english
+
+
+def estimates(success, reasons):
+    numbers = np.array(success, float)
+    ones = np.ones(len(numbers))
+    errors = np.where(numbers > 0, 2.5, np.nan)
+    low, high = np.maximum(numbers - 0.1, 0), np.minimum(numbers + 0.1, 1)
+    return Estimates(numbers, low, high, errors, ones.astype(int), 7 * ones, 2 * ones, ones / 4, ones / 8, reasons)
+
+
+@pytest.fixture
+def windows(assessed_database):
+    """With a distinctiveness that is a tenth of their number."""
+    known = assessed_database.windows
+    return replace(known, distinctiveness=np.arange(len(known)) / 10)
+
+
+def test_a_row_tells_verdict_reason_and_what_is_known(windows):
+    success = (0.0, 0.31, 0.61, 0.9, 0.96)
+    centers = windows.centers[:5].copy()
+    centers[4] -= 5000
+    cells = Cells(50.0, centers, np.arange(5), np.zeros(5, int))
+    reasons = (REASONS[0], REASONS[1], REASONS[2], REASONS[3], "")
+    rows = list(square_rows(cells, windows, 250.0, estimates(success, reasons), 0.9))
+    assert [row["verdict"] for row in rows] == list(VERDICTS)
+    assert all(list(row) == [name for name, _ in FIELDS] for row in rows)
+    assert [row["error"] for row in rows] == [None, 2.5, 2.5, 2.5, 2.5]
+    assert rows[0]["reason"] == "Too few landmarks: 7 in view on average."
+    assert rows[1]["reason"].startswith("Look-alikes") and rows[2]["reason"].startswith("Too little evidence")
+    assert rows[3]["reason"] == rows[4]["reason"] == ""
+    assert [row["distinctiveness"] for row in rows] == [0.0, 0.1, 0.2, 0.3, None]
+
+
+def test_reasons_are_said_in_the_words_of_who_asks(windows):
+    cells = Cells(50.0, windows.centers[:1], np.zeros(1, int), np.zeros(1, int))
+    told = estimates((0.2,), (REASONS[3],))
+    (row,) = square_rows(cells, windows, 250.0, told, 0.9, lambda sentence: sentence.code.upper())
+    assert row["reason"] == "ASSESSMENT.REASON_WRONG"
+
+
+def test_every_reason_has_a_sentence_and_none_has_none():
+    texts = {english(reason_sentence(reason, 3.0)) for reason in REASONS}
+    assert len(texts) == len(REASONS)
+    assert reason_sentence("", 3.0) is None
+
+
+def test_the_upper_two_verdicts_are_good_enough():
+    edges = verdict_edges(0.8)
+    assert len(edges) == len(VERDICTS) + 1 and edges[3] == 0.8 and list(edges) == sorted(edges)
+
+
+def test_a_list_of_footprints_keeps_its_order_and_drops_what_comes_twice():
+    assert footprint_sizes("640; 320,5;640;", 1.0) == [640.0, 320.5]
+    assert footprint_sizes("", 250.0) == footprint_sizes(None, 250.0) == [250.0]
+
+
+@pytest.mark.parametrize("text", ["much", "0", "-3", "200;inf", "nan"])
+def test_what_is_no_list_of_footprints_is_refused(text):
+    with pytest.raises(ParameterError, match="give edges of the ground"):
+        footprint_sizes(text, 1.0)
