@@ -7328,6 +7328,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>„{source}“ hat kein Polygon mit Fläche und Klasse; es gibt nichts zu reparieren.</translation>
   </message>
   <message>
+   <source>“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.</source>
+   <translation>„{text}“ ist keine Liste von Bodenausschnitten; geben Sie Kantenlängen am Boden in Karteneinheiten an, getrennt durch „;“.</translation>
+  </message>
+  <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>„{where}“ ist kein UDP-Port dieses Rechners; udp:PORT schreiben, mit PORT von 1 bis 65535.</translation>
   </message>

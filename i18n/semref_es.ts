@@ -7328,6 +7328,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>«{source}» no tiene ningún polígono con área y clase; no hay nada que reparar.</translation>
   </message>
   <message>
+   <source>“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.</source>
+   <translation>«{text}» no es una lista de huellas; indique lados del terreno en unidades del mapa, separados por «;».</translation>
+  </message>
+  <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>«{where}» no es un puerto UDP de este equipo; escriba udp:PORT, con PORT de 1 a 65535.</translation>
   </message>

@@ -7328,6 +7328,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>« {source} » n’a aucun polygone avec une surface et une classe ; il n’y a rien à réparer.</translation>
   </message>
   <message>
+   <source>“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.</source>
+   <translation>« {text} » n’est pas une liste d’emprises ; indiquez des côtés du terrain en unités de la carte, séparés par « ; ».</translation>
+  </message>
+  <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>« {where} » n’est pas un port UDP de cet ordinateur ; écrivez udp:PORT, avec PORT de 1 à 65535.</translation>
   </message>

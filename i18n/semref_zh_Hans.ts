@@ -7328,6 +7328,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>“{source}”没有带面积和类别的多边形；没有可修复的内容。</translation>
   </message>
   <message>
+   <source>“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.</source>
+   <translation>“{text}”不是地面范围列表；请给出以地图单位表示的地面边长，用“;”分隔。</translation>
+  </message>
+  <message>
    <source>“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.</source>
    <translation>“{where}”不是本机的 UDP 端口；请写成 udp:PORT，PORT 为 1 到 65535。</translation>
   </message>
