@@ -64,13 +64,8 @@ def classes_on(
     """Values of the classes that an annotation has within the boxes of ``parts``, of two or more only two."""
     shared = source.extent
     for rectangle, crs in parts:
-        if crs.isValid() and source.crs.isValid():
-            try:
-                moved = QgsCoordinateTransform(crs, source.crs, context).transformBoundingBox(rectangle)
-            except QgsCsException:
-                # Wider than the CRS can tell, such as a map of the world.
-                continue
-            shared = shared.intersect(moved) if moved.isFinite() else shared
+        moved = _moved(rectangle, QgsCoordinateTransform(crs, source.crs, context))
+        shared = shared if moved is None else shared.intersect(moved)
     found: set[int] = set()
     if shared.isEmpty():
         return found
@@ -82,6 +77,15 @@ def classes_on(
         if len(found) > 1 or canceled():
             break
     return found
+
+
+def _moved(rectangle: QgsRectangle, transform: QgsCoordinateTransform) -> QgsRectangle | None:
+    """None where the CRS can't tell, such as that of a map of the world, or is unknown."""
+    try:
+        moved = transform.transformBoundingBox(rectangle)
+    except QgsCsException:
+        return None
+    return moved if transform.isValid() and moved.isFinite() else None
 
 
 def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -> None:
