@@ -18,6 +18,7 @@ from ..framework.localized_image import LabelImages, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches
 from ..framework.localizing import LocalizeAlgorithm
 from ..framework.photo_labels import pace_results
+from ..framework.photo_positions import with_far_photos
 from ..translation import tr
 from ..wording.sentences import worded
 
@@ -172,13 +173,15 @@ class LocalizeFlight(LocalizeAlgorithm):
             links = reader.links_with(steps, log)
             flown = self._joined(reader, links, localizer, values.number(self.RISK), feedback)
             flown = self._with_jumps(values, flown, cameras, database, feedback)
+            localized = [one.localized for one in flown]
+            localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
+            flown = [replace(one, localized=item) for one, item in zip(flown, localized)]
             for one in flown:
                 say_pose(one, feedback)
             # Layers are made last: a cancel before leaves nothing behind.
             check_canceled(feedback)
             write_flight_positions(outputs, self.OUTPUT, flown, crs, values.transform_context)
             write_tracks(outputs, self.TRACK, flown, crs)
-            localized = [one.localized for one in flown]
             write_grounds(outputs, (self.FOOTPRINTS,), localized, crs)
             write_matches(outputs, self.MATCHES, localized, database, crs)
             if outputs.wants(self.REPORT):

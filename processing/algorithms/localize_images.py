@@ -22,6 +22,7 @@ from ..framework.localized_image import LabelImages, LocalizedImage, say, with_j
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
 from ..framework.localizing import LocalizeAlgorithm, localize_image, scheduled_images
 from ..framework.photo_labels import pace_results
+from ..framework.photo_positions import with_far_photos
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduled import SCHEDULER, require_scheduler, scheduler
 from ..translation import tr
@@ -171,6 +172,7 @@ class LocalizeImages(LocalizeAlgorithm):
             else:
                 keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
                 localized = _one_by_one(paths, cameras, (localizer, localize, read_labels), keep, feedback)
+            localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
             times_s = [camera.time_s for camera in cameras]
             speed = values.optional_number(self.MAXIMUM_SPEED)
             if speed is not None:

@@ -8,6 +8,7 @@ from qgis.core import (
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsCsException,
+    QgsDistanceArea,
     QgsPointXY,
     QgsRectangle,
 )
@@ -76,6 +77,42 @@ def utm_zone(
         zone = int((longitude + 180) % 360 // 6) + 1
         code = (_UTM_NORTH if latitude >= 0 else _UTM_SOUTH) + zone
     return QgsCoordinateReferenceSystem(f"EPSG:{code}")
+
+
+def meters_from(
+    lon_lat: tuple[float, float],
+    extent: tuple[float, float, float, float],
+    crs: QgsCoordinateReferenceSystem,
+    transform_context: QgsCoordinateTransformContext,
+) -> float | None:
+    """How far a place is from a box on the ground, 0 within it; None for a CRS that tells no longitude and latitude.
+
+    The box is taken as one of longitudes and latitudes, a little larger than it is.
+
+    Args:
+        lon_lat: Longitude and latitude, degrees.
+        extent: (x_min, y_min, x_max, y_max) of the box.
+        crs: Of the box.
+        transform_context: How coordinates are transformed.
+    """
+    degrees = QgsCoordinateReferenceSystem(WGS84)
+    transform = QgsCoordinateTransform(crs, degrees, transform_context)
+    try:
+        box = transform.transformBoundingBox(QgsRectangle(*extent)) if transform.isValid() else QgsRectangle()
+    except QgsCsException:
+        return None
+    if box.isEmpty() or not box.isFinite():
+        return None
+    measure = QgsDistanceArea()
+    measure.setSourceCrs(degrees, transform_context)
+    measure.setEllipsoid("EPSG:7030")
+    longitude, latitude = lon_lat
+    nearest_latitude = min(max(latitude, box.yMinimum()), box.yMaximum())
+    found = []
+    for turned in (longitude - 360, longitude, longitude + 360):
+        nearest = QgsPointXY(min(max(turned, box.xMinimum()), box.xMaximum()), nearest_latitude)
+        found.append((abs(turned - nearest.x()), measure.measureLine(QgsPointXY(turned, latitude), nearest)))
+    return min(found)[1]
 
 
 def longitudes_latitudes(

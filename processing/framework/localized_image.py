@@ -84,7 +84,7 @@ class LocalizedImage:
     """One image and its result; ``error`` instead when it could not be read.
 
     remark: about its leveling; camera: what was read of it; jump: whether it could not have been reached in time, None
-    if that was not checked.
+    if that was not checked; far: how far from the database's ground its photo says it was taken, if that is far.
     """
 
     path: str
@@ -94,6 +94,7 @@ class LocalizedImage:
     remark: str = ""
     jump: bool | None = None
     camera: str = ""
+    far: str = ""
 
 
 def is_photo(path: str) -> bool:
@@ -187,9 +188,12 @@ def row(item: LocalizedImage) -> dict[str, Any]:
         return {"image": item.path, "status": ERROR, "reason": item.error}
     from ...core.localizer.record import record
 
+    told = record(result, worded)
+    if item.far:
+        told["reason"] = " ".join(filter(None, (item.far, told["reason"])))
     return {
         "image": item.path,
-        **record(result, worded),
+        **told,
         "camera_x": result.nadir and result.nadir[0],
         "camera_y": result.nadir and result.nadir[1],
         "jump": item.jump,

@@ -1,0 +1,168 @@
+"""What photos say of where they were taken: told where that is far from the database's ground, and used for nothing."""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+
+import numpy as np
+import pytest
+from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
+from osgeo import gdal, ogr, osr
+
+from semref.processing.framework.photo_positions import far_sentence
+from semref.storage.photo_position import photo_lon_lat
+
+SIZE = 160
+LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
+NAMES = ["unlabeled", "water", "building", "bare_land"]
+SAID = "By its GPS this photo was taken"
+
+
+def exif(longitude: float, latitude: float, **more: str) -> dict[str, str]:
+    """As cameras write it."""
+    found = {}
+    for name, value, letters in (("Longitude", longitude, "EW"), ("Latitude", latitude, "NS")):
+        whole, rest = divmod(abs(value), 1)
+        minutes, rest = divmod(60 * rest, 1)
+        found[f"GPS{name}"] = f"({whole:.0f}) ({minutes:.0f}) ({60 * rest:.4f})"
+        found[f"GPS{name}Ref"] = letters[value < 0]
+    return {**found, **more}
+
+
+def photo(path: Path, **tags: str) -> str:
+    """A JPEG with EXIF items and nothing beside it."""
+    memory = gdal.GetDriverByName("MEM").Create("", 32, 24, 3)
+    memory.SetMetadata({f"EXIF_{name}": value for name, value in tags.items()})
+    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory)
+    Path(f"{path}.aux.xml").unlink(missing_ok=True)
+    return str(path)
+
+
+@pytest.mark.parametrize("place", [(9.5213, 47.1401), (-91.9945, 46.8426), (151.2, -33.86), (0.0, 51.4779)])
+def test_a_photos_position_is_read_to_a_meter(tmp_path, place):
+    assert photo_lon_lat(photo(tmp_path / "a.jpg", **exif(*place))) == pytest.approx(place, abs=1e-5)
+
+
+def test_that_of_a_tiff_is_read_as_well(tmp_path):
+    gps = [(1, 2, 2, b"S\0\0\0"), (2, 5, 3, 200), (3, 2, 2, b"W\0\0\0"), (4, 5, 3, 224)]
+    image = [
+        *((256, 3, 1, 1), (257, 3, 1, 1), (258, 3, 1, 8), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, 250)),
+        *((277, 3, 1, 1), (278, 3, 1, 1), (279, 4, 1, 1), (34853, 4, 1, 140)),
+    ]
+
+    def directory(entries):
+        packed = b"".join(
+            struct.pack("<HHI", *e[:3]) + (e[3] if isinstance(e[3], bytes) else struct.pack("<I", e[3]))
+            for e in entries
+        )
+        return struct.pack("<H", len(entries)) + packed + bytes(4)
+
+    data = bytearray(251)
+    for start, part in (
+        (0, b"II*\0" + struct.pack("<I", 8) + directory(image)),
+        (140, directory(gps)),
+        (200, struct.pack("<6I", 33, 1, 30, 1, 36, 1)),
+        (224, struct.pack("<6I", 70, 1, 15, 1, 0, 1)),
+    ):
+        data[start : start + len(part)] = part
+    (tmp_path / "a.tif").write_bytes(data)
+    assert photo_lon_lat(str(tmp_path / "a.tif")) == pytest.approx((-70.25, -33.51), abs=1e-6)
+
+
+def test_a_label_image_is_where_the_photo_of_its_name_beside_it_was_taken(tmp_path):
+    label_image = write_raster(tmp_path / "a.png", np.ones((24, 32), np.uint8), transform=None)
+    assert photo_lon_lat(str(label_image)) is None
+    photo(tmp_path / "a.JPG", **exif(9.5, 47.1))
+    assert photo_lon_lat(str(label_image)) == pytest.approx((9.5, 47.1))
+
+
+@pytest.mark.parametrize(
+    "tags",
+    [
+        {},
+        exif(0, 0),
+        exif(9.5, 47.1, GPSStatus="V"),
+        exif(9.5, 47.1, GPSLatitudeRef="Q"),
+        exif(9.5, 47.1, GPSLongitude="(181) (0) (0)"),
+        {name: text for name, text in exif(9.5, 47.1).items() if name != "GPSLatitudeRef"},
+    ],
+    ids=["none", "0, 0", "void", "no side", "too far", "side missing"],
+)
+def test_a_photo_without_a_position_that_can_be_says_nothing(tmp_path, tags):
+    assert photo_lon_lat(photo(tmp_path / "a.jpg", **tags)) is None
+
+
+@pytest.mark.parametrize(
+    "text", ["(47)", "(nan) (0) (0)", "(1e999) (0) (0)", "(-47) (0) (0)", "(x) (y) (z)", "here", ""]
+)
+def test_what_is_no_number_of_degrees_says_nothing(tmp_path, text):
+    path = photo(tmp_path / "a.jpg")
+    for latitude, place in (("(47) (6) (0)", pytest.approx((9.5, 47.1))), (text, None)):
+        # In the file beside it: GDAL writes nothing but numbers into a JPEG.
+        tags = exif(9.5, 47.1, GPSLatitude=latitude)
+        items = "".join(f'<MDI key="EXIF_{name}">{value}</MDI>' for name, value in tags.items())
+        beside = f"<PAMDataset><Metadata>{items}</Metadata></PAMDataset>"
+        Path(f"{path}.aux.xml").write_text(beside, encoding="utf-8")
+        assert photo_lon_lat(path) == place
+
+
+def test_what_is_no_photo_says_nothing(tmp_path):
+    (tmp_path / "a.jpg").write_bytes(b"no picture")
+    assert photo_lon_lat(str(tmp_path / "a.jpg")) is None
+    assert photo_lon_lat(str(tmp_path / "missing.jpg")) is None
+
+
+@pytest.mark.parametrize(("meters", "said"), [(1_234.0, "1.2 km"), (12_340.0, "12 km"), (8_412_300.0, "8,412 km")])
+def test_the_distance_is_as_long_as_it_is_told_exactly(meters, said):
+    assert far_sentence(meters) == f"{SAID} {said} from the ground of the database."
+
+
+@pytest.fixture(scope="module")
+def database(run_algorithm, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("area")
+    parameters = {
+        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
+        "REFERENCE_CLASSES": "building;water;bare_land",
+        "WINDOW_SIZE": SIZE,
+        "STRIDE": 40,
+        "MINIMUM_AREA": 30,
+        "DATABASE": str(folder / "area.gpkg"),
+    }
+    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+
+
+def lon_lat(east: float, north: float) -> tuple[float, float]:
+    """Of a place so many meters beside the upper left corner of the map."""
+    from_crs, to_crs = osr.SpatialReference(), osr.SpatialReference()
+    from_crs.ImportFromEPSG(32632)
+    to_crs.ImportFromEPSG(4326)
+    to_crs.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    return osr.CoordinateTransformation(from_crs, to_crs).TransformPoint(WEST + east, NORTH + north)[:2]
+
+
+@pytest.mark.parametrize("algorithm", ["semref:localizeimages", "semref:localizeflight"])
+def test_photos_taken_far_away_say_how_far_beside_their_reason(run_algorithm, database, tmp_path, feedback, algorithm):
+    """Found or not: a fix elsewhere than its photo's GPS is for the reader to judge."""
+    empty = np.zeros((SIZE, SIZE), np.uint8)
+    shown = {"empty": empty, "found": turned_view(LABELS, SIZE, 311.4, 207.8, 40)}
+    places = {"here": lon_lat(300, -200), "near": lon_lat(-900, -200), "far": lon_lat(600 + 42_000, -200)}
+    images = []
+    for kind, labels in shown.items():
+        for place, stated in places.items():
+            images.append(str(write_raster(tmp_path / f"{kind}_{place}.png", labels, transform=None)))
+            photo(tmp_path / f"{kind}_{place}.jpg", **exif(*stated))
+    images.append(str(write_raster(tmp_path / "empty_silent.png", empty, transform=None)))
+    given = {"DATABASE": database, "IMAGES": images, "METHOD": 2, "OUTPUT": str(tmp_path / "positions.gpkg")}
+    results = run_algorithm(algorithm, given, feedback)
+    source = ogr.Open(results["OUTPUT"])  # a layer does not keep what it lies in
+    rows = [feature.items() for feature in source.GetLayer(0)]
+    reasons = {Path(row["image"]).stem: row["reason"] or "" for row in rows}
+    status = {Path(row["image"]).stem: row["status"] for row in rows}
+    assert {name for name, reason in reasons.items() if SAID in reason} == {"empty_far", "found_far"}
+    for name in ("empty_far", "found_far"):
+        assert reasons[name].startswith(f"{SAID} 42 km from the ground of the database.")
+        assert f"{name}.png: {SAID} 42 km" in feedback.textLog()
+    # GPS decides nothing.
+    assert status["found_far"] == status["found_here"] == "fix" and status["empty_far"] != "fix"
+    assert reasons["empty_far"].endswith(reasons["empty_silent"]) and reasons["empty_silent"]
