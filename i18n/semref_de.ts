@@ -540,6 +540,10 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Nach Bodenabdeckung</translation>
   </message>
   <message>
+   <source>By its GPS this photo was taken {distance} km from the ground of the database.</source>
+   <translation>Laut seinem GPS wurde dieses Foto {distance} km vom Gelände der Datenbank entfernt aufgenommen.</translation>
+  </message>
+  <message>
    <source>By the flight</source>
    <translation>Durch den Flug</translation>
   </message>

@@ -540,6 +540,10 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Por huella</translation>
   </message>
   <message>
+   <source>By its GPS this photo was taken {distance} km from the ground of the database.</source>
+   <translation>Según su GPS, esta foto se tomó a {distance} km del terreno de la base de datos.</translation>
+  </message>
+  <message>
    <source>By the flight</source>
    <translation>Por el vuelo</translation>
   </message>

@@ -540,6 +540,10 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Par emprise au sol</translation>
   </message>
   <message>
+   <source>By its GPS this photo was taken {distance} km from the ground of the database.</source>
+   <translation>D’après son GPS, cette photo a été prise à {distance} km du terrain de la base de données.</translation>
+  </message>
+  <message>
    <source>By the flight</source>
    <translation>Par le vol</translation>
   </message>

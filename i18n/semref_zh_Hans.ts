@@ -540,6 +540,10 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>按覆盖范围</translation>
   </message>
   <message>
+   <source>By its GPS this photo was taken {distance} km from the ground of the database.</source>
+   <translation>根据照片的 GPS，拍摄地点距数据库所覆盖的地面 {distance} km。</translation>
+  </message>
+  <message>
    <source>By the flight</source>
    <translation>由整个航次定位</translation>
   </message>
