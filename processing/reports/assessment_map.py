@@ -41,7 +41,7 @@ def legend(classes: Sequence[tuple[float, float, str, str]]) -> str:
         f"{escape(text)}</span> "
         for _, _, color, text in classes[::-1]
     )
-    return f'<p style="max-width:none">{entries}</p>'
+    return f'<p class="legend">{entries}</p>'
 
 
 def _runs(columns: np.ndarray, rows: np.ndarray, kinds: np.ndarray) -> list[tuple[int, int, int, int]]:

@@ -63,7 +63,7 @@ def legend() -> str:
         f'width:12px;height:12px;vertical-align:-1px">{_mark(6, 6, 4, color, number)}</svg> {escape(text)}</span> '
         for number, (color, text) in enumerate(kinds())
     )
-    return f'<p style="max-width:none">{entries}</p>'
+    return f'<p class="legend">{entries}</p>'
 
 
 def _kind(point: FlightPoint) -> int:

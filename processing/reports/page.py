@@ -72,6 +72,7 @@ main { max-width: 1020px; margin: 0 auto; padding: 28px 24px 48px; }
 h1 { font-size: 26px; line-height: 1.25; margin: 0 0 4px; }
 h2 { font-size: 18px; margin: 36px 0 8px; padding-top: 14px; border-top: 1px solid var(--line); }
 p { margin: 0 0 10px; max-width: 74ch; }
+p.legend { max-width: none; }
 .soft, figcaption { color: var(--soft); }
 figure { margin: 0; }
 figcaption { font-size: 13px; margin-top: 2px; }
@@ -100,7 +101,7 @@ td.good { color: var(--good); } td.bad { color: var(--bad); }
   h2 { break-after: avoid; } main { max-width: none; padding: 0; } .scroll { overflow: visible; }
   .figures { grid-template-columns: repeat(4, 1fr); } .figures b { font-size: 20px; }
   table { font-size: 11px; } th, td { padding-right: 8px; } td.number, th.number { white-space: normal; }
-  svg { max-height: 120mm; }
+  svg { max-height: 84mm; } .legend { break-after: avoid; }
   svg, .figures div, .next, td { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 """
 )

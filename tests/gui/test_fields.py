@@ -193,6 +193,23 @@ def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_
     assert wrappers["CLASS_FIELD"].parameterValue() == "Class"
 
 
+def test_without_the_plugins_box_qgis_begins_with_the_first_field_of_the_selected_layer(
+    dialog_of, polygons, iface, monkeypatch
+):
+    from semref.ui.fields.dialog_widgets import offer_widgets, withdraw_widgets
+
+    first, second = polygons("id:integer", "class:string"), polygons("number:integer", "class:string")
+    withdraw_widgets()
+    try:
+        for layer, field in ((first, "id"), (second, "number")):
+            monkeypatch.setattr(iface, "activeLayer", lambda layer=layer: layer, raising=False)
+            wrappers = dialog_of("rasterizeannotation")
+            assert wrappers["INPUT"].parameterValue() == layer.id()
+            assert wrappers["CLASS_FIELD"].parameterValue() == field
+    finally:
+        offer_widgets()
+
+
 def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_its_first(dialog_of, polygons):
     from qgis.core import QgsCategorizedSymbolRenderer
 
