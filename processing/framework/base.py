@@ -10,7 +10,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Callable, ClassVar, TypeVar, Union
 
-from qgis.core import QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProcessingOutputFile,
+)
 from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
@@ -21,7 +27,7 @@ from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
 from .apart import clear_beside_inputs, require_outputs_apart
-from .declarations import Parameter, Told
+from .declarations import FileOutput, Parameter, Told
 from .outputs import Outputs
 from .time_left import TellingFeedback
 from .values import Values
@@ -32,6 +38,9 @@ Result = TypeVar("Result")
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
 
 ANNOTATION, REFERENCE_DATABASE, LOCALIZATION = "annotation", "referencedatabase", "localization"
+
+REPORTS_AS_FILES = "reports_as_files"
+"""Configuration of an algorithm whose reports are shown by whoever opens its dialog, not by QGIS's Results Viewer."""
 
 CANCEL_EVERY_S = 0.2
 """How often a cancel is looked for during work that can't be interrupted."""
@@ -58,6 +67,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
     _refusal: SemRefError | None = None
     _lineage: Lineage | None = None
+    _reports_as_files = False
 
     def title(self) -> str:
         raise NotImplementedError
@@ -91,12 +101,18 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     # --- QgsProcessingAlgorithm ---
 
     def createInstance(self) -> SemRefAlgorithm:
-        return type(self)()
+        made = type(self)()
+        made._reports_as_files = self._reports_as_files
+        return made
 
     def initAlgorithm(self, config: dict[str, Any] | None = None) -> None:
+        self._reports_as_files = self._reports_as_files or REPORTS_AS_FILES in (config or {})
         for declared in self.parameters():
             if isinstance(declared, Told):
                 self.addOutput(declared.definition())
+            elif self._reports_as_files and isinstance(declared, FileOutput) and declared.is_page:
+                self.addParameter(declared.definition(), False)
+                self.addOutput(QgsProcessingOutputFile(declared.key, declared.title))
             else:
                 self.addParameter(declared.definition())
 

@@ -247,6 +247,11 @@ class FileOutput(Output):
     KIND: ClassVar[type[QgsProcessingParameterDefinition]] = QgsProcessingParameterFileDestination
     filter: str = ""
 
+    @property
+    def is_page(self) -> bool:
+        """Whether QGIS shows it in its Results Viewer; it goes by the filter as well."""
+        return "*.htm" in self.filter
+
     def more(self) -> dict:
         """Further arguments of KIND, by name."""
         return {"fileFilter": self.filter}

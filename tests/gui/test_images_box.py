@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages
 
 
@@ -62,24 +63,53 @@ def test_a_dropped_folder_is_an_entry(dock, area, tmp_path, tab):
     assert tab.images.paths() == [str(tmp_path)]
 
 
-def test_a_model_that_is_trained_from_the_dock_is_the_chosen_one(tab, tmp_path, monkeypatch):
+@pytest.fixture
+def training_dialog(tab, monkeypatch):
+    """Presses the dock's button; a dialog of ours stands for QGIS's, which needs its main window."""
     import processing
     from qgis.PyQt.QtCore import pyqtSignal
     from qgis.PyQt.QtWidgets import QDialog
 
     class Dialog(QDialog):
-        """Stands for QGIS's, which needs its main window."""
-
         algorithmFinished = pyqtSignal(bool, dict)
 
     asked = []
-    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda name, given: asked.append(name) or Dialog())
+    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda made, given: asked.append(made) or Dialog())
     tab.images.train.click()
     dialog = tab.images.training
-    assert dialog.isVisible() and asked == ["semref:trainmodel"]
-    dialog.algorithmFinished.emit(False, {})
-    assert tab.images.model_path() == ""
-    dialog.algorithmFinished.emit(True, {"OUTPUT": str(tmp_path / "own.onnx")})
-    assert tab.images.model_path() == str(tmp_path / "own.onnx")
+    assert dialog.isVisible() and [algorithm.id() for algorithm in asked] == ["semref:trainmodel"]
+    dialog.algorithm = asked[0]
+    yield dialog
     tab.images.model.setFilePath("")
     dialog.close()
+
+
+def test_a_model_that_is_trained_from_the_dock_is_the_chosen_one(tab, tmp_path, training_dialog):
+    training_dialog.algorithmFinished.emit(False, {})
+    assert tab.images.model_path() == ""
+    training_dialog.algorithmFinished.emit(True, {"OUTPUT": str(tmp_path / "own.onnx")})
+    assert tab.images.model_path() == str(tmp_path / "own.onnx")
+
+
+def test_the_report_of_a_training_is_opened_from_a_message_and_not_in_qgis_s_results_viewer(
+    tab, iface, tmp_path, training_dialog, monkeypatch
+):
+    from qgis.core import QgsApplication, QgsProcessingOutputFile, QgsProcessingOutputHtml
+    from qgis.PyQt.QtGui import QDesktopServices
+    from qgis.PyQt.QtWidgets import QPushButton
+
+    # Dialogs and tasks make their own copies.
+    for algorithm in (training_dialog.algorithm, training_dialog.algorithm.create()):
+        report = algorithm.outputDefinition("REPORT")
+        assert isinstance(report, QgsProcessingOutputFile) and not isinstance(report, QgsProcessingOutputHtml)
+        assert algorithm.parameterDefinition("REPORT").defaultFileExtension() == "html"
+    usual = QgsApplication.processingRegistry().createAlgorithmById("semref:trainmodel")
+    assert isinstance(usual.outputDefinition("REPORT"), QgsProcessingOutputHtml)
+    opened = []
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda address: opened.append(address.toLocalFile()))
+    page = str(tmp_path / "report.html")
+    training_dialog.algorithmFinished.emit(True, {"OUTPUT": str(tmp_path / "own.onnx"), "REPORT": page})
+    assert messages(iface) == ["The model is trained, and chosen in the dock."]
+    (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Open report"]
+    button.click()
+    assert opened == [page]

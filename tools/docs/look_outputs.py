@@ -76,7 +76,7 @@ def jobs(sample: Path, out: Path) -> dict[str, dict]:
             "LABELS": labels,
             **outputs(out, "evaluate", OUTPUT="gpkg", REPORT="html"),
         },
-        "segmentimage": {"IMAGE": str(sample / "orthophoto.tif"), "MODEL": str(MODEL), "OUTPUT": str(out / "seen.tif")},
+        "segmentimage": {"INPUT": str(sample / "orthophoto.tif"), "MODEL": str(MODEL), "OUTPUT": str(out / "seen.tif")},
         "comparelabels": {
             "REFERENCE": labels,
             "PREDICTED": str(out / "seen.tif"),

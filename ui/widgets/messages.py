@@ -43,13 +43,20 @@ class Messages:
 
     def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
         """Something that could not be done, and a button that mends it; the whole sentence is in its tool tip."""
+        self._push_with(sentence, button, pressed, Qgis.MessageLevel.Critical)
+
+    def success_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
+        """Something that was done, and a button for what comes next; stays until it is pressed or closed."""
+        self._push_with(sentence, button, pressed, Qgis.MessageLevel.Success)
+
+    def _push_with(self, sentence: str, button: str, pressed: Callable[[], None], level: Qgis.MessageLevel) -> None:
         item = self._bar.createMessage(TAG, _shown(sentence))
-        mend = QPushButton(button)
-        mend.clicked.connect(pressed)
-        mend.clicked.connect(item.dismiss)
+        next_step = QPushButton(button)
+        next_step.clicked.connect(pressed)
+        next_step.clicked.connect(item.dismiss)
         item.setToolTip(plain_tip(sentence))
-        item.layout().addWidget(mend)
-        self._bar.pushWidget(item, Qgis.MessageLevel.Critical)
+        item.layout().addWidget(next_step)
+        self._bar.pushWidget(item, level)
 
     def bug(self, report: str) -> None:
         """One sentence in the bar, the traceback in the log panel."""

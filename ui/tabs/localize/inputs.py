@@ -19,6 +19,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....core.localization import Method
+from ....processing.framework.base import REPORTS_AS_FILES
 from ....processing.inspection.flight import looks_like_flight
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
@@ -43,10 +44,11 @@ class ImageBox(QgsCollapsibleGroupBox):
     """The images, and the buttons that add and remove them.
 
     refused: names of layers that are not added because they are no file; drawAsked: the layer, such as map tiles, of
-    which the map's extent shall become an image.
+    which the map's extent shall become an image; trained: a model was made and is the chosen one; its report's file.
     """
 
     changed = pyqtSignal()
+    trained = pyqtSignal(str)
     refused = pyqtSignal(list)
     drawAsked = pyqtSignal(object)
 
@@ -151,13 +153,17 @@ class ImageBox(QgsCollapsibleGroupBox):
         """Opens the algorithm's dialog, beside which QGIS can be used; its model becomes the chosen one."""
         from processing import createAlgorithmDialog
 
-        self.training = createAlgorithmDialog(TRAIN_MODEL, training_at_hand(QgsProject.instance()))
+        # QGIS's Results Viewer would come between, and take half of the dock's height.
+        configuration = {REPORTS_AS_FILES: True}
+        algorithm = QgsApplication.processingRegistry().createAlgorithmById(TRAIN_MODEL, configuration)
+        self.training = createAlgorithmDialog(algorithm, training_at_hand(QgsProject.instance()))
         self.training.algorithmFinished.connect(self._take_model)
         self.training.show()
 
     def _take_model(self, successful: bool, results: dict) -> None:
         if successful and results.get("OUTPUT"):
             self.model.setFilePath(results["OUTPUT"])
+            self.trained.emit(results.get("REPORT") or "")
 
     def _remember_model(self) -> None:
         QgsSettings().setValue(MODEL_SETTING, self.model_path())

@@ -7,7 +7,8 @@ from functools import partial
 
 from qgis.core import QgsFeatureRequest, QgsMapLayerStyle, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtCore import QUrl, pyqtSignal
+from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
@@ -78,6 +79,7 @@ class LocalizeTab(QWidget):
         self.images.collapsedStateChanged.connect(self._show_choices)
         self.images.refused.connect(self._refuse_layers)
         self.images.drawAsked.connect(self._draw)
+        self.images.trained.connect(self._tell_trained)
         self.map_image.made.connect(self._add_drawn)
         self.map_image.failed.connect(self._messages.error)
         self.map_image.broke.connect(self._messages.bug)
@@ -288,6 +290,13 @@ class LocalizeTab(QWidget):
         self.images.list.add([path])
         self._messages.info(tr("What the map shows is an image of the list now; it lasts until QGIS is closed."))
 
+    def _tell_trained(self, report: str) -> None:
+        sentence = tr("The model is trained, and chosen in the dock.")
+        if report:
+            self._messages.success_with(sentence, tr("Open report"), partial(_open_file, report))
+        else:
+            self._messages.success(sentence)
+
     def _refuse_layers(self, names: list[str]) -> None:
         sentence = tr(
             "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
@@ -302,3 +311,8 @@ def _copy_of(layer: QgsVectorLayer) -> QgsVectorLayer:
     style.writeToLayer(copy)
     copy.setName(layer.name())
     return copy
+
+
+def _open_file(path: str) -> None:
+    """With the system's program for it."""
+    QDesktopServices.openUrl(QUrl.fromLocalFile(path))
