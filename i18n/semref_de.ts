@@ -2948,6 +2948,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Deckkraft der Klassen</translation>
   </message>
   <message>
+   <source>Open report</source>
+   <translation>Bericht öffnen</translation>
+  </message>
+  <message>
    <source>Open the database after running</source>
    <translation>Datenbank nach der Ausführung öffnen</translation>
   </message>
@@ -4350,6 +4354,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Das Modell nennt seine Auflösung nicht: Das Bild wird genommen, wie es ist.</translation>
+  </message>
+  <message>
+   <source>The model is trained, and chosen in the dock.</source>
+   <translation>Das Modell ist trainiert und im Bedienfeld gewählt.</translation>
   </message>
   <message>
    <source>The motion from image {first} to image {second} has numbers that are none.</source>

@@ -2948,6 +2948,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Opacidad de las etiquetas</translation>
   </message>
   <message>
+   <source>Open report</source>
+   <translation>Abrir el informe</translation>
+  </message>
+  <message>
    <source>Open the database after running</source>
    <translation>Abrir la base de datos al terminar</translation>
   </message>
@@ -4350,6 +4354,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>El modelo no indica su resolución: la imagen se toma tal cual.</translation>
+  </message>
+  <message>
+   <source>The model is trained, and chosen in the dock.</source>
+   <translation>El modelo está entrenado y elegido en el panel.</translation>
   </message>
   <message>
    <source>The motion from image {first} to image {second} has numbers that are none.</source>

@@ -2948,6 +2948,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Opacité des étiquettes</translation>
   </message>
   <message>
+   <source>Open report</source>
+   <translation>Ouvrir le rapport</translation>
+  </message>
+  <message>
    <source>Open the database after running</source>
    <translation>Ouvrir la base de données à la fin</translation>
   </message>
@@ -4350,6 +4354,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>Le modèle n’indique pas sa résolution : l’image est prise telle quelle.</translation>
+  </message>
+  <message>
+   <source>The model is trained, and chosen in the dock.</source>
+   <translation>Le modèle est entraîné et choisi dans le panneau.</translation>
   </message>
   <message>
    <source>The motion from image {first} to image {second} has numbers that are none.</source>

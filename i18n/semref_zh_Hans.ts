@@ -2948,6 +2948,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>标签的不透明度</translation>
   </message>
   <message>
+   <source>Open report</source>
+   <translation>打开报告</translation>
+  </message>
+  <message>
    <source>Open the database after running</source>
    <translation>运行后打开数据库</translation>
   </message>
@@ -4350,6 +4354,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The model does not say its resolution: the image is taken as it is.</source>
    <translation>模型未说明其分辨率：影像按原样处理。</translation>
+  </message>
+  <message>
+   <source>The model is trained, and chosen in the dock.</source>
+   <translation>模型已训练完成，并已在面板中选用。</translation>
   </message>
   <message>
    <source>The motion from image {first} to image {second} has numbers that are none.</source>
