@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import re
+from itertools import groupby
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qgis.core import QgsProcessingAlgorithm, QgsProject
 
@@ -107,25 +109,38 @@ class MakeRouteSheet(SemRefAlgorithm):
             self._below,
             key_figures(points),
             [tr("Route"), tr("from (m)"), tr("to (m)"), tr("length (m)"), tr("reason"), tr("hint")],
-            [stretch_row(run) for run in poor],
+            [stretch_row(stretch) for stretch in poor],
             tr("Stretches without an expected fix"),
         )
         with outputs.file(self.OUTPUT) as path:
             sheet.write(path)
 
 
-def stretches(points: Sequence[dict[str, Any]]) -> list[list[dict[str, Any]]]:
+class Stretch(NamedTuple):
+    """Neighboring points without an expected fix, and where along their route the good ones beside them lie."""
+
+    points: list[dict[str, Any]]
+    start: float
+    end: float
+
+
+def stretches(points: Sequence[dict[str, Any]]) -> list[Stretch]:
     """Runs of neighboring points that lie in one stretch without an expected fix, the longest first."""
-    found: list[list[dict[str, Any]]] = []
-    before: dict[str, Any] = {}
-    for point in points:
-        if _number(point, "gap"):
-            if found and before is found[-1][-1] and all(before[name] == point[name] for name in ("route", "gap")):
-                found[-1].append(point)
-            else:
-                found.append([point])
-        before = point
-    return sorted(found, key=lambda run: -_number(run[0], "gap"))
+    found: list[Stretch] = []
+    for _, run in groupby(range(len(points)), key=lambda n: (points[n]["route"], _number(points[n], "gap"))):
+        numbers = list(run)
+        first, last = numbers[0], numbers[-1]
+        if _number(points[first], "gap"):
+            start, end = (_beside(points, n, step) for n, step in ((first, -1), (last, 1)))
+            found.append(Stretch(list(points[first : last + 1]), start, end))
+    return sorted(found, key=lambda stretch: -_number(stretch.points[0], "gap"))
+
+
+def _beside(points: Sequence[dict[str, Any]], number: int, step: int) -> float:
+    """Where the neighbor of a point lies along their route; the point itself where the route begins or ends."""
+    beside = number + step
+    is_there = 0 <= beside < len(points) and points[beside]["route"] == points[number]["route"]
+    return _number(points[beside if is_there else number], "along")
 
 
 def key_figures(points: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
@@ -142,18 +157,30 @@ def key_figures(points: Sequence[dict[str, Any]]) -> list[tuple[str, str]]:
     ]
 
 
-def stretch_row(run: Sequence[dict[str, Any]]) -> list[str]:
+def stretch_row(stretch: Stretch) -> list[str]:
     """Cells of a stretch."""
-    first, shift = run[0], _number(run[0], "shift")
+    first = stretch.points[0]
+    shift = _number(first, "shift")
     text = tr("{shift:.0f} m to the left") if shift < 0 else tr("{shift:.0f} m to the right")
     return [
         str(first["route"]),
-        shown(_number(first, "along"), ",.0f"),
-        shown(_number(run[-1], "along"), ",.0f"),
+        shown(stretch.start, ",.0f"),
+        shown(stretch.end, ",.0f"),
         shown(_number(first, "gap"), ",.0f"),
-        "" if is_null(first.get("reason")) else str(first["reason"]),
+        _reason_of(stretch.points),
         text.format(shift=Local(abs(shift))) if shift else "",
     ]
+
+
+def _reason_of(points: Sequence[dict[str, Any]]) -> str:
+    """Why there is no fix at most of the points, as the middle one of these has it; they differ by their numbers."""
+    told = [str(point["reason"]) for point in points if not is_null(point.get("reason"))]
+    kinds = [re.sub(r"\d+", "", text) for text in told]
+    if not told:
+        return ""
+    most = max(kinds, key=kinds.count)
+    of_most = [text for text, kind in zip(told, kinds) if kind == most]
+    return of_most[len(of_most) // 2]
 
 
 def _number(point: dict[str, Any], name: str) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil
 
 from qgis.core import (
     QgsFillSymbol,
@@ -18,6 +19,7 @@ from qgis.core import (
     QgsLayoutItemShape,
     QgsLayoutPoint,
     QgsLayoutSize,
+    QgsLayoutTable,
     QgsMapLayer,
     QgsPrintLayout,
     QgsProject,
@@ -41,8 +43,13 @@ MAP_MM = (12.0, 34.0, 192.0, 140.0)
 AROUND = 1.15
 """The map shows so many times the route's extent."""
 
-ROWS_A_PAGE = 26
-"""Of the table; more go on on further pages."""
+LINES_A_PAGE = 26
+"""Of the table; more rows go on on further pages."""
+
+CELL_MARGIN_MM, GRID_MM = 1.0, 0.2
+
+LETTER_MM, LONGEST_CELL = 2.0, 60
+"""A wide letter of the table; letters of a cell beyond which it is broken into lines."""
 
 
 @dataclass(frozen=True)
@@ -125,19 +132,21 @@ class RouteSheet:
         _place(layout, bar, (MAP_MM[0], MAP_MM[1] + MAP_MM[3] + 3, 60.0, 12.0))
 
     def _add_table(self, layout: QgsPrintLayout) -> None:
-        for number, first in enumerate(range(0, len(self.rows), ROWS_A_PAGE), start=1):
+        width, columns = PAGE_MM[0] - 2 * MARGIN_MM, len(self.header)
+        # QGIS adds its margins and the grid to the columns' widths.
+        room = width - columns * 2 * CELL_MARGIN_MM - (columns + 1) * GRID_MM
+        widths = [room * share for share in column_shares([self.header, *self.rows])]
+        for number, rows in enumerate(rows_by_page(self.rows, widths), start=1):
             layout.pageCollection().extendByNewPage()
             top = number * (PAGE_MM[1] + layout.pageCollection().spaceBetweenPages())
-            width = PAGE_MM[0] - 2 * MARGIN_MM
             _text(layout, self.table_title, (MARGIN_MM, top + 10.0, width, 10.0), 14, INK)
             table = QgsLayoutItemManualTable.create(layout)
             layout.addMultiFrame(table)
-            lines = [self.header, *self.rows[first : first + ROWS_A_PAGE]]
-            table.setTableContents([[QgsTableCell(cell) for cell in line] for line in lines])
+            table.setTableContents([[QgsTableCell(cell) for cell in line] for line in (self.header, *rows)])
             table.setGridColor(QColor(LINE))
-            # QGIS adds its margins and the grid to the columns' widths.
-            room = width - len(self.header) * 2 * table.cellMargin() - (len(self.header) + 1) * table.gridStrokeWidth()
-            widths = [room * share for share in column_shares(lines)]
+            table.setGridStrokeWidth(GRID_MM)
+            table.setCellMargin(CELL_MARGIN_MM)
+            table.setWrapBehavior(QgsLayoutTable.WrapText)
             table.setColumnWidths(widths)
             frame = QgsLayoutFrame(layout, table)
             frame.attemptMove(QgsLayoutPoint(MARGIN_MM, top + 22.0, _MM))
@@ -154,8 +163,22 @@ def _as_wide_as_map(extent: QgsRectangle) -> QgsRectangle:
 
 def column_shares(lines: Sequence[Sequence[str]]) -> list[float]:
     """Share of a table's width that each column gets, by its longest cell; none less than a short number needs."""
-    longest = [max(6, *(min(len(cell), 40) for cell in column)) for column in zip(*lines)]
+    longest = [max(6, *(min(len(cell), LONGEST_CELL) for cell in column)) for column in zip(*lines)]
     return [one / sum(longest) for one in longest]
+
+
+def rows_by_page(rows: Sequence[Sequence[str]], widths_mm: Sequence[float]) -> list[list[Sequence[str]]]:
+    """Rows of a table as pages have room for them below its header, when long cells are broken into lines."""
+    pages: list[list[Sequence[str]]] = []
+    left = 0
+    for row in rows:
+        lines = max(ceil(len(cell) * LETTER_MM / width) for cell, width in zip(row, widths_mm)) or 1
+        if not pages or lines > left:
+            pages.append([])
+            left = LINES_A_PAGE
+        pages[-1].append(row)
+        left -= lines
+    return pages
 
 
 def _text(

@@ -101,7 +101,7 @@ td.good { color: var(--good); } td.bad { color: var(--bad); }
   h2 { break-after: avoid; } main { max-width: none; padding: 0; } .scroll { overflow: visible; }
   .figures { grid-template-columns: repeat(4, 1fr); } .figures b { font-size: 20px; }
   table { font-size: 11px; } th, td { padding-right: 8px; } td.number, th.number { white-space: normal; }
-  svg { max-height: 84mm; } .legend { break-after: avoid; }
+  svg { max-height: 84mm; } .legend, tbody tr:nth-child(-n+3) { break-after: avoid; }
   svg, .figures div, .next, td { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 """
 )
