@@ -71,7 +71,7 @@ SHOWN = (
     Shown("images of other places: none is to be found", "elsewhere", "all 0/", "", "fixes"),
 )
 
-WIDTH, ROW_PX, TOP_PX, LABELS_PX, BAR_PX = 820, 34, 64, 375, 260
+WIDTH, ROW_PX, TOP_PX, LABELS_PX, BAR_PX = 850, 34, 64, 375, 260
 RIGHT, WRONG, INK, PAPER, EMPTY = "#0072b2", "#d55e00", "#222222", "#ffffff", "#e6e6e6"
 """Colors that stay apart for the color-blind (Okabe & Ito)."""
 
@@ -156,7 +156,7 @@ def _row(y: int, images: str, right: Count | None, wrong: Count | None) -> str:
     if right:
         low, high = (LABELS_PX + BAR_PX * share / 100 for share in (right.low, right.high))
         parts.append(f'<path d="M{low:.1f} {middle}H{high:.1f}" stroke="{INK}" stroke-width="1.5" opacity="0.6"/>')
-    told = f"{right.count} of {right.of}" if right else f"{wrong.of} tried" if wrong else ""
+    told = f"{right.count:,} of {right.of:,}" if right else f"{wrong.of:,} tried" if wrong else ""
     told += f", {wrong.count or 'none'} wrong" if wrong else ""
     parts.append(f'<text x="{LABELS_PX + BAR_PX + 12}" y="{middle + 5}" font-size="13" fill="{INK}">{told}</text>')
     return "".join(parts)
