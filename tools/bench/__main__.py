@@ -57,6 +57,7 @@ NAMES = (
     "photos",
     "evidence",
     "own_ground",
+    "own_buildings",
     "infrared_map",
     "groups",
     "foreign_ground",
@@ -142,7 +143,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     )
     parser.add_argument("--tile", type=int, default=6, help="photos: default %(default)s")
     parser.add_argument(
-        "--python", default=sys.executable, help="onboard: one without QGIS makes the proof; own_ground: one with torch"
+        "--python", default=sys.executable, help="onboard: one without QGIS makes the proof; own_…: one with torch"
     )
     parser.add_argument("--pictures", type=Path, help="assessment: folder for the documentation's pictures")
     parser.add_argument("--sample", action="store_true", help="measure the sample area though the real data is here")

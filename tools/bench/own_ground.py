@@ -114,7 +114,7 @@ def run_training(run: inputs.Run, tiles: Path, model: Path, settings: dict) -> N
     """Trains a model on tiles, or goes on where a run was cut off; ends this program where that fails."""
     folder = model.with_suffix(".training")
     job = Job((str(tiles),), str(model), str(folder), epochs=MANY_EPOCHS, light=1.5, patience=0, threads=1, **settings)
-    job = replace(job, processor_time=True, learn_unlabeled=False, resume=True)
+    job = replace(job, processor_time=True, resume=True)
     asked = model.with_suffix(".json")
     job.write(asked)
     done = subprocess.run([run.python, str(inputs.TOOLS.parent / "training"), str(asked)], stdout=sys.stderr)

@@ -93,8 +93,10 @@ class PlaceGround:
         part: (first, last) columns that belong to the place.
     """
 
-    def __init__(self, labels: np.ndarray, picture: np.ndarray, part: tuple[float, float]) -> None:
-        self.ground = memory_ground(labels, CLASSES, SETTINGS)
+    def __init__(
+        self, labels: np.ndarray, picture: np.ndarray, part: tuple[float, float], classes: str = CLASSES
+    ) -> None:
+        self.ground = memory_ground(labels, classes, SETTINGS)
         self.ground.prior, self.ground.meters = Prior(pixel_size_range=SEARCHED), PIXEL_M
         self.picture = picture
         self.part = tuple(round(share * labels.shape[1]) for share in part)
