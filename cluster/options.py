@@ -27,6 +27,7 @@ _EPILOG = f"""exit codes:
   {INTERRUPTED}  ended by Ctrl+C; nothing lies under the final name
 
 examples, from the plugin's folder:
+  python -m cluster rasterize landcover.gpkg --class-field class --labels labels.tif --pixel-size 0.5 --local 4
   python -m cluster build labels.tif --database out.gpkg --reference-classes "building;water" --local 4
   python -m cluster build /vsis3/maps/labels.tif --database out.gpkg --scheduler tcp://10.0.0.5:8786
   python -m cluster segment orthophoto.vrt --model landcover.onnx --labels labels.tif --local 4
@@ -122,9 +123,24 @@ _ASSESS: tuple[tuple[str, str, Any, Any, str], ...] = (
 )
 """As _BUILD."""
 
+_RASTERIZE: tuple[tuple[str, str, Any, Any, str], ...] = (
+    ("--labels", "FILE", str, "", "the GeoTIFF to write, on this machine"),
+    ("--class-field", "NAME", str, "", "text or number field that tells the class of each polygon"),
+    ("--priority-field", "NAME", str, None, "number field: the higher lies on top; by default the draw order"),
+    ("--class-table", "FILE", str, None, "values and colors of the classes, a CSV; by default what the field holds"),
+    ("--layer", "NAME", str, None, "of a file of several"),
+    ("--pixel-size", "M", within(float, 0.001, 1e6), 1.0, "edge of a pixel (1)"),
+    ("--extent", "LEFT,BOTTOM,RIGHT,TOP", str, None, "map units; by default that of the polygons"),
+)
+"""As _BUILD."""
+
 _IMAGE = "a photo or an orthophoto: a path that all workers see, a VRT of many files, or a name of GDAL's"
 _DEVICE = "what runs the network at the workers (cpu); graphics cards may round otherwise"
 _JSON = "tells what happens as a line of JSON each, on the output"
+_ANNOTATION = (
+    "polygons in a metric CRS that GDAL reads, read on this machine alone: GeoPackage, shapefile, FlatGeobuf …"
+)
+_OTHER_GROUND = "ground without a polygon, within the extent of the polygons, becomes the class “other”"
 _LANDMARKS_ALONE = "assesses landmarks alone, as the algorithm with MAP_CORRELATION switched off"
 _SCHEDULER = "uses the workers of a scheduler, such as tcp://10.0.0.5:8786"
 _MEMORY = (
@@ -150,6 +166,15 @@ def parser() -> argparse.ArgumentParser:
     build.add_argument("labels", metavar="LABELS", help=_LABELS)
     _add_all(build, _BUILD)
     _add_workers(build)
+    rasterize = commands.add_parser(
+        "rasterize",
+        help="polygons to label map, as semref:rasterizeannotation",
+        description="Burns the polygons of a file into a label map, as semref:rasterizeannotation in QGIS.",
+    )
+    rasterize.add_argument("annotation", metavar="ANNOTATION", help=_ANNOTATION)
+    _add_all(rasterize, _RASTERIZE)
+    rasterize.add_argument("--other-ground", action="store_true", help=_OTHER_GROUND)
+    _add_workers(rasterize)
     segment = commands.add_parser(
         "segment",
         help="photo or orthophoto to label map, as semref:segmentimage",
@@ -179,7 +204,7 @@ def parser() -> argparse.ArgumentParser:
     _add_all(assess, _ASSESS)
     assess.add_argument("--without-map-correlation", action="store_true", help=_LANDMARKS_ALONE)
     _add_workers(assess)
-    for command in (build, segment, evaluate, assess):
+    for command in (rasterize, build, segment, evaluate, assess):
         command.add_argument("--json", action="store_true", help=_JSON)
     localize = commands.add_parser(
         "localize",
@@ -194,8 +219,12 @@ def parser() -> argparse.ArgumentParser:
     order = commands.add_parser("order", description="Does what QGIS wrote down.")
     order.add_argument("order", metavar="FILE")
     order.add_argument("--found", metavar="FILE", required=True)
-    order.add_argument("--json", action="store_true", help=_JSON)
-    _add_workers(order)
+    burn = commands.add_parser("burn", description="Burns the polygons that QGIS wrote down.")
+    burn.add_argument("order", metavar="FILE")
+    burn.add_argument("--labels", metavar="FILE", required=True)
+    for command in (order, burn):
+        command.add_argument("--json", action="store_true", help=_JSON)
+        _add_workers(command)
     return made
 
 

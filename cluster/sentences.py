@@ -16,6 +16,7 @@ SENTENCES = {
     "cluster.not_a_number": "{option} is “{text}”; give numbers separated by “;”.",
     "cluster.no_method": "“{name}” is no method; give some of {known}, separated by “;”.",
     "cluster.no_range": "{option} is “{text}”; give the smallest and the largest value, such as 0,20.",
+    "cluster.no_extent": "--extent is “{text}”; give left,bottom,right,top in map units.",
     "cluster.stride_above_size": "The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.",
     "cluster.output_is_input": "The result would replace {path}; choose another name.",
     "cluster.photo_not_in_meters": (

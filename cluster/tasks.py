@@ -10,10 +10,12 @@ from osgeo import gdal
 
 from ..core.database.parts import TASKS
 from ..core.errors import SemRefError
+from ..core.geometry.frame import MapFrame
 from ..core.onboard.command_line import finding, localize_options
 from ..core.onboard.finder import Finding
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.tiling import segment_tiles
+from ..storage.burning import burnt_strip
 from ..storage.rasters import GdalLabels
 from . import jobs
 from .photos import Opening, opened
@@ -22,8 +24,8 @@ _CACHE_BYTES = 64 << 20
 """GDAL's cache of one worker; by default it is a share of the machine's memory, for each of them."""
 
 
-LOCALIZE, SEGMENT = "localize", "segment"
-"""Tasks that need no label map: images in an onboard file, and blocks of a photo's tiles."""
+LOCALIZE, SEGMENT, BURN = "localize", "segment", "burn"
+"""Tasks that need no label map: images in an onboard file, blocks of a photo's tiles, and strips of polygons."""
 
 
 def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]:
@@ -31,7 +33,8 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
 
     Args:
         task: One of ``TASKS``; LOCALIZE, whose shared arguments are the options and whose other is an image;
-            SEGMENT, whose shared ones are those of ``photos.Opening``; or one of ``jobs.TASKS``, whose shared one is
+            SEGMENT, whose shared ones are those of ``photos.Opening``; BURN, whose shared one is a CRS and whose
+            others are geotransform and shape of a strip and its polygons; or one of ``jobs.TASKS``, whose shared one is
             the job and whose other are pieces of it.
         path: The label map.
         shared: The task's first arguments.
@@ -45,6 +48,8 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
             return "done", _finding(shared)(*arguments)
         if task == SEGMENT:
             return "done", _segmented(shared, *arguments)
+        if task == BURN:
+            return "done", _burnt(*shared, *arguments)
         if task in jobs.TASKS:
             gdal.SetCacheMax(_CACHE_BYTES)
             return "done", jobs.do(task, *shared, *arguments)
@@ -62,6 +67,12 @@ def _labels(path: str) -> GdalLabels:
 @lru_cache(1)
 def _finding(options: tuple[str, ...]) -> Finding:
     return finding(localize_options(list(options)))
+
+
+def _burnt(crs: str, geotransform: tuple[float, ...], shape_hw: tuple[int, int], *polygons: np.ndarray) -> np.ndarray:
+    """(H, W) uint8 labels of a strip."""
+    gdal.SetCacheMax(_CACHE_BYTES)
+    return burnt_strip(MapFrame(crs, geotransform, shape_hw), *polygons)
 
 
 def _segmented(opening: tuple, first: tuple[int, int], count: int) -> tuple[np.ndarray, float, int]:

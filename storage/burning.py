@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from osgeo import gdal, ogr, osr
 
+from ..core.annotation.job import BurnJob
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.counts import count_labels
@@ -54,14 +55,12 @@ class LabelMapBurning:
     def steps(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share of the map written 0…1)."""
         height, width = self._frame.shape_hw
-        rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
         file = LabelMapFile(self._path, width, height, self._frame.geotransform, self._frame.crs, self._table)
         # One thread compresses a strip while this one burns the next.
         with file as label_map, ThreadPoolExecutor(1) as writer:
             yield "Burning polygons", 0.0
             writing: Future[None] | None = None
-            for first in range(0, height, rows):
-                strip = self._frame.part(0, first, (min(rows, height - first), width))
+            for first, strip in strips_of(self._frame):
                 labels = self._layer.burnt(strip, gdal.GDT_Byte)
                 self.counts += count_labels(labels)
                 if writing is not None:
@@ -70,6 +69,52 @@ class LabelMapBurning:
                 yield "Burning polygons", (first + len(labels)) / height
             if writing is not None:
                 writing.result()
+
+
+def strips_of(frame: MapFrame) -> Iterator[tuple[int, MapFrame]]:
+    """(first row, frame) of what is burnt and written at a time, from top to bottom.
+
+    Args:
+        frame: Of the whole map.
+    """
+    height, width = frame.shape_hw
+    rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
+    for first in range(0, height, rows):
+        yield first, frame.part(0, first, (min(rows, height - first), width))
+
+
+def burn_job(frame: MapFrame, table: ClassTable, polygons: list[BurnPolygon]) -> BurnJob:
+    """What ``LabelMapBurning`` would burn, to be burnt elsewhere.
+
+    Args:
+        frame: Of the label map.
+        table: Of its classes.
+        polygons: In any order of priorities.
+    """
+    sorted_ = bottom_first(polygons)
+    return BurnJob(
+        frame,
+        table,
+        np.array([polygon.value for polygon in sorted_], np.uint8),
+        np.array([polygon.bounds for polygon in sorted_], np.float64).reshape(-1, 4),
+        np.cumsum([len(polygon.wkb) for polygon in sorted_], dtype=np.int64),
+        np.frombuffer(b"".join(polygon.wkb for polygon in sorted_), np.uint8),
+    )
+
+
+def burnt_strip(strip: MapFrame, values: np.ndarray, ends: np.ndarray, outlines: np.ndarray) -> np.ndarray:
+    """(H, W) uint8 labels of a strip, of what ``BurnJob.within`` gave for it."""
+    whole, begins = outlines.tobytes(), [0, *ends.tolist()[:-1]]
+    polygons = [
+        BurnPolygon(whole[begin:end], value, 0.0, strip.extent)
+        for begin, end, value in zip(begins, ends.tolist(), values.tolist())
+    ]
+    return BurnLayer(polygons, strip.crs).burnt(strip, gdal.GDT_Byte)
+
+
+def bottom_first(polygons: list[BurnPolygon]) -> list[BurnPolygon]:
+    """As they are burnt; of one priority in their order."""
+    return sorted(polygons, key=lambda polygon: polygon.priority)
 
 
 class BurnLayer:
@@ -81,7 +126,7 @@ class BurnLayer:
         self._layer = self._dataset.CreateLayer("polygons", osr.SpatialReference(crs_wkt), ogr.wkbPolygon)
         self._layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
         definition = self._layer.GetLayerDefn()
-        for polygon in sorted(polygons, key=lambda p: p.priority):
+        for polygon in bottom_first(polygons):
             feature = ogr.Feature(definition)
             feature.SetField(0, polygon.value)
             feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(polygon.wkb))

@@ -78,6 +78,11 @@ SENTENCES = {
     "labels.rule_without_tag": "{where}: a rule needs a key and a value; * stands for any value.",
     "labels.rule_class_too_long": "{where}: the class has a name of more than {most} characters; give a shorter one.",
     "labels.rule_priority": "{where}: “{text}” is not a whole number for priority.",
+    "labels.unknown_classes": (
+        "“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or "
+        "leave those features out."
+    ),
+    "labels.no_class_filled": "“{source}” has no feature with a class; fill its class field first.",
     "labels.and_more": "{shown} and {count} more",
     "labels.line": "{source}, line {line}",
 }

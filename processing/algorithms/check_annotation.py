@@ -6,9 +6,10 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from ...core.annotation.findings import CHECKED_KINDS, ERROR
+from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..compat import MULTI_POLYGON, wkt_for_gdal
 from ..framework import offers
-from ..framework.annotation import AnnotationAlgorithm, geometry_of, pixel_grid, union_of_bounds
+from ..framework.annotation import AnnotationAlgorithm, geometry_of
 from ..framework.base import Declared, cancelable, check_canceled, follow, interruptible
 from ..framework.declarations import Number, NumberResult, PolygonOutput
 from ..packages.components import OPENCV, SHAPELY
@@ -18,9 +19,9 @@ from ..wording.annotation_messages import FIELDS, kind_titles, row_of, sentence,
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
+    from ...core.annotation.classes import ClassLookup
     from ...core.annotation.findings import Finding
     from ...core.annotation.polygons import AnnotatedFeature
-    from ..exchange.annotation import ClassLookup
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 

@@ -6,17 +6,20 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem
 
+from ...storage.pixel_grid import pixel_grid, union_of_bounds
 from ..compat import wkt_for_gdal
 from ..framework import offers
-from ..framework.annotation import AnnotationAlgorithm, filling_polygon, pixel_grid, union_of_bounds
+from ..framework.annotation import AnnotationAlgorithm, filling_polygon
 from ..framework.base import Declared, follow
 from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput, Switch
+from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled_with, scheduler
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.geometry.frame import MapFrame
+    from ...core.labels.class_table import ClassTable
     from ...storage.burning import BurnPolygon
     from ..framework.outputs import Outputs
     from ..framework.values import Values
@@ -84,13 +87,16 @@ class RasterizeAnnotation(AnnotationAlgorithm):
                 tr("Label map"),
                 tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
             ),
+            scheduler(),
             NumberResult(self.CLASS_COUNT, tr("Number of classes on the map")),
             NumberResult(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")),
         )
 
-    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
-        from ...storage.burning import LabelMapBurning
+    def check(self, values: Values) -> None:
+        super().check(values)
+        require_scheduler(values)
 
+    def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         crs = self.label_map_crs(values, feedback, values.crs(self.TARGET_CRS))
         polygons, table = self.burn_polygons(values, feedback, crs, READING_SHARE)
         drawn, frame = len(polygons), self._frame(values, crs, polygons)
@@ -104,10 +110,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             )
         )
         with outputs.label_map(self.OUTPUT, table) as path:
-            burning = LabelMapBurning(path, frame, table, polygons)
-            follow(burning.steps(), feedback, READING_SHARE, 100)
-        counts = burning.counts
-        labeled = int(counts[1:].sum())
+            counts = self._burnt(values, path, frame, table, polygons, feedback)
+        labeled = sum(counts[1:])
         present = [c for c in table if c.value and counts[c.value]]
         feedback.pushInfo(
             tr("Label map of {width} × {height} pixels, {share:.1%} labeled: {classes}").format(
@@ -127,6 +131,27 @@ class RasterizeAnnotation(AnnotationAlgorithm):
                 )
             )
         return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
+
+    def _burnt(
+        self,
+        values: Values,
+        path: str,
+        frame: MapFrame,
+        table: ClassTable,
+        polygons: list[BurnPolygon],
+        feedback: QgsProcessingFeedback,
+    ) -> list[int]:
+        """Writes the label map; pixels of each value. Workers get polygons, not the layer: any layer will do."""
+        from ...storage.burning import LabelMapBurning, burn_job
+
+        if values.has(SCHEDULER):
+            job = burn_job(frame, table, polygons)
+            command = ["burn", "--labels", path]
+            found = scheduled_with(values, job, lambda order: [*command, order], feedback, READING_SHARE)
+            return list(found["counts"])
+        burning = LabelMapBurning(path, frame, table, polygons)
+        follow(burning.steps(), feedback, READING_SHARE, 100)
+        return burning.counts.tolist()
 
     def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: list[BurnPolygon]) -> MapFrame:
         """The whole pixels of the extent, of the polygons without one."""

@@ -22,26 +22,15 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
+from ...core.annotation.classes import ClassLookup, StyledClass, distinct, lookup_of, raw_text
 from ...core.errors import AnnotationError
 from ...core.labels.class_proposal import FoundClass
-from ...core.labels.class_table import (
-    ClassTable,
-    LandCoverClass,
-    chosen_colors,
-    require_class_count,
-    shortened,
-)
+from ...core.labels.class_table import ClassTable
 from ...storage.burning import BurnPolygon
 from ..compat import POLYGON_GEOMETRY, is_null
 
 _NO_PRIORITY = float("-inf")
 """Features without a priority lie below all others."""
-
-_NAMED_AT_MOST = 5
-"""Unknown class values that a message names."""
-
-StyledClass = tuple[tuple[object, ...], str, str]
-"""Raw values of the class field that one class stands for, its name, its color or an empty text."""
 
 
 @dataclass(frozen=True)
@@ -179,60 +168,14 @@ def _styled_classes(layer: QgsVectorLayer, class_field: str) -> tuple[tuple[Styl
     return tuple(found), others
 
 
-class ClassLookup:
-    """Raw attribute value → class value, as the class table says."""
-
-    def __init__(self, table: ClassTable, by_raw: dict[str, int] | None = None) -> None:
-        """``by_raw``: class values by the text of the raw value; without it the table's own names and values."""
-        self.table = table
-        self.draw_orders = {c.value: c.draw_order for c in table if c.draw_order is not None}
-        self._known: dict[object, int | None] = dict(by_raw or {})
-        self._fixed = by_raw is not None
-
-    def value(self, raw: object) -> int | None:
-        """The class value of an attribute, or None when the table does not have it."""
-        text = raw_text(raw)
-        if text not in self._known:
-            found = None if self._fixed else self.table.find(text)
-            self._known[text] = found.value if found else None
-        return self._known[text]
-
-    def raw_values(self, value: int, as_numbers: bool) -> list[object]:
-        """What features of a class value may have in the class field: numbers, or texts."""
-        one = self.table.by_value(value)
-        names = [one.name] if one and not as_numbers else []
-        texts = [raw for raw, known in self._known.items() if known == value] if self._fixed else [*names, str(value)]
-        return [int(text) for text in texts if text.lstrip("-").isdigit()] if as_numbers else texts
-
-
-def raw_text(raw: object) -> str:
-    """An attribute as text; whole numbers without their point."""
-    if isinstance(raw, float) and raw.is_integer():
-        return str(int(raw))
-    return str(raw).strip()
-
-
 def class_lookup(source: AnnotationSource, given: ClassTable | None, canceled: Callable[[], bool]) -> ClassLookup:
     """The classes of an annotation: from the given table, else the layer's style, else the field's distinct values."""
     if given is not None:
         return ClassLookup(given)
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
-        raise AnnotationError("exchange.no_class_filled", source=source.name)
-    require_class_count(len(found))
-    texts = [raw_text(values[0]) for values, _, _ in found]
-    as_values = source.class_is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
-    labels = [label for _, label, _ in found]
-    if len(set(labels)) < len(labels):
-        labels = texts
-    numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
-    chosen = chosen_colors(zip(numbers, labels))
-    classes = [
-        LandCoverClass(number, label, color or other)
-        for number, label, (_, _, color), other in zip(numbers, labels, found, chosen)
-    ]
-    by_raw = {raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}
-    return ClassLookup(ClassTable(tuple(classes)), by_raw)
+        raise AnnotationError("labels.no_class_filled", source=source.name)
+    return lookup_of(found, source.class_is_number)
 
 
 def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[FoundClass]:
@@ -241,7 +184,7 @@ def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[
     texts = [raw_text(value) for value in _distinct_values(source, canceled)]
     texts += [text for text in styles if text not in texts]
     if not texts and not canceled():
-        raise AnnotationError("exchange.no_class_filled", source=source.name)
+        raise AnnotationError("labels.no_class_filled", source=source.name)
     is_value = source.class_is_number and all(text.isdigit() and 1 <= int(text) <= 255 for text in texts)
     return [FoundClass(t, *styles.get(t, (t, "")), int(t) if is_value else None) for t in texts]
 
@@ -249,15 +192,17 @@ def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[
 def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> list[object]:
     request = QgsFeatureRequest(source.request)
     request.setFlags(QgsFeatureRequest.NoGeometry)
-    found: dict[str, object] = {}
-    for feature in source.features.getFeatures(request):
-        raw = feature.attribute(source.class_index)
-        if not is_null(raw) and raw_text(raw):
-            found.setdefault(raw_text(raw), raw)
-        if canceled():
-            return []
-    numeric = all(text.lstrip("-").isdigit() for text in found)
-    return [found[text] for text in sorted(found, key=int if numeric else None)]
+
+    def filled() -> Iterator[object]:
+        for feature in source.features.getFeatures(request):
+            raw = feature.attribute(source.class_index)
+            if canceled():
+                return
+            if not is_null(raw):
+                yield raw
+
+    found = distinct(filled())
+    return [] if canceled() else found
 
 
 def burn_polygons(
@@ -331,16 +276,3 @@ def _parts(
     else:
         counts.without_area += 1
     return found
-
-
-def require_known_classes(counts: AnnotationCounts, source: AnnotationSource, table: ClassTable) -> None:
-    """Raises AnnotationError naming the class values that the table does not have."""
-    if not counts.unknown:
-        return
-    unknown = [f"“{text}” ({number})" for text, number in counts.unknown.most_common()]
-    raise AnnotationError(
-        "exchange.unknown_classes",
-        source=source.name,
-        unknown=shortened(unknown, _NAMED_AT_MOST),
-        classes=table.describe(),
-    )

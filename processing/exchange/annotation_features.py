@@ -18,6 +18,7 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
+from ...core.annotation.classes import ClassLookup, raw_text
 from ...core.annotation.findings import (
     ERROR,
     INFORMATION,
@@ -31,7 +32,7 @@ from ...core.annotation.findings import (
 )
 from ...core.annotation.polygons import AnnotatedFeature
 from ..compat import is_null
-from .annotation import AnnotationSource, ClassLookup, drawing_priority, raw_text
+from .annotation import AnnotationSource, drawing_priority
 from .reference_systems import WGS84
 
 

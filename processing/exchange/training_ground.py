@@ -19,13 +19,14 @@ from qgis.core import (
     QgsRectangle,
 )
 
+from ...core.annotation.classes import ClassLookup
 from ...core.errors import ParameterError, TrainingError
 from ...core.labels.class_table import UNLABELED, ClassTable
 from ...storage.area_mask import AreaMask
 from ...storage.rasters import RasterFile
 from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
 from ..compat import is_metric, is_null, wkt_for_gdal
-from .annotation import AnnotationSource, ClassLookup
+from .annotation import AnnotationSource
 from .areas import DrawnArea, area_mask
 from .layers import RasterLayer, image_layer
 from .reference_systems import describe_crs, metric_crs

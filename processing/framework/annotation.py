@@ -11,7 +11,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsG
 
 from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
 from ...core.errors import ParameterError
-from ...core.geometry.frame import MapFrame
+from ...storage.pixel_grid import Bounds, union_of_bounds
 from ..translation import tr
 from . import offers
 from .base import ANNOTATION, SemRefAlgorithm, check_canceled
@@ -19,17 +19,12 @@ from .base import ANNOTATION, SemRefAlgorithm, check_canceled
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
+    from ...core.annotation.classes import ClassLookup
     from ...core.labels.class_table import ClassTable
     from ...storage.burning import BurnPolygon
-    from ..exchange.annotation import AnnotationSource, ClassLookup
+    from ..exchange.annotation import AnnotationSource
     from ..exchange.annotation_features import AnnotationReading
     from .values import Values
-
-Bounds = tuple[float, float, float, float]
-"""Left, bottom, right, top."""
-
-MAXIMUM_PIXELS = 1_000_000_000_000
-"""Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
 
 
 class AnnotationAlgorithm(SemRefAlgorithm):
@@ -101,7 +96,8 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback, crs: QgsCoordinateReferenceSystem, last: float
     ) -> tuple[list[BurnPolygon], ClassTable]:
         """Polygons to burn and the class table; says what was repaired and skipped; progress goes up to ``last`` %."""
-        from ..exchange.annotation import AnnotationCounts, burn_polygons, require_known_classes
+        from ...core.annotation.classes import require_known_classes
+        from ..exchange.annotation import AnnotationCounts, burn_polygons
 
         source = self._source
         lookup = self.classes(values, feedback)
@@ -116,17 +112,17 @@ class AnnotationAlgorithm(SemRefAlgorithm):
                 feedback.setProgress(last * n / max(source.count, 1))
         for warns, sentence in counts.sentences():
             (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
-        require_known_classes(counts, source, lookup.table)
+        require_known_classes(counts.unknown, source.name, lookup.table)
         if not polygons:
-            raise ParameterError("algorithms.nothing_to_rasterize", source=source.name)
+            raise ParameterError("storage.nothing_to_rasterize", source=source.name)
         return polygons, lookup.table
 
     def require_known_classes(self, reading: AnnotationReading, lookup: ClassLookup) -> None:
         """Raises AnnotationError as rasterizing does for class values that the class table lacks."""
-        from ..exchange.annotation import AnnotationCounts, require_known_classes
+        from ...core.annotation.classes import require_known_classes
 
         unknown = (f.reason for f in reading.findings if f.kind == UNKNOWN_CLASS and f.severity == ERROR)
-        require_known_classes(AnnotationCounts(unknown=Counter(unknown)), self._source, lookup.table)
+        require_known_classes(Counter(unknown), self._source.name, lookup.table)
 
 
 def filling_polygon(value: int, bounds: Iterable[Bounds]) -> BurnPolygon:
@@ -149,26 +145,3 @@ def geometry_of(wkb: bytes | None, multi: bool = False) -> QgsGeometry | None:
     if multi:
         geometry.convertToMultiType()
     return geometry
-
-
-def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
-    """The frame of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
-
-    Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
-    """
-    if not pixel_size > 0 or not math.isfinite(pixel_size):
-        raise ParameterError("algorithms.pixel_size", pixel_size=pixel_size)
-    # A bound that is a multiple but for rounding must not add a row of pixels.
-    slack = 1e-6
-    left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
-    right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
-    width, height = max(right - left, 1), max(top - bottom, 1)
-    if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
-        raise ParameterError("algorithms.too_many_pixels", width=width, height=height)
-    return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
-
-
-def union_of_bounds(bounds: Iterable[Bounds]) -> Bounds:
-    """(left, bottom, right, top) around all of such bounds."""
-    lefts, bottoms, rights, tops = zip(*bounds)
-    return min(lefts), min(bottoms), max(rights), max(tops)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, Callable
 
 from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
@@ -25,7 +25,7 @@ from .declarations import Text
 from .told_process import ToldProcess
 from .values import Values
 
-__all__ = ["SCHEDULER", "ordered", "require_scheduler", "scheduled", "scheduler", "sentences"]
+__all__ = ["SCHEDULER", "ordered", "require_scheduler", "scheduled", "scheduled_with", "scheduler", "sentences"]
 """The sentences are imported for who words what the process tells."""
 
 SCHEDULER = "SCHEDULER"
@@ -69,13 +69,16 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
         raise ParameterError(how_to_install(lacking))
 
 
-def scheduled(values: Values, arguments: Sequence[object], feedback: QgsProcessingFeedback) -> dict[str, Any]:
+def scheduled(
+    values: Values, arguments: Sequence[object], feedback: QgsProcessingFeedback, first: float = 0.0
+) -> dict[str, Any]:
     """Has a command of ``python -m cluster`` done by the workers of SCHEDULER; returns what came of it.
 
     Args:
         values: Of the algorithm.
         arguments: The command and its options.
-        feedback: Progress is shown from 0 to 100 %.
+        feedback: Progress is shown up to 100 %.
+        first: Percent from which it is.
 
     Raises:
         SemRefError: It says that it can't go on, or ends without a word.
@@ -91,7 +94,7 @@ def scheduled(values: Values, arguments: Sequence[object], feedback: QgsProcessi
     try:
         with closing(told.read(feedback)) as events:
             for event in events:
-                result = _shown(event, feedback) or result
+                result = _shown(event, feedback, first) or result
                 check_canceled(feedback)
     finally:
         _end(process)
@@ -113,13 +116,36 @@ def ordered(values: Values, job: object, pieces: Sequence[object], feedback: Qgs
         SemRefError: As ``scheduled`` does.
         Canceled: The user canceled.
     """
-    from ...storage.carried import read, write
+    from ...storage.carried import read
 
     with TemporaryDirectory(prefix="semref-") as folder:
-        order, found = (os.path.join(folder, name) for name in ("order.json", "found.json"))
-        write(order, (job, list(pieces)))
-        scheduled(values, ["order", order, "--found", found], feedback)
+        found = os.path.join(folder, "found.json")
+        scheduled_with(values, (job, list(pieces)), lambda order: ["order", order, "--found", found], feedback)
         return read(found)
+
+
+def scheduled_with(
+    values: Values,
+    content: object,
+    command: Callable[[str], Sequence[object]],
+    feedback: QgsProcessingFeedback,
+    first: float = 0.0,
+) -> dict[str, Any]:
+    """As ``scheduled``, of a command that reads what is written down for it.
+
+    Args:
+        values: Of the algorithm.
+        content: What is written down, by ``storage.carried``.
+        command: Gives the command and its options for the file that holds it.
+        feedback: As of ``scheduled``.
+        first: As well.
+    """
+    from ...storage.carried import write
+
+    with TemporaryDirectory(prefix="semref-") as folder:
+        order = os.path.join(folder, "order.json")
+        write(order, content)
+        return scheduled(values, command(order), feedback, first)
 
 
 def _workers(text: str) -> list[str]:
@@ -133,12 +159,12 @@ def _workers(text: str) -> list[str]:
     return ["--scheduler", text]
 
 
-def _shown(event: dict, feedback: QgsProcessingFeedback) -> dict[str, Any] | None:
+def _shown(event: dict, feedback: QgsProcessingFeedback, first: float) -> dict[str, Any] | None:
     """Shows an event; the result of the last one. Raises SemRefError for one that tells a failure."""
     kind = event.pop("event")
     if kind == "step":
         feedback.setProgressText(tr(event["text"]))
-        feedback.setProgress(100 * event["share"])
+        feedback.setProgress(first + (100 - first) * event["share"])
     elif kind == "info":
         feedback.pushInfo(event["text"])
     elif kind == "failed":

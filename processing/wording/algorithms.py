@@ -4,10 +4,6 @@ SENTENCES = {
     "algorithms.no_list_of_numbers": "{key}: “{text}” is not a list of numbers such as 1;2.",
     "algorithms.no_number": "{key} is {number}, which is no number; give one.",
     "algorithms.no_text": "{key} is “{text}”: a path or text has no character of value 0; remove it.",
-    "algorithms.pixel_size": "The pixel size is {pixel_size:g} m; it must be more than 0.",
-    "algorithms.too_many_pixels": (
-        "The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT."
-    ),
     "algorithms.no_images": "IMAGES is empty; choose at least one image, a folder with images, or a LAYER.",
     "algorithms.odometry_of_other_images": (
         "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight."
@@ -25,9 +21,6 @@ SENTENCES = {
         "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."
     ),
     "algorithms.route_outside_map": "ROUTE lies outside the database’s map; choose another route or database.",
-    "algorithms.nothing_to_rasterize": (
-        "“{source}” has no polygon with area and class; there is nothing to rasterize."
-    ),
     "algorithms.not_replaced": "{output} exists and is no onboard file; remove it or choose another name.",
     "algorithms.labels_in_other_crs": (
         "The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build a new "

@@ -1,10 +1,6 @@
 """What is wrong with layers, rasters and files that algorithms read and write."""
 
 SENTENCES = {
-    "exchange.unknown_classes": (
-        "“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or "
-        "leave those features out."
-    ),
     "exchange.no_common_ground": (
         "{image} and {labels} show different ground; choose an image and labels of the same place, and check their CRS "
         "and the extent."
@@ -41,7 +37,6 @@ SENTENCES = {
         "The priority field “{priority_field}” does not hold numbers; choose one that does."
     ),
     "exchange.no_field": "{key}: “{layer}” has no field “{name}”; its fields are {names}.",
-    "exchange.no_class_filled": "“{source}” has no feature with a class; fill its class field first.",
     "exchange.no_results": "{path} holds no results of “Localize images”; localize the images again.",
     "exchange.no_positions": (
         "{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns."

@@ -33,6 +33,10 @@ SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
         "The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, "
         "so what changed can't be told; build it anew once with “Build reference database”.",
     ),
+    "storage.too_many_pixels": (
+        "PIXEL_SIZE",
+        "The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.",
+    ),
     "assessment.footprints": (
         "FOOTPRINT",
         "FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.",

@@ -68,7 +68,7 @@ MAY_IMPORT = {
         "segmentation": {"geometry", "labels"},
         "flight": {"geometry", "labels", "landmarks", "database", "localization", "correlation", "localizer"},
         "onboard": {"flight", "geometry", "labels", "windows", "database", "localization", "localizer", "segmentation"},
-        "annotation": {"geometry", "landmarks"},
+        "annotation": {"geometry", "labels", "landmarks"},
         "simulation": {"geometry", "labels", "landmarks"},
         "evaluation": ABOVE_THE_IMAGE,
         "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation", "flight"},

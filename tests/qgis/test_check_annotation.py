@@ -242,7 +242,7 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
     """Regions as the check draws them and burns them, against what Rasterize annotation makes of the same layer."""
     from semref.core.annotation.check import AnnotationCheck, CheckSettings
     from semref.core.annotation.polygons import AnnotatedFeature
-    from semref.processing.framework.annotation import pixel_grid
+    from semref.storage.pixel_grid import pixel_grid
     from semref.storage.region_burning import RegionBurning
 
     random = np.random.default_rng(8)

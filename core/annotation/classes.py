@@ -1,0 +1,111 @@
+"""Which class a feature of an annotation is of: what its class field holds, by a class table or by the field alone."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+
+from ..errors import AnnotationError
+from ..labels.class_table import ClassTable, LandCoverClass, chosen_colors, require_class_count, shortened
+
+StyledClass = tuple[tuple[object, ...], str, str]
+"""Raw values of the class field that one class stands for, its name, its color or an empty text."""
+
+_NAMED_AT_MOST = 5
+"""Unknown class values that a message names."""
+
+
+class ClassLookup:
+    """Raw attribute value → class value, as the class table says."""
+
+    def __init__(self, table: ClassTable, by_raw: dict[str, int] | None = None) -> None:
+        """Keeps what is known.
+
+        Args:
+            table: Of the classes.
+            by_raw: Class values by the text of the raw value; without it the table's own names and values.
+        """
+        self.table = table
+        self.draw_orders = {c.value: c.draw_order for c in table if c.draw_order is not None}
+        self._known: dict[str, int | None] = {**(by_raw or {})}
+        self._fixed = by_raw is not None
+
+    def value(self, raw: object) -> int | None:
+        """The class value of an attribute, or None when the table does not have it."""
+        text = raw_text(raw)
+        if text not in self._known:
+            found = None if self._fixed else self.table.find(text)
+            self._known[text] = found.value if found else None
+        return self._known[text]
+
+    def raw_values(self, value: int, as_numbers: bool) -> list[object]:
+        """What features of a class value may have in the class field: numbers, or texts."""
+        one = self.table.by_value(value)
+        names = [one.name] if one and not as_numbers else []
+        known_raws = [raw for raw, known in self._known.items() if known == value]
+        texts = known_raws if self._fixed else [*names, str(value)]
+        if as_numbers:
+            return [int(text) for text in texts if text.lstrip("-").isdigit()]
+        return list(texts)
+
+
+def raw_text(raw: object) -> str:
+    """An attribute as text; whole numbers without their point."""
+    if isinstance(raw, float) and raw.is_integer():
+        return str(int(raw))
+    return str(raw).strip()
+
+
+def distinct(raws: Iterable[object]) -> list[object]:
+    """Attributes that are none but once, in the order of their numbers or texts; empty ones are left out."""
+    found: dict[str, object] = {}
+    for raw in raws:
+        if raw_text(raw):
+            found.setdefault(raw_text(raw), raw)
+    numeric = all(text.lstrip("-").isdigit() for text in found)
+    return [found[text] for text in sorted(found, key=int if numeric else None)]
+
+
+def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
+    """The classes of an annotation without a class table.
+
+    Args:
+        found: What its features have, in order.
+        is_number: Whether the class field holds numbers.
+
+    Raises:
+        ClassTableError: They are too many.
+    """
+    require_class_count(len(found))
+    texts = [raw_text(values[0]) for values, _, _ in found]
+    as_values = is_number and all(t.isdigit() and 1 <= int(t) <= 255 for t in texts)
+    labels = [label for _, label, _ in found]
+    if len(set(labels)) < len(labels):
+        labels = texts
+    numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
+    chosen = chosen_colors(zip(numbers, labels))
+    classes = [
+        LandCoverClass(number, label, color or other)
+        for number, label, (_, _, color), other in zip(numbers, labels, found, chosen)
+    ]
+    by_raw = {raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}
+    return ClassLookup(ClassTable(tuple(classes)), by_raw)
+
+
+def require_known_classes(unknown: Mapping[str, int], source: str, table: ClassTable) -> None:
+    """Raises AnnotationError naming the class values that the table does not have.
+
+    Args:
+        unknown: Features by such a value.
+        source: What the annotation is called.
+        table: Of the classes.
+    """
+    if not unknown:
+        return
+    counted = [f"“{text}” ({number})" for text, number in Counter(unknown).most_common()]
+    raise AnnotationError(
+        "labels.unknown_classes",
+        source=source,
+        unknown=shortened(counted, _NAMED_AT_MOST),
+        classes=table.describe(),
+    )

@@ -1,0 +1,38 @@
+"""The whole pixels that a label map of polygons has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from ..core.errors import ParameterError
+from ..core.geometry.frame import MapFrame
+
+Bounds = tuple[float, float, float, float]
+"""Left, bottom, right, top."""
+
+MAXIMUM_PIXELS = 1_000_000_000_000
+"""Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
+
+
+def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
+    """The frame of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
+
+    Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
+    """
+    if not pixel_size > 0 or not math.isfinite(pixel_size):
+        raise ParameterError("storage.pixel_size", pixel_size=pixel_size)
+    # A bound that is a multiple but for rounding must not add a row of pixels.
+    slack = 1e-6
+    left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
+    right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
+    width, height = max(right - left, 1), max(top - bottom, 1)
+    if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
+        raise ParameterError("storage.too_many_pixels", width=width, height=height)
+    return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
+
+
+def union_of_bounds(bounds: Iterable[Bounds]) -> Bounds:
+    """(left, bottom, right, top) around all of such bounds."""
+    lefts, bottoms, rights, tops = zip(*bounds)
+    return min(lefts), min(bottoms), max(rights), max(tops)
