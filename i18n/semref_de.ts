@@ -12,6 +12,10 @@
    <translation>--camera-yaw ist {yaw:g}; es muss ein Winkel von höchstens 360 Grad sein.</translation>
   </message>
   <message>
+   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
+   <translation>--extent ist „{text}“; geben Sie links,unten,rechts,oben in Karteneinheiten an.</translation>
+  </message>
+  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin ist {latitude:g} {longitude:g}; es müssen eine geografische Breite und eine Länge in Grad sein.</translation>
   </message>
@@ -4068,6 +4072,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Ausschnitt für „{layer}“ passt nicht zu seinem KBS {crs}; wählen Sie einen anderen.</translation>
   </message>
   <message>
+   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
+   <translation>Das Feld „{name}“ von {path} ist nicht verwendbar; eine Klasse ist ein Text oder eine Zahl, eine Priorität eine Zahl.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
   </message>
@@ -4246,6 +4254,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
    <translation>Die Klassenkarte hätte {width} × {height} Pixel; eine größere PIXEL_SIZE oder eine kleinere EXTENT wählen.</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
+   <translation>Die Klassenkarte hätte {width} × {height} Pixel; wählen Sie größere Pixel oder eine kleinere Ausdehnung.</translation>
   </message>
   <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
@@ -5232,6 +5244,14 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Zoom auf Treffer</translation>
   </message>
   <message>
+   <source>a CRS that does not measure in meters ({crs})</source>
+   <translation>ein KBS, das nicht in Metern misst ({crs})</translation>
+  </message>
+  <message>
+   <source>a style that may tell classes, and no class table is given</source>
+   <translation>einen Stil, der Klassen angeben kann, und keine Klassentabelle ist angegeben</translation>
+  </message>
+  <message>
    <source>about {hours:.1f} h left</source>
    <translation>noch etwa {hours:.1f} h</translation>
   </message>
@@ -5442,6 +5462,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>gap between neighbors</source>
    <translation>Lücke zwischen Nachbarn</translation>
+  </message>
+  <message>
+   <source>geometry of the kind {kind}</source>
+   <translation>Geometrie der Art {kind}</translation>
   </message>
   <message>
    <source>good</source>
@@ -5830,6 +5854,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>Pixelgröße {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>polygons that are invalid, such as that of feature {fid}</source>
+   <translation>ungültige Polygone, etwa das von Objekt {fid}</translation>
   </message>
   <message>
    <source>poor</source>
@@ -6512,6 +6540,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist nicht als Route lesbar ({reason}).</translation>
   </message>
   <message>
+   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
+   <translation>{path} lässt sich nicht als Polygone lesen ({reason}); wählen Sie eine andere Datei.</translation>
+  </message>
+  <message>
    <source>{path} can't be read: {reason}.</source>
    <translation>{path} kann nicht gelesen werden: {reason}.</translation>
   </message>
@@ -6604,6 +6636,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat kein Koordinatenreferenzsystem; geben Sie ihm ein metrisches.</translation>
   </message>
   <message>
+   <source>{path} has no field “{name}”; its fields are {names}.</source>
+   <translation>{path} hat kein Feld „{name}“; seine Felder sind {names}.</translation>
+  </message>
+  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} hat keine lesbaren Einzelbilder.</translation>
   </message>
@@ -6644,6 +6680,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat Pixel von {pixel_x:g} × {pixel_y:g}; zuerst auf quadratische Pixel umrechnen.</translation>
   </message>
   <message>
+   <source>{path} has the layers {layers}; name one of them.</source>
+   <translation>{path} hat die Layer {layers}; nennen Sie einen davon.</translation>
+  </message>
+  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} hat den Wert {found}; eine Klassenkarte enthält Klassenwerte von 0 bis 255.</translation>
   </message>
@@ -6682,6 +6722,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} hat {size} Pixel, das Bild {image_size}, und nicht beide sind georeferenziert; beiden einen Ort im Gelände geben oder Klassen in der Größe des Bildes.</translation>
+  </message>
+  <message>
+   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
+   <translation>{path} hat {what}, womit nur QGIS richtig umgeht; rastern Sie es dort, mit SCHEDULER, wenn es groß ist.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>

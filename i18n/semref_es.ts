@@ -12,6 +12,10 @@
    <translation>--camera-yaw es {yaw:g}; debe ser un ángulo de 360 grados como máximo.</translation>
   </message>
   <message>
+   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
+   <translation>--extent es «{text}»; indique izquierda,abajo,derecha,arriba en unidades del mapa.</translation>
+  </message>
+  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin es {latitude:g} {longitude:g}; deben ser una latitud y una longitud en grados.</translation>
   </message>
@@ -4068,6 +4072,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La extensión para «{layer}» no se ajusta a su SRC {crs}; elija otra.</translation>
   </message>
   <message>
+   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
+   <translation>El campo «{name}» de {path} no se puede usar; una clase es un texto o un número, una prioridad un número.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
   </message>
@@ -4246,6 +4254,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
    <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija un PIXEL_SIZE mayor o una EXTENT menor.</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
+   <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija píxeles más grandes o una extensión menor.</translation>
   </message>
   <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
@@ -5232,6 +5244,14 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>Zum al lugar</translation>
   </message>
   <message>
+   <source>a CRS that does not measure in meters ({crs})</source>
+   <translation>un SRC que no mide en metros ({crs})</translation>
+  </message>
+  <message>
+   <source>a style that may tell classes, and no class table is given</source>
+   <translation>un estilo que puede indicar clases, y no se da ninguna tabla de clases</translation>
+  </message>
+  <message>
    <source>about {hours:.1f} h left</source>
    <translation>quedan unas {hours:.1f} h</translation>
   </message>
@@ -5442,6 +5462,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>gap between neighbors</source>
    <translation>hueco entre vecinos</translation>
+  </message>
+  <message>
+   <source>geometry of the kind {kind}</source>
+   <translation>geometría del tipo {kind}</translation>
   </message>
   <message>
    <source>good</source>
@@ -5830,6 +5854,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>tamaño de píxel {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>polygons that are invalid, such as that of feature {fid}</source>
+   <translation>polígonos no válidos, como el del objeto {fid}</translation>
   </message>
   <message>
    <source>poor</source>
@@ -6512,6 +6540,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no se puede leer como ruta ({reason}).</translation>
   </message>
   <message>
+   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
+   <translation>{path} no se puede leer como polígonos ({reason}); elija otro archivo.</translation>
+  </message>
+  <message>
    <source>{path} can't be read: {reason}.</source>
    <translation>No se puede leer {path}: {reason}.</translation>
   </message>
@@ -6604,6 +6636,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no tiene sistema de referencia de coordenadas; asígnele uno métrico.</translation>
   </message>
   <message>
+   <source>{path} has no field “{name}”; its fields are {names}.</source>
+   <translation>{path} no tiene el campo «{name}»; sus campos son {names}.</translation>
+  </message>
+  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} no tiene fotogramas que puedan leerse.</translation>
   </message>
@@ -6644,6 +6680,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} tiene píxeles de {pixel_x:g} × {pixel_y:g}; remuestréelo antes a píxeles cuadrados.</translation>
   </message>
   <message>
+   <source>{path} has the layers {layers}; name one of them.</source>
+   <translation>{path} tiene las capas {layers}; indique una de ellas.</translation>
+  </message>
+  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} tiene el valor {found}; un mapa de etiquetas contiene valores de clase de 0 a 255.</translation>
   </message>
@@ -6682,6 +6722,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} tiene {size} píxeles, la imagen {image_size}, y no ambas están georreferenciadas; dé a ambas un lugar en el terreno, o etiquetas del tamaño de la imagen.</translation>
+  </message>
+  <message>
+   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
+   <translation>{path} tiene {what}, que solo QGIS trata como es debido; rasterícelo allí, con SCHEDULER si es grande.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>

@@ -12,6 +12,10 @@
    <translation>--camera-yaw vaut {yaw:g} ; ce doit être un angle d’au plus 360 degrés.</translation>
   </message>
   <message>
+   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
+   <translation>--extent vaut « {text} » ; indiquez gauche,bas,droite,haut en unités de la carte.</translation>
+  </message>
+  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin vaut {latitude:g} {longitude:g} ; il faut une latitude et une longitude en degrés.</translation>
   </message>
@@ -4068,6 +4072,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’emprise pour « {layer} » ne convient pas à son SCR {crs} ; choisissez-en une autre.</translation>
   </message>
   <message>
+   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
+   <translation>Le champ « {name} » de {path} n’est pas utilisable ; une classe est un texte ou un nombre, une priorité un nombre.</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
   </message>
@@ -4246,6 +4254,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
    <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez un PIXEL_SIZE plus grand ou une EXTENT plus petite.</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
+   <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez des pixels plus grands ou une emprise plus petite.</translation>
   </message>
   <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
@@ -5232,6 +5244,14 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>Zoom sur le lieu</translation>
   </message>
   <message>
+   <source>a CRS that does not measure in meters ({crs})</source>
+   <translation>un SCR qui ne mesure pas en mètres ({crs})</translation>
+  </message>
+  <message>
+   <source>a style that may tell classes, and no class table is given</source>
+   <translation>un style qui peut indiquer des classes, et aucune table de classes n’est donnée</translation>
+  </message>
+  <message>
    <source>about {hours:.1f} h left</source>
    <translation>encore {hours:.1f} h environ</translation>
   </message>
@@ -5442,6 +5462,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>gap between neighbors</source>
    <translation>lacune entre voisins</translation>
+  </message>
+  <message>
+   <source>geometry of the kind {kind}</source>
+   <translation>une géométrie du type {kind}</translation>
   </message>
   <message>
    <source>good</source>
@@ -5830,6 +5854,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>taille de pixel {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>polygons that are invalid, such as that of feature {fid}</source>
+   <translation>des polygones invalides, comme celui de l’entité {fid}</translation>
   </message>
   <message>
    <source>poor</source>
@@ -6512,6 +6540,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} ne peut pas être lu comme itinéraire ({reason}).</translation>
   </message>
   <message>
+   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
+   <translation>{path} ne peut pas être lu comme polygones ({reason}) ; choisissez un autre fichier.</translation>
+  </message>
+  <message>
    <source>{path} can't be read: {reason}.</source>
    <translation>{path} ne peut pas être lu : {reason}.</translation>
   </message>
@@ -6604,6 +6636,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’a pas de système de coordonnées de référence ; donnez-lui-en un métrique.</translation>
   </message>
   <message>
+   <source>{path} has no field “{name}”; its fields are {names}.</source>
+   <translation>{path} n’a pas de champ « {name} » ; ses champs sont {names}.</translation>
+  </message>
+  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} n’a aucune image lisible.</translation>
   </message>
@@ -6644,6 +6680,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} a des pixels de {pixel_x:g} × {pixel_y:g} ; rééchantillonnez-la d’abord en pixels carrés.</translation>
   </message>
   <message>
+   <source>{path} has the layers {layers}; name one of them.</source>
+   <translation>{path} a les couches {layers} ; nommez l’une d’elles.</translation>
+  </message>
+  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} a la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
   </message>
@@ -6682,6 +6722,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} a {size} pixels, l’image {image_size}, et les deux ne sont pas géoréférencées ; donnez aux deux une place sur le terrain, ou des étiquettes de la taille de l’image.</translation>
+  </message>
+  <message>
+   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
+   <translation>{path} a {what}, que seul QGIS traite comme il faut ; rastérisez-le là, avec SCHEDULER s’il est grand.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>

@@ -12,6 +12,10 @@
    <translation>--camera-yaw 为 {yaw:g}；必须是不超过 360 度的角度。</translation>
   </message>
   <message>
+   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
+   <translation>--extent 为“{text}”；请以地图单位给出左,下,右,上。</translation>
+  </message>
+  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin 为 {latitude:g} {longitude:g}；必须是以度为单位的纬度和经度。</translation>
   </message>
@@ -4068,6 +4072,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>“{layer}”的范围与其坐标参考系 {crs} 不符；请另选。</translation>
   </message>
   <message>
+   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
+   <translation>{path} 的字段“{name}”无法使用；类别应为文本或数字，优先级应为数字。</translation>
+  </message>
+  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
   </message>
@@ -4246,6 +4254,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
    <translation>标签图将有 {width} × {height} 像元；请选择更大的 PIXEL_SIZE 或更小的 EXTENT。</translation>
+  </message>
+  <message>
+   <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
+   <translation>标签图将有 {width} × {height} 像素；请选择更大的像素或更小的范围。</translation>
   </message>
   <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
@@ -5232,6 +5244,14 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>缩放到命中位置</translation>
   </message>
   <message>
+   <source>a CRS that does not measure in meters ({crs})</source>
+   <translation>不以米为单位的坐标参照系（{crs}）</translation>
+  </message>
+  <message>
+   <source>a style that may tell classes, and no class table is given</source>
+   <translation>可能说明类别的样式，且未给出类别表</translation>
+  </message>
+  <message>
    <source>about {hours:.1f} h left</source>
    <translation>约剩 {hours:.1f} 小时</translation>
   </message>
@@ -5442,6 +5462,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>gap between neighbors</source>
    <translation>相邻间空隙</translation>
+  </message>
+  <message>
+   <source>geometry of the kind {kind}</source>
+   <translation>{kind} 类型的几何</translation>
   </message>
   <message>
    <source>good</source>
@@ -5830,6 +5854,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>pixel size {value:.3g} m</source>
    <translation>像元大小 {value:.3g} m</translation>
+  </message>
+  <message>
+   <source>polygons that are invalid, such as that of feature {fid}</source>
+   <translation>无效多边形，例如要素 {fid} 的多边形</translation>
   </message>
   <message>
    <source>poor</source>
@@ -6512,6 +6540,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 无法作为航线读取（{reason}）。</translation>
   </message>
   <message>
+   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
+   <translation>无法将 {path} 读取为多边形（{reason}）；请选择其他文件。</translation>
+  </message>
+  <message>
    <source>{path} can't be read: {reason}.</source>
    <translation>无法读取 {path}：{reason}。</translation>
   </message>
@@ -6604,6 +6636,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 没有坐标参考系；请为其指定一个以米为单位的坐标参考系。</translation>
   </message>
   <message>
+   <source>{path} has no field “{name}”; its fields are {names}.</source>
+   <translation>{path} 没有字段“{name}”；其字段为 {names}。</translation>
+  </message>
+  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} 没有可读取的帧。</translation>
   </message>
@@ -6644,6 +6680,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 的像元为 {pixel_x:g} × {pixel_y:g}；请先重采样为正方形像元。</translation>
   </message>
   <message>
+   <source>{path} has the layers {layers}; name one of them.</source>
+   <translation>{path} 含有图层 {layers}；请指定其中一个。</translation>
+  </message>
+  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} 的值为 {found}；标签图的类别值为 0 到 255。</translation>
   </message>
@@ -6682,6 +6722,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} 有 {size} 像元，影像有 {image_size} 像元，且并非两者都有地理参照；请为两者指定地面位置，或使用与影像大小相同的标签。</translation>
+  </message>
+  <message>
+   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
+   <translation>{path} 含有{what}，只有 QGIS 能正确处理；请在 QGIS 中栅格化，数据量大时使用 SCHEDULER。</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
