@@ -35,6 +35,27 @@ def test_crops_of_a_half_show_nothing_of_the_other(part):
         assert columns.min() >= part[0] * 900 - 1 and columns.max() <= part[1] * 900 + 1
 
 
+@pytest.mark.parametrize("part", [(0.0, 0.5), (0.5, 1.0)])
+def test_strips_of_a_half_show_nothing_of_the_other(part, monkeypatch):
+    from bench import real_flights, real_places
+
+    from semref.core.simulation.views import map_coordinates
+
+    monkeypatch.setattr(real_flights, "EDGE_PX", 96)
+    blocks = np.random.default_rng(5).integers(1, 3, (20, 30))
+    labels = np.kron(blocks, np.ones((30, 30))).astype(np.uint8)
+    place = real_places.PlaceGround(labels, np.full((600, 900, 3), 99, np.uint8), part)
+    strips = real_flights.Strips(place.ground, place.picture, place.part)
+    rng = np.random.default_rng(3)
+    for _ in range(4):
+        strip = real_flights._strip(strips, rng)
+        assert len(strip.views) == len(strip.photos) == 6
+        for view in strip.views:
+            corners = map_coordinates(view, np.array([0, 96, 0, 96]), np.array([0, 0, 96, 96]))
+            columns = place.ground.frame.to_pixels(np.column_stack(corners))[:, 0]
+            assert columns.min() >= part[0] * 900 - 1 and columns.max() <= part[1] * 900 + 1
+
+
 def test_a_place_without_room_has_no_crops():
     from bench import real_places
 
