@@ -58,7 +58,9 @@ def _styled_classes(layer: QgsRasterLayer) -> tuple[LandCoverClass, ...]:
         if 0 < value <= 255:
             found[value] = LandCoverClass(value, entry.label or str(value), entry.color.name())
     names = [c.name for c in found.values()]
-    return tuple(found.values()) if len(set(names)) == len(names) else ()
+    # A color table has all 256 values, of which a map uses a few: where no class has a name, the pixels tell.
+    is_named = any(c.name != str(c.value) for c in found.values())
+    return tuple(found.values()) if is_named and len(set(names)) == len(names) else ()
 
 
 def require_one_crs(reference: RasterLayer, predicted: RasterLayer) -> None:

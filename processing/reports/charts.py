@@ -29,7 +29,7 @@ CHARACTER = 8.0
 
 NAME_LENGTH = 24
 SERIES = 4
-"""Series that have a color of their own; more repeat them."""
+"""Series that have a color of their own; more repeat them with other dashes and markers."""
 
 DASHES = ("", "6 3", "2 3", "9 3 2 3")
 CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
@@ -163,7 +163,7 @@ def heat_map(
         parts.append(_text(left - 8, y + CELL_HEIGHT / 2 + 4, rows[n], "end", 0, "soft"))
         parts += [_cell(left + CELL_WIDTH * m, y, *cell) for m, cell in enumerate(zip(line, line_texts))]
     width = right + 0.71 * CHARACTER * _room(columns[-1])
-    return _svg(parts, name, width, bottom + 6, f' style="max-width:{width:.0f}px"')
+    return _svg(parts, name, width, bottom + 6, f' style="max-width:{width:.0f}px;max-height:none"')
 
 
 def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
@@ -236,6 +236,11 @@ def _color(number: int) -> str:
     return f"var(--s{number % SERIES})"
 
 
+def _look(number: int) -> int:
+    """Of dash and marker: those of the next color in each further round, so that no two of 16 series look the same."""
+    return (number + number // SERIES) % SERIES
+
+
 def _stroke(color: str, dash: str, width: float) -> str:
     dashes = f";stroke-dasharray:{dash.replace(' ', ',')}" if dash else ""
     return f'style="fill:none;stroke:{color};stroke-width:{width}{dashes}"'
@@ -253,16 +258,16 @@ def _line(frame: _Frame, one: Series, number: int) -> list[str]:
         parts.append(f'<path d="M{path}Z" style="fill:{_color(number)};opacity:0.16"/>')
     join = (lambda x, y: f"H{x:.1f}V{y:.1f}") if one.stepped else (lambda x, y: f"L{x:.1f} {y:.1f}")
     path = f"M{points[0][0]:.1f} {points[0][1]:.1f}" + "".join(join(x, y) for x, y in points[1:])
-    parts.append(f'<path d="{path}" {_stroke(_color(number), DASHES[number % SERIES], 2)}/>')
+    parts.append(f'<path d="{path}" {_stroke(_color(number), DASHES[_look(number)], 2)}/>')
     return parts + ([_marker(x, y, number) for x, y in points] if one.marked else [])
 
 
 def _marker(x: float, y: float, number: int) -> str:
     """Disc, square, triangle, diamond, by the series' number."""
-    if number % SERIES == 0:
+    if _look(number) == 0:
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.6" style="fill:{_color(number)}"/>'
     corners = {1: "-3.4-3.4h6.8v6.8h-6.8z", 2: "0-4.6l4.3 7.6h-8.6z", 3: "0-4.8l4.8 4.8l-4.8 4.8l-4.8-4.8z"}
-    return f'<path d="M{x:.1f} {y:.1f}m{corners[number % SERIES]}" style="fill:{_color(number)}"/>'
+    return f'<path d="M{x:.1f} {y:.1f}m{corners[_look(number)]}" style="fill:{_color(number)}"/>'
 
 
 def _entries_a_row(names: Sequence[str]) -> int:
@@ -278,7 +283,7 @@ def _legend(frame: _Frame, names: Sequence[str], lines: bool = True, colors: Seq
         row, place = divmod(number, abreast)
         x, y = LEFT + _HALF_PX * place, TOP + LEGEND_ROW * row - 2
         if lines:
-            parts.append(f'<path d="M{x:.1f} {y}h24" {_stroke(_color(number), DASHES[number % SERIES], 2)}/>')
+            parts.append(f'<path d="M{x:.1f} {y}h24" {_stroke(_color(number), DASHES[_look(number)], 2)}/>')
             parts.append(_marker(x + 12, y, number))
         else:
             color = (colors[number] if colors else "") or _color(number)

@@ -151,7 +151,7 @@ def _matrix(comparison: LabelComparison, match: ClassMatch) -> str:
     columns = list(comparison.values)
     rows = [value for value in columns if comparison.annotated[value]]
     shares = [[float(comparison.counts[row, c] / comparison.annotated[row]) for c in columns] for row in rows]
-    texts = [[page.percent(share, 0) for share in line] for line in shares]
+    texts = [[page.percent(share, 0) if share else "" for share in line] for line in shares]
     names = ([match.name(value) for value in values] for values in (rows, columns))
     return charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
 

@@ -45,7 +45,7 @@ class TrainingReport:
             self.model,
             self._figures(),
             page.next_steps(tr("What to do next"), self._next()),
-            page.section(tr("Classes"), page.columns(self._classes(), self._matrix())),
+            page.section(tr("Classes"), self._classes(), self._matrix()),
             page.section(tr("Curves"), page.columns(self._loss(), self._iou())),
             page.section(tr("Examples"), *self._examples()),
             page.section(tr("What it was trained on"), self._ground()),
@@ -97,7 +97,7 @@ class TrainingReport:
             return ""
         columns = [n for n in range(len(confusion)) if any(row[n] for row in confusion)]
         shares = [[confusion[n][m] / sum(confusion[n]) for m in columns] for n in rows]
-        texts = [[page.percent(share, 0) for share in line] for line in shares]
+        texts = [[page.percent(share, 0) if share else "" for share in line] for line in shares]
         names = ([self.names[n] for n in one] for one in (rows, columns))
         chart = charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
         caption = tr("Where the annotated pixels of each class went, as shares of its row; the diagonal is right.")
@@ -143,11 +143,12 @@ class TrainingReport:
 
     def _legend(self) -> str:
         entries = (
+            '<span style="white-space:nowrap;margin-right:18px">'
             f'<span style="background:{escape(entry["color"])};border:1px solid var(--line)">'
-            f"&emsp;</span> {escape(entry['name'])}"
+            f"&emsp;</span> {escape(entry['name'])}</span> "
             for entry in self.result["classes"]
         )
-        return f"<p>{' &emsp; '.join(entries)}</p>"
+        return f'<p class="legend">{"".join(entries)}</p>'
 
     def _ground(self) -> str:
         rows = [(ground_title(key), _shown(value)) for key, value in self.ground.items()]

@@ -117,6 +117,13 @@ def test_numbers_are_told_with_unit_and_what_is_unknown_with_a_dash():
     assert page.rate_text(Rate(0, 0)) == "–"
 
 
+def test_no_two_of_sixteen_lines_look_the_same():
+    chart = charts.line_chart([Series(str(n), [0.0, 0.5], [0.1, 0.5]) for n in range(16)], X, Y, "lines")
+    # In the legend stands a piece of each line with its marker.
+    pieces = re.findall(r'<path d="M[\d.]+ [-\d.]+h24" style="([^"]+)"/>\n<(\w+) (?:d="M[\d. -]+m([^"]+)")?', chart)
+    assert len(pieces) == 16 and len(set(pieces)) == 16
+
+
 @pytest.mark.parametrize("longest", ["a", "a name much longer than any cell is wide", "一个很长的类别名称"])
 def test_a_heat_map_has_room_for_the_names_of_its_classes(longest):
     names = ["water", longest, "building"]

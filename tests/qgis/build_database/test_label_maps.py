@@ -74,6 +74,20 @@ def test_classes_come_from_a_paletted_style(build, tmp_path):
     ]
 
 
+def test_a_color_table_without_names_makes_no_classes_that_the_map_lacks(build, tmp_path):
+    path = write_raster(tmp_path / "labels.tif", map_labels())
+    table = gdal.ColorTable()
+    for value in range(256):
+        table.SetColorEntry(value, (value, 0, 0, 255))
+    labels = gdal.Open(str(path), gdal.GA_Update)
+    labels.GetRasterBand(1).SetRasterColorTable(table)
+    del labels
+    layer = QgsRasterLayer(str(path), "labels")
+    assert isinstance(layer.renderer(), QgsPalettedRasterRenderer) and len(layer.renderer().classes()) == 256
+    made = content(build(layer, REFERENCE_CLASSES="1;3")["DATABASE"])
+    assert [row[1] for row in made["classes"]] == [1, 2, 3, 4]
+
+
 def test_roles_of_the_stored_class_table_count_when_none_are_asked(build, tmp_path):
     path = write_raster(tmp_path / "labels.tif", map_labels())
     labels = gdal.Open(str(path), gdal.GA_Update)
