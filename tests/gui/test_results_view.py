@@ -94,6 +94,19 @@ def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface
     assert other.strip().endswith("· No match") and other.startswith("p")
 
 
+def test_photos_of_a_flight_are_told_apart_where_their_names_do_not_fit(dock, iface, found):
+    from semref.ui.tabs.localize.results_table import fitted
+
+    metrics, odds = found.results.table.fontMetrics(), " · 1 in 1,000,000 wrong"
+    room = metrics.horizontalAdvance("photo_01" + odds) + 4
+    shown = [fitted(f"photo_0{n}.jpg{odds}", f"photo_0{n}.jpg", metrics, room).strip() for n in (1, 2)]
+    assert shown == [f"photo_01{odds}", f"photo_02{odds}"]
+    room = metrics.horizontalAdvance("DJI_20261122_0018" + odds)
+    long = [f"DJI_20261122_143201_001{n}_Wide_{n}.JPG" for n in (7, 8)]
+    shown = [fitted(name + odds, name, metrics, room).strip() for name in long]
+    assert shown[0] != shown[1] and all(one.endswith(f"_{n}{odds}") for n, one in zip((7, 8), shown))
+
+
 def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, iface, found):
     assert found.images.isCollapsed() and found.images.title() == "Images (2)"
     assert dock.content.database.isCollapsed() and dock.content.database.title() == "Reference database: area"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 from qgis.PyQt.QtCore import QEvent, QModelIndex, QSize, QSortFilterProxyModel, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import (
@@ -46,8 +48,9 @@ class TwoLines(QStyledItemDelegate):
 def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
     """``text`` with the name at its beginning shortened in its middle, so that the first line fits.
 
-    Where little would be left of the name, the status goes that stands before how surely it was found: its mark in
-    front of the text tells it, too.
+    The suffix, which many have, goes first: the number before it is what tells photos of a flight apart. Where little
+    would be left of the name, the status goes that stands before how surely it was found: its mark in front of the
+    text tells it, too.
     """
     above, _, below = text.partition("\n")
     rest = above[len(name) :]
@@ -55,6 +58,8 @@ def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
     if width_px - metrics.horizontalAdvance(rest) < told and rest.count(_BETWEEN) > 1:
         rest = _BETWEEN + rest.rpartition(_BETWEEN)[2]
     room = max(width_px - metrics.horizontalAdvance(rest), _NAME_LEAST_PX)
+    if metrics.horizontalAdvance(name) > room:
+        name = os.path.splitext(name)[0]
     return f"{metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room)}{rest}\n{below}"
 
 
