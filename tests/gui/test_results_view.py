@@ -121,6 +121,35 @@ def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, i
     assert not dock.content.database.isCollapsed() and dock.content.database.title() == "Reference database"
 
 
+def test_what_was_folded_away_is_back_after_the_project_was_cleared_behind_another_tab(dock, found):
+    from qgis.core import QgsProject
+
+    model = found.images.model.lineEdit()
+    assert not model.isVisibleTo(found) and not found.method.isVisibleTo(dock)
+    dock.content.tabs.setCurrentIndex(1)
+    settle()
+    QgsProject.instance().clear()
+    settle()
+    dock.content.tabs.setCurrentIndex(0)
+    settle()
+    assert model.isVisibleTo(found) and found.method.isVisibleTo(dock)
+
+
+def test_what_was_folded_away_is_back_after_the_project_was_cleared_beside_a_closed_dock(dock, iface, found):
+    from qgis.core import QgsProject
+
+    file = dock.content.database.file
+    assert not file.isVisibleTo(dock)
+    dock.close()
+    settle()
+    QgsProject.instance().clear()
+    settle()
+    iface.tool_bar_actions[0].trigger()
+    settle()
+    assert file.isVisibleTo(dock) and dock.content.database.title() == "Reference database"
+    assert found.images.model.isVisibleTo(dock)
+
+
 def test_stepping_works_in_both_looks(dock, iface, found):
     for width in (800, 320):
         as_wide_as(dock, iface, width)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
-from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
+from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
 from qgis.PyQt.QtWidgets import QVBoxLayout, QWidget
@@ -17,6 +17,7 @@ from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
 from .buttons import tool_button
 from .choice_box import ChoiceBox
+from .folding_box import FoldingBox
 from .layouts import name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
@@ -25,7 +26,7 @@ _FOLD_PX = 48
 """The triangle beside the title, and margins."""
 
 
-class DatabaseBox(QgsCollapsibleGroupBox):
+class DatabaseBox(FoldingBox):
     """The chosen database, remembered from session to session; ``chosen`` is its path for other threads.
 
     A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
-from qgis.gui import QgsCollapsibleGroupBox, QgsFileWidget
+from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QCheckBox,
@@ -31,6 +31,7 @@ from ...project_state import MODEL_SETTING
 from ...running.background import Reader
 from ...widgets.buttons import tool_button
 from ...widgets.choice_box import ChoiceBox
+from ...widgets.folding_box import FoldingBox
 from ...widgets.layouts import name_fold, narrow, row_of
 from .image_list import ImageList
 
@@ -40,7 +41,7 @@ _FOLDER_SETTING = "semref/dock/image_folder"
 TRAIN_MODEL = "semref:trainmodel"
 
 
-class ImageBox(QgsCollapsibleGroupBox):
+class ImageBox(FoldingBox):
     """The images, and the buttons that add and remove them.
 
     refused: names of layers that are not added because they are no file; drawAsked: the layer, such as map tiles, of
