@@ -18,6 +18,7 @@ from ..core.errors import DatabaseError, ParameterError
 from ..core.localizer.localizer import Localizer
 from ..storage.database.connection import DatabaseChangedError
 from ..storage.database.reader import read_overview, read_stored_database
+from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.squares_file import write_squares
 from .engine import DaskRunner, connected
@@ -57,7 +58,7 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
     planned = [assessment.plan(cells.centers, cells.size, options.trials) for assessment in assessments]
     with written_beside(str(Path(options.output).absolute())) as temporary:
         with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
-            tried = answered(job, planned, DaskRunner(client, ""), teller)
+            tried = answered(job, planned, DaskRunner(client, ""), teller, fingerprint(database))
         require_unchanged(before)
         estimates = [
             assessment.estimate(cells.centers, trials, correlated, cells.size)

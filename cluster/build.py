@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import shlex
 import tempfile
 from argparse import Namespace
 from collections.abc import Iterator
@@ -18,6 +19,7 @@ from ..core.database.parts import PartsBuilder
 from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
+from ..storage.database.notes import source_of, write_notes
 from ..storage.database.overview_file import OverviewFile
 from ..storage.database.styles import plain_styles
 from ..storage.database.writer import DatabaseWriter
@@ -71,6 +73,10 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
         database = _complete(builder)
         for text, share in _written(temporary, database, overview, before):
             teller.step(text, _WRITTEN_FROM + (1 - _WRITTEN_FROM) * share)
+        if not options.without_note:
+            moment = moment_of(before)
+            history = f"{moment[:10]} {moment[11:16]} UTC, SemRef {version}: {_command(options, settings)}"
+            write_notes(temporary, source_of(path), database.parameters.crs, history, moment)
     windows = database.windows
     return {
         "database": options.database,
@@ -78,6 +84,18 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
         "references": len(database.references),
         "windows_without_vector": int((~windows.described).sum()),
     }
+
+
+def _command(options: Namespace, settings: BuildSettings) -> str:
+    """What makes the same database again, wherever it goes to and whoever does it."""
+    given = ["build", options.labels]
+    if options.reference_classes:
+        given += ["--reference-classes", options.reference_classes]
+    given += ["--window-size", f"{settings.window_size:g}", "--stride", f"{settings.stride:g}"]
+    given += ["--levels", ";".join(f"{level:g}" for level in settings.levels)]
+    given += ["--references-per-vector", str(settings.references_per_vector)]
+    given += ["--minimum-area", f"{settings.minimum_area:g}", "--map-accuracy", f"{settings.map_accuracy:g}"]
+    return f"python -m cluster {shlex.join(given)}"
 
 
 def _folder_beside(path: str) -> tempfile.TemporaryDirectory:

@@ -15,6 +15,7 @@ from ..core.evaluation.plan import planned
 from ..core.evaluation.summary import summarize
 from ..core.localization import Method
 from ..storage.database.reader import read_database
+from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.map_frames import label_map_frame, require_classes_of, require_crs_of
 from ..storage.rasters import GdalLabels
@@ -54,7 +55,7 @@ def evaluate(options: Namespace, teller: Teller) -> dict[str, Any]:
     pieces = planned(evaluation, methods, options.trials, options.mirrored / 100, True)
     with written_beside(str(Path(options.output).absolute())) as temporary:
         with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
-            tried = answered(job, pieces, DaskRunner(client, ""), teller)
+            tried = answered(job, pieces, DaskRunner(client, ""), teller, fingerprint(database))
         require_unchanged(before)
         trials = [trial for of_image in tried for trial in of_image]
         text = evaluation_json(trials, methods, _settings(options, ranges), evaluation.tried_windows)

@@ -7,9 +7,8 @@ from datetime import datetime, timezone
 from pathlib import Path
 from typing import Protocol
 
-from osgeo import gdal
-
 from ..core.errors import ParameterError
+from ..storage.file_states import state
 
 
 class Teller(Protocol):
@@ -31,12 +30,6 @@ def require_apart(path: str, output: str) -> None:
     """Raises ParameterError where a file would be replaced by what is made of it."""
     if Path(path).exists() and Path(output).exists() and Path(path).samefile(output):
         raise ParameterError("cluster.output_is_input", path=path)
-
-
-def state(path: str) -> tuple[int, float]:
-    """(bytes, time of the last change) of a file, as GDAL knows them; zeros for what is no file."""
-    found = gdal.VSIStatL(path)
-    return (found.size, found.mtime) if found is not None else (0, 0)
 
 
 def moment_of(found: tuple[int, float]) -> str:

@@ -10,9 +10,8 @@ from typing import Any, NamedTuple
 from ..core.assessment.assessment import Assessment
 from ..core.assessment.job import AssessmentJob
 from ..core.database.model import ReferenceDatabase
-from ..core.errors import SemRefError
+from ..core.errors import DatabaseError, SemRefError
 from ..core.evaluation.evaluation import Evaluation
-from ..core.evaluation.job import EvaluationJob
 from ..core.labels.class_shares import SeenLabels
 from ..core.labels.class_table import ClassTable
 from ..core.localizer.localizer import Localizer
@@ -21,6 +20,7 @@ from ..core.localizer.settings import LOCALIZER
 from ..core.segmentation.class_bias import KnownBiases, known_biases
 from ..storage.carried import from_text, to_text
 from ..storage.database.reader import read_database, read_overview, read_stored_database
+from ..storage.file_states import fingerprint
 from ..storage.label_images import LabelImageReader, opened_photo
 from ..storage.rasters import GdalLabels
 
@@ -32,7 +32,7 @@ def do(task: str, job: str, pieces: str) -> str:
 
     Args:
         task: One of ``TASKS``.
-        job: As ``storage.carried`` makes a text of it.
+        job: With the fingerprint of its database, as ``storage.carried`` makes a text of both.
         pieces: A list of them, likewise.
 
     Returns:
@@ -65,8 +65,8 @@ class _Images(NamedTuple):
 
 @lru_cache(1)
 def _images(text: str) -> _Images:
-    job: ImagesJob = from_text(text)
-    database = read_database(job.database, with_overview=job.has_overview)
+    job, known = _told(text)
+    database = _as_planned(read_database(job.database, with_overview=job.has_overview), known)
     localizer = Localizer(database, replace(LOCALIZER, allowed_risk=job.risk), job.sun_deg)
     read = _photos(job.model, database.class_table) if job.model else _label_images(database.class_table)
     return _Images(job, localizer, read)
@@ -100,8 +100,9 @@ def _trials(text: str, piece: tuple) -> list[Any]:
 
 @lru_cache(1)
 def _evaluation(text: str) -> Evaluation:
-    job: EvaluationJob = from_text(text)
-    return job.evaluation(read_database(job.database, with_overview=True), GdalLabels(job.labels))
+    job, known = _told(text)
+    database = _as_planned(read_database(job.database, with_overview=True), known)
+    return job.evaluation(database, GdalLabels(job.labels))
 
 
 def _simulated(text: str, piece: tuple) -> Any:
@@ -116,8 +117,8 @@ def _correlated(text: str, piece: tuple) -> Any:
 
 @lru_cache(1)
 def _assessed(text: str) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
-    job: AssessmentJob = from_text(text)
-    database = read_stored_database(job.database).database
+    job, known = _told(text)
+    database = _as_planned(read_stored_database(job.database).database, known)
     if job.has_overview:
         database = replace(database, overview=read_overview(job.database, database.parameters))
     return job, database, Localizer(database)
@@ -127,6 +128,18 @@ def _assessed(text: str) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
 def _assessment(text: str, footprint: float) -> Assessment:
     job, database, localizer = _assessed(text)
     return job.assessment(database, localizer, footprint)
+
+
+def _told(text: str) -> tuple[Any, str]:
+    """A job, and the fingerprint of its database."""
+    return from_text(text)
+
+
+def _as_planned(database: ReferenceDatabase, known: str) -> ReferenceDatabase:
+    """The same; raises DatabaseError for another one than pieces were planned by."""
+    if fingerprint(database) != known:
+        raise DatabaseError("cluster.map_changed", path=database.source)
+    return database
 
 
 TASKS: dict[str, Callable[[str, Any], Any]] = {

@@ -165,6 +165,8 @@ def parser() -> argparse.ArgumentParser:
     )
     build.add_argument("labels", metavar="LABELS", help=_LABELS)
     _add_all(build, _BUILD)
+    # For QGIS, which writes its own.
+    build.add_argument("--without-note", action="store_true", help=argparse.SUPPRESS)
     _add_workers(build)
     rasterize = commands.add_parser(
         "rasterize",

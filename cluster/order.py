@@ -40,13 +40,15 @@ def order(options: Namespace, teller: Teller) -> dict[str, Any]:
         SemRefError: Anything that the user can mend.
     """
     require_apart(options.order, options.found)
-    job, pieces = read(options.order)
+    job, pieces, known = read(options.order)
     database = seen_by_workers(job.database)
     require_apart(database, options.found)
-    before = {database: state(database)}
+    # What QGIS read of some files is told by the order; it may have been long ago.
+    before = {database: state(database), **known["files"]}
+    require_unchanged(before)
     with written_beside(str(Path(options.found).absolute())) as temporary:
         with connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
-            found = answered(job, pieces, DaskRunner(client, ""), teller)
+            found = answered(job, pieces, DaskRunner(client, ""), teller, known["database"])
         # Workers open it each at its time.
         require_unchanged(before)
         write(temporary, found)
@@ -54,7 +56,7 @@ def order(options: Namespace, teller: Teller) -> dict[str, Any]:
 
 
 @singledispatch
-def answered(job: object, pieces: Sequence[Any], run: DaskRunner, teller: Teller) -> Any:
+def answered(job: object, pieces: Sequence[Any], run: DaskRunner, teller: Teller, database: str) -> Any:
     """What workers found of the pieces of a job, in their order.
 
     Args:
@@ -62,6 +64,7 @@ def answered(job: object, pieces: Sequence[Any], run: DaskRunner, teller: Teller
         pieces: What differs.
         run: Who has it done.
         teller: Takes what is being done.
+        database: Fingerprint of the database that pieces were planned by; workers that find another one refuse.
 
     Raises:
         SemRefError: The job can't be done.
@@ -70,28 +73,32 @@ def answered(job: object, pieces: Sequence[Any], run: DaskRunner, teller: Teller
 
 
 @answered.register
-def _(job: ImagesJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller) -> list[Any]:
+def _(job: ImagesJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller, database: str) -> list[Any]:
     job = replace(job, database=seen_by_workers(job.database), model=job.model and seen_by_workers(job.model))
     asked = [replace(image, path=seen_by_workers(image.path)) for image in pieces]
-    return list(_followed(_parts(job, IMAGES, asked, 1, run), len(asked), "Localizing images", (0, 1), teller))
+    return list(
+        _followed(_parts((job, database), IMAGES, asked, 1, run), len(asked), "Localizing images", (0, 1), teller)
+    )
 
 
 @answered.register
-def _(job: EvaluationJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller) -> list[Any]:
+def _(job: EvaluationJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller, database: str) -> list[Any]:
     """The trials of each image."""
     job = replace(job, database=seen_by_workers(job.database), labels=seen_by_workers(job.labels))
-    found = _parts(job, EVALUATE, pieces, _TRIALS_A_TASK, run)
+    found = _parts((job, database), EVALUATE, pieces, _TRIALS_A_TASK, run)
     return list(_followed(found, len(pieces), "Localizing", (0, 1), teller))
 
 
 @answered.register
-def _(job: AssessmentJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller) -> list[tuple[list, dict]]:
+def _(
+    job: AssessmentJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller, database: str
+) -> list[tuple[list, dict]]:
     """Of each footprint, whose planned images are a piece: trials, and by their numbers those of map correlation."""
     job = replace(job, database=seen_by_workers(job.database))
     asked = [(footprint, query) for footprint, queries in zip(job.footprints, pieces) for query in queries]
     until = _SIMULATED_UNTIL if job.correlation else 1.0
     what = "Localizing simulated images"
-    parts = _parts(job, ASSESS, asked, _SIMULATED_A_TASK, run)
+    parts = _parts((job, database), ASSESS, asked, _SIMULATED_A_TASK, run)
     trials = list(_followed(parts, len(asked), what, (0, until), teller))
     firsts = [sum(map(len, pieces[:n])) for n in range(len(pieces))]
     tried = [trials[first : first + len(queries)] for first, queries in zip(firsts, pieces)]
@@ -101,14 +108,14 @@ def _(job: AssessmentJob, pieces: Sequence[Any], run: DaskRunner, teller: Teller
             most = max(len(of_footprint) // CORRELATED_SHARE, 1)
             chosen += [(n, number) for number in to_correlate(job.seed, of_footprint, most)]
     again = [(job.footprints[n], pieces[n][number]) for n, number in chosen]
-    found = _followed(_parts(job, CORRELATE, again, 1, run), len(again), what, (until, 1), teller)
+    found = _followed(_parts((job, database), CORRELATE, again, 1, run), len(again), what, (until, 1), teller)
     correlated: list[dict[int, Any]] = [{} for _ in pieces]
     for (n, number), trial in zip(chosen, found):
         correlated[n][number] = trial
     return list(zip(tried, correlated))
 
 
-def _parts(job: object, task: str, pieces: Sequence[Any], at_once: int, run: DaskRunner) -> Iterator[Any]:
+def _parts(job: tuple[object, str], task: str, pieces: Sequence[Any], at_once: int, run: DaskRunner) -> Iterator[Any]:
     """What was found of each piece, in their order."""
     calls = ((to_text(list(pieces[n : n + at_once])),) for n in range(0, len(pieces), at_once))
     for text in run.in_order(task, calls, (to_text(job),)):

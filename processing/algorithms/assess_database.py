@@ -150,7 +150,7 @@ class AssessDatabase(AssessAlgorithm):
         if values.has(SCHEDULER):
             from ...core.assessment.job import job_of
 
-            return ordered(values, job_of(assessments), planned, feedback)
+            return ordered(values, job_of(assessments), planned, feedback, assessments[0].database)
         tried = []
         for n, (assessment, queries) in enumerate(zip(assessments, planned)):
             share = [5 + 90 * (n + done) / len(planned) for done in (0, 1)]

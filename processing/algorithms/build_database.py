@@ -165,7 +165,7 @@ class BuildDatabase(SemRefAlgorithm):
             "--minimum-area": settings.minimum_area,
             "--map-accuracy": settings.map_accuracy,
         }
-        given = [f"{name}={value}" for name, value in options.items()]
+        given = ["--without-note", *(f"{name}={value}" for name, value in options.items())]
         with outputs.database(self.DATABASE) as path:
             found = scheduled(values, ["build", self._layer.path, "--database", path, *given], feedback)
         return found["windows"], found["references"], found["windows_without_vector"]

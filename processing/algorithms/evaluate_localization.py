@@ -219,9 +219,10 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float | None]:
         from ...core.evaluation.summary import summarize
+        from ...storage.file_states import state
         from ..reports.evaluation_report import tried_ground
 
-        methods = self._methods(values)
+        methods, before = self._methods(values), {self._layer.path: state(self._layer.path)}
         evaluation, database, crs = self._evaluation(values, feedback)
         for method in methods:
             evaluation.localizer.check(method)
@@ -230,7 +231,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.pushInfo(tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES)))
         if values.has(SCHEDULER):
-            tried = ordered(values, self._job, jobs, feedback)
+            tried = ordered(values, self._job, jobs, feedback, database, before)
             trials = [trial for of_image in tried for trial in of_image]
         else:
             trials = self._try(evaluation, jobs, feedback)

@@ -13,10 +13,11 @@ from pathlib import Path
 
 from qgis.core import QgsBox3d, QgsLayerMetadata, QgsMapLayer, QgsProviderRegistry, QgsVectorLayer
 
+from ...storage.database.notes import QGIS_STANDARD, SENTENCES_OF_SOURCES, SENTENCES_OF_TABLES, SENTENCES_OF_TITLES
 from ...storage.vector_files import leave_wal
 from ..translation import tr
 from .database_layers import REFERENCES, WINDOWS
-from .lineage import QGIS_STANDARD, Lineage, each_once
+from .lineage import Lineage, each_once
 
 _MOST_LINES, _LONGEST_HISTORY = 50, 150_000
 """Lines and characters of a history: no note of more than a million is read, and in XML a sign may take six."""
@@ -66,7 +67,8 @@ class Note:
     def _abstract(self) -> str:
         if not self.lineage.sources:
             return self.abstract
-        return f"{self.abstract}\n\n{tr('Made of: {sources}').format(sources='; '.join(self.lineage.sources))}"
+        made_of = tr(SENTENCES_OF_SOURCES["made_of"]).format(sources="; ".join(self.lineage.sources))
+        return f"{self.abstract}\n\n{made_of}"
 
 
 def _shortened(history: list[str]) -> list[str]:
@@ -143,15 +145,6 @@ def _drop_copies(path: str) -> None:
 
 def _tables() -> tuple[tuple[str, str, str], ...]:
     """(table, title, what it holds) of a database's layers that can hold a note."""
-    return (
-        (
-            REFERENCES,
-            tr("Landmarks"),
-            tr("The landmarks of the whole map: center of gravity, class and area of each region of their classes."),
-        ),
-        (
-            WINDOWS,
-            tr("Windows"),
-            tr("The windows that slide over the map, each described by the topology vector of its landmarks."),
-        ),
+    return tuple(
+        (table, tr(SENTENCES_OF_TITLES[table]), tr(SENTENCES_OF_TABLES[table])) for table in (REFERENCES, WINDOWS)
     )

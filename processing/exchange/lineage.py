@@ -20,14 +20,12 @@ from qgis.core import (
 )
 from qgis.PyQt.QtXml import QDomDocument
 
+from ...storage.database.notes import LONGEST_NOTE, QGIS_STANDARD
+
 LONGEST_COMMAND = 20_000
 """Characters of a lineage: a run of thousands of images names each."""
 
-QGIS_STANDARD = "http://mrcc.com/qgis.dtd"
-"""What QGIS calls the standard of its own metadata in a GeoPackage."""
-
 _LAYERS = "source", "vector", "raster", "multilayer"
-_LONGEST_NOTE = 1_000_000
 _STEPS_TO_READ = 200_000
 """Of SQLite's machine: a note is found in some hundred; who made the file may have made it hard on purpose."""
 
@@ -128,7 +126,7 @@ def note_of_file(source: str) -> QgsLayerMetadata | None:
             text = _note_in_geopackage(path, rest.partition("layername=")[2].partition("|")[0])
         else:
             beside = Path(path).with_suffix(".qmd")
-            if beside.is_file() and beside.stat().st_size <= _LONGEST_NOTE:
+            if beside.is_file() and beside.stat().st_size <= LONGEST_NOTE:
                 text = beside.read_text(encoding="utf-8")
     document, told = QDomDocument(), QgsLayerMetadata()
     # Qt 6.5 and later have another type of answer; false in both where it is no XML.
@@ -147,6 +145,6 @@ def _note_in_geopackage(path: str, table: str) -> str:
             "SELECT m.metadata FROM gpkg_metadata m JOIN gpkg_metadata_reference r ON r.md_file_id = m.id "
             "WHERE m.md_standard_uri = ? AND length(m.metadata) <= ? AND (? = '' OR r.table_name = ?) "
             "ORDER BY m.id LIMIT 1",
-            (QGIS_STANDARD, _LONGEST_NOTE, table, table),
+            (QGIS_STANDARD, LONGEST_NOTE, table, table),
         ).fetchone()
     return str(row[0]) if row else ""

@@ -289,7 +289,7 @@ def scheduled_images(
         size = cancelable(stated_pixel_size_m, path, feedback=feedback) if model else None
         asked.append(AskedImage(path, camera, size))
     localized = []
-    for image, found in zip(asked, ordered(values, job, asked, feedback)):
+    for image, found in zip(asked, ordered(values, job, asked, feedback, database)):
         if found.result is None:
             localized.append(LocalizedImage(image.path, error=worded(found.fault)))
         else:

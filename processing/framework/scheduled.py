@@ -5,11 +5,11 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import closing
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any, Callable
+from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
@@ -24,6 +24,9 @@ from .base import check_canceled
 from .declarations import Text
 from .told_process import ToldProcess
 from .values import Values
+
+if TYPE_CHECKING:
+    from ...core.database.model import ReferenceDatabase
 
 __all__ = ["SCHEDULER", "ordered", "require_scheduler", "scheduled", "scheduled_with", "scheduler", "sentences"]
 """The sentences are imported for who words what the process tells."""
@@ -103,7 +106,14 @@ def scheduled(
     return result
 
 
-def ordered(values: Values, job: object, pieces: Sequence[object], feedback: QgsProcessingFeedback) -> Any:
+def ordered(
+    values: Values,
+    job: object,
+    pieces: Sequence[object],
+    feedback: QgsProcessingFeedback,
+    database: ReferenceDatabase,
+    files: Mapping[str, tuple[int, float]] | None = None,
+) -> Any:
     """Has a job done by the workers of SCHEDULER, piece by piece; returns what ``cluster/order.py`` says of it.
 
     Args:
@@ -111,16 +121,20 @@ def ordered(values: Values, job: object, pieces: Sequence[object], feedback: Qgs
         job: What is the same for all pieces.
         pieces: What differs.
         feedback: Progress is shown from 0 to 100 %.
+        database: As it was read to plan the pieces: workers that find another one refuse.
+        files: Others that were read for that, with their ``storage.file_states.state`` before.
 
     Raises:
         SemRefError: As ``scheduled`` does.
         Canceled: The user canceled.
     """
     from ...storage.carried import read
+    from ...storage.file_states import fingerprint
 
     with TemporaryDirectory(prefix="semref-") as folder:
         found = os.path.join(folder, "found.json")
-        scheduled_with(values, (job, list(pieces)), lambda order: ["order", order, "--found", found], feedback)
+        content = job, list(pieces), {"database": fingerprint(database), "files": dict(files or {})}
+        scheduled_with(values, content, lambda order: ["order", order, "--found", found], feedback)
         return read(found)
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import os
+from pathlib import Path
 
 import pytest
 from made_inputs import scattered_objects, write_raster
@@ -88,3 +90,41 @@ def test_what_is_no_scheduler_is_refused(run_algorithm, database, tmp_path):
     asked = {"DATABASE": database, "SCHEDULER": "four", "OUTPUT": str(tmp_path / "found.gpkg")}
     with pytest.raises(QgsProcessingException, match="SCHEDULER is “four”; give local: and a number"):
         run_algorithm(ASSESS, asked)
+
+
+def test_a_database_that_changes_before_workers_begin_is_noticed(
+    run_algorithm, build_area, database, tmp_path, monkeypatch
+):
+    from semref.processing.framework import scheduled
+
+    area, start = tmp_path / "area.gpkg", scheduled.scheduled
+    area.write_bytes(Path(database).read_bytes())
+    other = Path(build_area(scattered_objects(420, 480, 280, seed=5, background=0), NAMES, SIZE, 40)).read_bytes()
+
+    def late(*arguments, **options):
+        area.write_bytes(other)
+        return start(*arguments, **options)
+
+    monkeypatch.setattr(scheduled, "scheduled", late)
+    asked = {"DATABASE": str(area), "TRIALS": 20, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "never.gpkg")}
+    with pytest.raises(QgsProcessingException, match="area.gpkg was changed while it was read"):
+        run_algorithm(ASSESS, asked)
+    assert [path.name for path in tmp_path.iterdir()] == ["area.gpkg"]
+
+
+def test_a_label_map_that_changes_before_workers_begin_is_noticed(
+    run_algorithm, database, label_map, tmp_path, monkeypatch
+):
+    from semref.processing.framework import scheduled
+
+    labels, start = tmp_path / "labels.tif", scheduled.scheduled
+    labels.write_bytes(Path(label_map).read_bytes())
+
+    def late(*arguments, **options):
+        os.utime(labels, (1, 1))
+        return start(*arguments, **options)
+
+    monkeypatch.setattr(scheduled, "scheduled", late)
+    asked = {"DATABASE": database, "LABELS": str(labels), "TRIALS": 4, "SCHEDULER": "local:1"}
+    with pytest.raises(QgsProcessingException, match="labels.tif was changed while it was read"):
+        run_algorithm(EVALUATE, {**asked, "OUTPUT": str(tmp_path / "never.gpkg")})

@@ -10,7 +10,7 @@ import pytest
 from built_database import BUILD, content
 from made_inputs import scattered_objects, write_raster
 from made_models import painted, write_model
-from qgis.core import QgsProcessingException
+from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.processing.packages import components
 
@@ -36,6 +36,8 @@ def test_workers_build_the_database_that_qgis_builds(run_algorithm, label_map, f
     assert content(found["DATABASE"])["windows"] == content(expected["DATABASE"])["windows"]
     assert content(found["DATABASE"])["references"] == content(expected["DATABASE"])["references"]
     assert feedback.progress() == 100
+    (line,) = QgsVectorLayer(f"{found['DATABASE']}|layername=windows", "windows", "ogr").metadata().history()
+    assert "processing.run" in line
 
 
 @needs_dask

@@ -11,9 +11,9 @@ import time
 
 import numpy as np
 import pytest
-from built_database import BUILD, content
+from built_database import BUILD, NAMES, content
 from clustered import SETTINGS, lose_a_worker, require_nothing_after
-from made_inputs import write_raster
+from made_inputs import scattered_objects, write_raster
 from osgeo import gdal, osr
 
 
@@ -142,6 +142,47 @@ def test_the_titles_of_columns_are_what_the_algorithm_s_are(built, table):
     assert found == {name: column_titles()[name] for name in found} and len(found) > 3
 
 
+@pytest.mark.parametrize("table", ["windows", "references"])
+def test_its_note_is_what_qgis_writes(cluster, run_algorithm, tmp_path, table):
+    from qgis.core import QgsLayerMetadata, QgsRasterLayer, QgsVectorLayer
+
+    label_map = write_raster(tmp_path / "labels.tif", scattered_objects(400, 400, 150, seed=4), names=NAMES)
+    layer = QgsRasterLayer(str(label_map), "labels")
+    told = QgsLayerMetadata()
+    told.setTitle("Land cover of <Erewhon>")
+    told.setLicenses(["ODbL 1.0"])
+    told.setRights(["© OpenStreetMap & others"])
+    layer.setMetadata(told)
+    layer.saveNamedMetadata(str(label_map.with_suffix(".qmd")))
+    found = build(cluster, label_map, tmp_path / "cluster.gpkg")
+    assert found.returncode == 0, found.stderr
+    asked = {"LABELS": str(label_map), "REFERENCE_CLASSES": "building;water", "WINDOW_SIZE": 320, "STRIDE": 140}
+    asked |= {"MINIMUM_AREA": 40, "DATABASE": str(tmp_path / "qgis.gpkg")}
+    run_algorithm(BUILD, asked)
+    paths = (tmp_path / f"{who}.gpkg" for who in ("cluster", "qgis"))
+    note, wanted = (QgsVectorLayer(f"{path}|layername={table}", table, "ogr").metadata() for path in paths)
+    for name in ("title", "abstract", "licenses", "rights", "type"):
+        assert getattr(note, name)() == getattr(wanted, name)() != "", name
+    assert note.crs() == wanted.crs()
+    (extent,), (other,) = note.extent().spatialExtents(), wanted.extent().spatialExtents()
+    assert extent.extentCrs == other.extentCrs and extent.bounds.toRectangle() == other.bounds.toRectangle()
+    (line,) = note.history()
+    assert f"python -m cluster build {label_map} --reference-classes 'building;water' --window-size 320 " in line
+    assert line.partition(":")[0].isprintable() and "UTC, SemRef" in line
+
+
+def test_qgis_adds_itself_to_the_note_of_the_cluster(cluster, run_algorithm, label_map, built, tmp_path):
+    from qgis.core import QgsVectorLayer
+
+    database = tmp_path / "area.gpkg"
+    database.write_bytes(built.read_bytes())
+    run_algorithm(
+        "semref:updatedatabase", {"DATABASE": str(database), "LABELS": str(label_map), "OUTPUT": str(database)}
+    )
+    first, second = QgsVectorLayer(f"{database}|layername=windows", "windows", "ogr").metadata().history()
+    assert "python -m cluster build" in first and "updatedatabase" in second
+
+
 def drawn(symbol):
     """What a symbol's only layer looks like."""
     properties = symbol.symbolLayers()[0].properties()
@@ -175,6 +216,7 @@ def test_an_overview_that_lies_in_a_file_meanwhile_gives_the_same_bytes(label_ma
 
     options = {"labels": str(label_map), "reference_classes": "building;water", "window_size": 320.0, "stride": 140.0}
     options |= {"levels": "1", "references_per_vector": 10, "minimum_area": 40.0, "map_accuracy": 1.1}
+    options["without_note"] = False
     cache = gdal.GetCacheMax()
     try:
         for name, held in (("held.gpkg", 1 << 30), ("filed.gpkg", 0)):

@@ -24,6 +24,7 @@ from semref.core.simulation.conditions import Conditions
 from semref.core.simulation.noise import USUAL
 from semref.storage.carried import read, write
 from semref.storage.database.reader import read_database, read_stored_database
+from semref.storage.file_states import fingerprint, state
 from semref.storage.map_frames import label_map_frame
 from semref.storage.rasters import GdalLabels
 
@@ -39,8 +40,9 @@ def orders(build_area, tmp_path_factory):
     database = build_area(LABELS, NAMES, SIZE, 40)
     made = {"images": images(database, folder), "evaluation": evaluation(database, folder)}
     made["assessment"] = assessment(database)
-    for kind, content in made.items():
-        write(str(folder / f"{kind}.json"), content)
+    known = {"database": fingerprint(read_database(database)), "files": {}}
+    for kind, (job, pieces) in made.items():
+        write(str(folder / f"{kind}.json"), (job, pieces, known))
     return {kind: folder / f"{kind}.json" for kind in made}
 
 
@@ -112,7 +114,7 @@ def test_images_have_a_place_or_a_fault_each(answers, tmp_path):
 def test_trials_are_those_of_one_process(orders, answers, tmp_path):
     (tmp_path / "found.json").write_bytes(answers("evaluation"))
     found = read(str(tmp_path / "found.json"))
-    job, jobs = read(str(orders["evaluation"]))
+    job, jobs, _ = read(str(orders["evaluation"]))
     evaluation = job.evaluation(read_database(job.database, with_overview=True), GdalLabels(job.labels))
     for (query, methods), trials in zip(jobs, found):
         for trial, expected in zip(trials, evaluation.run(query, methods)):
@@ -124,7 +126,7 @@ def test_trials_are_those_of_one_process(orders, answers, tmp_path):
 def test_simulated_images_are_those_of_one_process(orders, answers, tmp_path):
     (tmp_path / "found.json").write_bytes(answers("assessment"))
     found = read(str(tmp_path / "found.json"))
-    job, planned = read(str(orders["assessment"]))
+    job, planned, _ = read(str(orders["assessment"]))
     database = read_stored_database(job.database).database
     localizer = Localizer(database)
     for footprint, queries, (trials, correlated) in zip(job.footprints, planned, found):
@@ -144,8 +146,11 @@ def test_an_interrupt_leaves_nothing(cluster, orders, tmp_path):
 
 
 def test_a_database_that_is_gone_is_said_in_one_sentence(cluster, orders, tmp_path):
-    job, pieces = read(str(orders["images"]))
-    write(str(tmp_path / "order.json"), (type(job)(str(tmp_path / "gone.gpkg"), *list(vars(job).values())[1:]), pieces))
+    job, pieces, known = read(str(orders["images"]))
+    write(
+        str(tmp_path / "order.json"),
+        (type(job)(str(tmp_path / "gone.gpkg"), *list(vars(job).values())[1:]), pieces, known),
+    )
     result = cluster("order", tmp_path / "order.json", "--found", tmp_path / "found.json", "--local", 1)
     last = result.stderr.strip().splitlines()[-1]
     assert result.returncode == 3 and "gone.gpkg" in last and "Traceback" not in result.stderr
@@ -160,13 +165,34 @@ def test_an_order_is_not_replaced_by_its_answer(cluster, orders):
 
 
 def test_a_database_that_is_changed_meanwhile_gives_no_answer(cluster, orders, tmp_path):
-    job, pieces = read(str(orders["images"]))
+    job, pieces, known = read(str(orders["images"]))
     database = tmp_path / "area.gpkg"
     database.write_bytes(Path(job.database).read_bytes())
-    write(str(tmp_path / "order.json"), (replace(job, database=str(database)), pieces))
+    write(str(tmp_path / "order.json"), (replace(job, database=str(database)), pieces, known))
     running = cluster.start("order", tmp_path / "order.json", "--found", tmp_path / "found.json", "--local", 1)
     wait_for(running, "Localizing")
     os.utime(database, (1, 1))
     _, errors = running.communicate(timeout=120)
     assert running.returncode != 0 and "was changed while it was read" in errors
+    assert not (tmp_path / "found.json").exists()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_database_that_is_another_than_pieces_were_planned_by_gives_no_answer(cluster, orders, tmp_path, kind):
+    job, pieces, known = read(str(orders[kind]))
+    write(str(tmp_path / "order.json"), (job, pieces, {**known, "database": "0" * 64}))
+    result = cluster("order", tmp_path / "order.json", "--found", tmp_path / "found.json", "--local", 1)
+    last = result.stderr.strip().splitlines()[-1]
+    assert result.returncode == 3 and "area.gpkg was changed while it was read" in last
+    assert not (tmp_path / "found.json").exists()
+
+
+def test_a_label_map_that_was_changed_before_it_begins_gives_no_answer(cluster, orders, tmp_path):
+    job, pieces, known = read(str(orders["evaluation"]))
+    size, moment = state(job.labels)
+    files = {job.labels: (size, moment - 5)}
+    write(str(tmp_path / "order.json"), (job, pieces, {**known, "files": files}))
+    result = cluster("order", tmp_path / "order.json", "--found", tmp_path / "found.json", "--local", 1)
+    last = result.stderr.strip().splitlines()[-1]
+    assert result.returncode == 2 and "labels.tif was changed while it was read" in last
     assert not (tmp_path / "found.json").exists()
