@@ -1,4 +1,4 @@
-"""The whole job on the sample area, in desktop QGIS, with mouse and keys; clicks and seconds are counted."""
+"""The whole job on the sample area, in desktop QGIS, by mouse and by the keyboard alone; each is counted and timed."""
 
 from __future__ import annotations
 
@@ -11,12 +11,22 @@ pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
 
 @pytest.fixture(scope="module")
-def walks(repository, display, tmp_path_factory) -> dict:
+def sample(tmp_path_factory) -> Path:
+    """The folder of the sample: made in the first session, opened in the second."""
+    return tmp_path_factory.mktemp("sample")
+
+
+@pytest.fixture(scope="module", params=["mouse", "keys"])
+def walks(request, repository, display, sample, tmp_path_factory) -> dict:
     """What walk_job_session.py saw."""
-    home = tmp_path_factory.mktemp("job")
-    (home / "sample").mkdir()
-    script = Path(__file__).with_name("walk_job_session.py")
-    return walk(repository, home, display, script, {"SEMREF_SAMPLE": str(home / "sample")})
+    variables = {"SEMREF_SAMPLE": str(sample), "SEMREF_WAY": request.param}
+    script, home = Path(__file__).with_name("walk_job_session.py"), tmp_path_factory.mktemp(request.param)
+    return walk(repository, home, display, script, variables, f"walk_job_{request.param}.json")
+
+
+def most(walked: dict, clicks: int, keys: int) -> bool:
+    """Whether a walk took so many clicks, and none by keys, or so many keys at most, and no click."""
+    return (walked["clicks"], walked["keys"]) == (clicks, 0) or (walked["clicks"] == 0 < walked["keys"] <= keys)
 
 
 def test_no_walk_ends_in_a_python_error(walks):
@@ -26,19 +36,19 @@ def test_no_walk_ends_in_a_python_error(walks):
 def test_the_sample_closed_and_reopened_shows_what_was_found(walks):
     walked = walks["sample, closed, reopened"]
     assert (walked["before"], walked["emptied"], walked["after"]) == (12, 0, 12)
-    assert walked["clicks"] <= 6
+    assert most(walked, 4, 40)
 
 
 def test_own_photos_are_found_and_laid_on_the_map(walks):
     walked = walks["own photos"]
     assert walked["listed"] == 3 and walked["statuses"] == ["Fix"] * 3 and walked["layers"] == 1
-    assert (walked["clicks"], walked["values"]) == (4, 3)
+    assert walked["values"] == 3 and most(walked, 4, 90)
 
 
 def test_windows_are_inspected_in_turn_by_name_and_on_the_map(walks):
     walked = walks["inspect"]
     assert all(walked["names"]) and len(set(walked["names"])) == 3
-    assert walked["compared"] and walked["rows"] > 0
+    assert walked["compared"] and walked["rows"] > 0 and most(walked, 6, 60)
 
 
 def test_a_layer_of_openstreetmap_becomes_the_dock_s_database(walks):
@@ -47,7 +57,7 @@ def test_a_layer_of_openstreetmap_becomes_the_dock_s_database(walks):
 
 
 def test_the_model_runs_as_other_algorithms_do(walks):
-    assert walks["own area"]["clicks"] == 6
+    assert most(walks["own area"], 6, 30)
 
 
 def test_a_route_is_planned_and_the_file_for_the_aircraft_written(walks):
@@ -62,5 +72,7 @@ def test_a_flight_is_placed_as_a_whole(walks):
 
 
 def test_a_batch_is_opened_from_its_file_and_runs(walks):
+    if "batch" not in walks:
+        pytest.skip("without the mouse QGIS's table of a batch is not left again")
     walked = walks["batch"]
     assert walked["listed"] == 2 and walked["made"] == [True, True]

@@ -1,7 +1,8 @@
-"""Runs inside desktop QGIS (--code): the whole job on the sample area, walk by walk, with mouse and keys.
+"""Runs inside desktop QGIS (--code): the whole job on the sample area, walk by walk.
 
-SEMREF_SAMPLE names the folder of a sample that was made, with its project. Writes for each walk its clicks, the values
-that were typed or chosen in dialogs, seconds, and what came of it.
+SEMREF_SAMPLE names the folder of the sample, which is made there unless it is. SEMREF_WAY: ``mouse``, or ``keys`` for
+the keyboard alone: whatever is pressed is reached by Tab or Shift+Tab. Writes for each walk its clicks, or the keys
+that were pressed without those of texts, the values that were typed or chosen in dialogs, seconds, and what came of it.
 """
 
 import json
@@ -21,20 +22,78 @@ from walking import dock, run_button, settle, start, wait_until
 SAMPLE = Path(os.environ["SEMREF_SAMPLE"])
 DATABASE = str(SAMPLE / "reference_database.gpkg")
 WINDOW = {"WINDOW_SIZE": 640, "STRIDE": 160, "MINIMUM_AREA": 50}
-counted = {"clicks": 0, "values": 0}
+BY_KEYS = os.environ["SEMREF_WAY"] == "keys"
+MOST_STEPS = 150
+counted = {"clicks": 0, "keys": 0, "values": 0}
 
 
-def click(widget) -> None:
-    """As a mouse does it; counted."""
-    counted["clicks"] += 1
-    QTest.mouseClick(widget, Qt.MouseButton.LeftButton)
+def press(widget) -> None:
+    """As a mouse does it, or the space bar once the focus is there; counted."""
+    if BY_KEYS:
+        reach(widget)
+        key(Qt.Key.Key_Space)
+    else:
+        counted["clicks"] += 1
+        QTest.mouseClick(widget, Qt.MouseButton.LeftButton)
     settle()
 
 
+def key(pressed) -> None:
+    """On what has the focus; counted."""
+    counted["keys"] += 1
+    QTest.keyClick(QApplication.focusWidget(), pressed)
+
+
+def reach(widget) -> None:
+    """Brings the focus there, the shorter way of Tab and Shift+Tab."""
+    window = widget.window()
+    # Without a window manager the X server tells when it likes which window is active.
+    wait_until(lambda: has_focus_within(window), "the focus")
+    chain = focus_chain(QApplication.focusWidget())
+    ahead = next(n for n, one in enumerate(chain) if one is widget)
+    step = Qt.Key.Key_Tab if ahead <= len(chain) - ahead else Qt.Key.Key_Backtab
+    passed = []
+    for _ in range(MOST_STEPS):
+        passed.append(QApplication.focusWidget())
+        if passed[-1] is widget:
+            return
+        key(step)
+    told = [f"{type(one).__name__} {one.objectName()}" for one in (widget, *passed)]
+    raise RuntimeError(f"{told[0]} (visible: {widget.isVisible()}) was not reached by {MOST_STEPS} keys: {told[1:]}")
+
+
+def has_focus_within(window) -> bool:
+    """Whether something in the window has the focus; asks for it."""
+    if not window.isActiveWindow():
+        window.activateWindow()
+        settle()
+    focused = QApplication.focusWidget()
+    if focused is None or focused.window() is not window:
+        begin = dock().content.help if window is qgis.utils.iface.mainWindow() else window
+        (begin.nextInFocusChain() if begin is window else begin).setFocus(Qt.FocusReason.TabFocusReason)
+        settle()
+        focused = QApplication.focusWidget()
+    return focused is not None and focused.window() is window
+
+
+def focus_chain(first) -> list:
+    """All widgets of the window in the order of Tab, from this one on."""
+    chain, widget = [first], first.nextInFocusChain()
+    while widget is not first:
+        chain.append(widget)
+        widget = widget.nextInFocusChain()
+    return chain
+
+
 def type_into(line: QLineEdit, text: str) -> None:
-    """As the keyboard does it; counted as one value."""
+    """As the keyboard does it, into what can be seen; counted as one value."""
+    if not line.isVisible():
+        raise RuntimeError(f"a hidden line cannot be given {text}")
     counted["values"] += 1
-    line.setFocus()
+    if BY_KEYS:
+        reach(line)
+    else:
+        line.setFocus()
     line.selectAll()
     QTest.keyClicks(line, text)
     QTest.keyClick(line, Qt.Key.Key_Return)
@@ -43,8 +102,13 @@ def type_into(line: QLineEdit, text: str) -> None:
 
 def opened_tab(number: int):
     bar = dock().content.tabs.tabBar()
-    counted["clicks"] += 1
-    QTest.mouseClick(bar, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, bar.tabRect(number).center())
+    if BY_KEYS:
+        reach(bar)
+        while bar.currentIndex() != number:
+            key(Qt.Key.Key_Right if bar.currentIndex() < number else Qt.Key.Key_Left)
+    else:
+        counted["clicks"] += 1
+        QTest.mouseClick(bar, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, bar.tabRect(number).center())
     settle()
     return dock().content
 
@@ -56,9 +120,9 @@ def ran(name: str, given: dict) -> dict:
     dialog.algorithmFinished.connect(lambda succeeded, results: ended.append((succeeded, results)))
     dialog.show()
     settle(0.5)
-    counted["clicks"] += 2
+    counted["keys" if BY_KEYS else "clicks"] += 2
     counted["values"] += len(given)
-    click(run_button(dialog))
+    press(run_button(dialog))
     wait_until(lambda: ended, name)
     settle(0.5)
     dialog.close()
@@ -89,7 +153,7 @@ def with_file_dialog(button, text: str) -> None:
             QTest.keyClick(question.button(QMessageBox.StandardButton.Yes), Qt.Key.Key_Space)
 
     QTimer.singleShot(300, answer)
-    click(button)
+    press(button)
 
 
 def choose(content, folder: str, count: int) -> list:
@@ -103,7 +167,7 @@ def choose(content, folder: str, count: int) -> list:
 
 
 def localized(tab) -> list:
-    click(tab.localize_button)
+    press(tab.localize_button)
     wait_until(lambda: not tab.run.running, "the localization")
     settle(0.5)
     rows = tab.results.table.model()
@@ -116,7 +180,7 @@ def localized(tab) -> list:
 def made(folder: Path) -> dict:
     """The sample, by its menu; its folder is chosen."""
     entry = qgis.utils.plugins["semref"]._entry
-    counted.update(clicks=2, values=1)
+    counted.update({"keys" if BY_KEYS else "clicks": 2, "values": 1})
     entry._sample_project().make(SAMPLE)
     wait_until(lambda: QgsProject.instance().fileName() and dock().content.localize.images.paths(), "the sample")
     settle(0.5)
@@ -127,7 +191,7 @@ def reopened(folder: Path) -> dict:
     """The sample: its photos are localized, the project saved and closed, QGIS's recent project opened again."""
     iface = qgis.utils.iface
     before = localized(dock().content.localize)
-    counted["clicks"] += 3  # Save, New, Recent.
+    counted["keys" if BY_KEYS else "clicks"] += 3  # Save, New, Recent.
     iface.actionSaveProject().trigger()
     iface.newProject(False)
     settle(1.0)
@@ -146,30 +210,33 @@ def own_photos(folder: Path) -> dict:
     choose(content, "photos", 3)
     listed = len(tab.images.paths())
     statuses = localized(tab)
-    click(tab.results.drape)
+    press(tab.results.drape)
     wait_until(lambda: QgsProject.instance().mapLayers(), "the image on the map")
     return {"listed": listed, "statuses": statuses, "layers": len(QgsProject.instance().mapLayers())}
 
 
 def inspected(folder: Path) -> dict:
-    """The first window, one by name, one picked on the map, and the image compared with it."""
+    """The first window, one by name, one picked on the map or the next one, and the image compared with it."""
     tab = opened_tab(1).inspect
-    click(tab.after)
+    press(tab.after)
     wait_until(lambda: tab.name.text(), "the first window")
     names = [tab.name.text()]
     type_into(tab.name, tab.look_alikes.item(0, 0).text())
     names.append(tab.name.text())
-    click(tab.pick)
-    canvas = qgis.utils.iface.mapCanvas()
-    counted["clicks"] += 1
-    aside = QPoint(canvas.width() // 2, canvas.height() // 4)
-    QTest.mouseClick(canvas.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, aside)
+    if BY_KEYS:
+        press(tab.after)
+    else:
+        press(tab.pick)
+        canvas = qgis.utils.iface.mapCanvas()
+        counted["clicks"] += 1
+        aside = QPoint(canvas.width() // 2, canvas.height() // 4)
+        QTest.mouseClick(canvas.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, aside)
     settle(1.0)
     names.append(tab.name.text())
     wait_until(tab.compare.isEnabled, "the image's vector")
-    click(tab.compare)
+    press(tab.compare)
     compared = not tab.numbers.isColumnHidden(3)
-    click(tab.compare)
+    press(tab.compare)
     return {"names": names, "compared": compared, "rows": tab.numbers.rowCount()}
 
 
@@ -224,9 +291,7 @@ def flown(folder: Path) -> dict:
     content = opened_tab(0)
     tab = content.localize
     photos = choose(content, "flight", 6)
-    counted["clicks"] += 1
-    QTest.keyClick(tab.images.flight, Qt.Key.Key_Space)
-    settle()
+    press(tab.images.flight)
     return {"is_flight": tab.images.is_flight(), "listed": len(photos), "statuses": localized(tab)}
 
 
@@ -249,11 +314,11 @@ def batch(folder: Path) -> dict:
     dialog = BatchAlgorithmDialog(builds, qgis.utils.iface.mainWindow())
     dialog.show()
     settle(0.5)
-    counted["clicks"] += 2
+    counted["keys" if BY_KEYS else "clicks"] += 2
     panel = dialog.mainWidget()
     with_file_dialog(panel.btnOpen, str(table))
     listed = panel.tblParameters.rowCount() - 1
-    click(run_button(dialog))
+    press(run_button(dialog))
     wait_until(lambda: all(map(os.path.exists, files)) and run_button(dialog).isEnabled(), "the batch")
     dialog.close()
     return {"listed": listed, "made": [os.path.getsize(file) > 10_000 for file in files]}
@@ -274,6 +339,9 @@ WALKS = {
     "flight": flown,
     "batch": batch,
 }
+if BY_KEYS:
+    # The table of QGIS's dialog keeps Tab to itself.
+    del WALKS["batch"]
 
 
 def session() -> dict:
@@ -281,7 +349,7 @@ def session() -> dict:
     folder = Path(tempfile.mkdtemp(prefix="walks", dir=os.environ["HOME"]))
     seen = {}
     for name, walk in WALKS.items():
-        counted.update(clicks=0, values=0)
+        counted.update(clicks=0, keys=0, values=0)
         begun = time.monotonic()
         found = walk(folder)
         seen[name] = {**found, **counted, "seconds": round(time.monotonic() - begun, 1)}
