@@ -57,11 +57,13 @@ def read_annotation(
     Raises:
         AnnotationError: It can't be read, or QGIS would read it otherwise.
     """
+    # It may raise or return None, as the user has set it.
+    dataset, found = None, None
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_READONLY)
         if dataset is not None:
             found = _read(path, dataset, (class_field, priority_field, layer), table)
-    if dataset is None or failures:
+    if found is None or failures:
         reason = failures[0].rstrip(".") if failures else Sentence("storage.unknown_reason")
         raise AnnotationError("storage.annotation_unreadable", path=path, reason=reason)
     return found

@@ -218,3 +218,19 @@ def require_refused(result, part):
     last = result.stderr.strip().splitlines()[-1]
     assert result.returncode in (2, 3) and part in last and last.endswith("."), result.stderr
     assert "Traceback" not in result.stderr and result.stdout == ""
+
+
+def test_a_file_that_can_t_be_read_is_told_alike_where_gdal_raises(tmp_path):
+    from osgeo import gdal
+
+    from semref.core.errors import AnnotationError
+    from semref.storage.annotation_file import read_annotation
+
+    raised = gdal.GetUseExceptions()
+    gdal.UseExceptions()
+    try:
+        with pytest.raises(AnnotationError, match="can't be read as polygons"):
+            read_annotation(str(tmp_path / "gone.gpkg"), "class")
+    finally:
+        if not raised:
+            gdal.DontUseExceptions()
