@@ -37,8 +37,12 @@ INSTALL_CLICKS, INSTALL_VALUES = 3, 1
 """*Install from ZIP*, *…* beside the file, *Install Plugin*; QGIS's own installer is called, as they do."""
 
 
+BY_CALLS = ("sample",)
+"""Walks whose every press is a call of QGIS's own: which key it would be, nobody has tried."""
+
+
 class Walk(NamedTuple):
-    """What a walk took; ``keys``: by the keyboard alone, None where it was not gone so."""
+    """What a walk took; ``keys``: by the keyboard alone with all Tabs, None where these were not counted."""
 
     clicks: int
     keys: int | None
@@ -54,11 +58,11 @@ def walks(folder: Path) -> dict[str, Walk]:
     if install:
         found["install"] = Walk(INSTALL_CLICKS, None, INSTALL_VALUES, install["seconds"]["install"])
     if corrections:
-        by_mouse, by_keys = corrections["correct_mouse"], corrections["correct_keys"]
-        found["correct"] = Walk(by_mouse["clicks"], None if not by_keys else by_keys["clicks"], 0, by_mouse["seconds"])
+        by_mouse = corrections["correct_mouse"]
+        found["correct"] = Walk(by_mouse["clicks"], None, 0, by_mouse["seconds"])
     for name in PAGES.keys() & mouse.keys():
         one = mouse[name]
-        pressed = keys[name]["keys"] if name in keys else None
+        pressed = keys[name]["keys"] if name in keys and name not in BY_CALLS else None
         found[name] = Walk(one["clicks"], pressed, one["values"], one["seconds"])
     return {name: found[name] for name in PAGES if name in found}
 
