@@ -56,6 +56,7 @@ NAMES = (
     "real_flights",
     "photos",
     "evidence",
+    "new_places",
     "own_ground",
     "own_buildings",
     "infrared_map",
