@@ -86,10 +86,11 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 _ABOUT = """\
 Polygons of OpenStreetMap, classified by *Classify OpenStreetMap* and its own rules, made a database by *Annotation to
-reference database*, and tried by *Evaluate localization* with its defaults: {count} images a place, {mirrored} % of them
-mirrored – a fix of those is a false accept –, at any heading, 0.8–1.25 of a window, off the windows, 20 / 20 / 5 % of
-the landmarks missed, invented and misnamed, map displaced, lens, tilt. Images are cut from the database's own map, around
-windows with three landmarks or more. Right: within 2 % of the image's edge; the topology vector: the nearest window."""
+reference database*, and tried by *Evaluate localization* with its defaults: {count} images a place, {mirrored} % of
+them mirrored – a fix of those is a false accept –, at any heading, 0.8–1.25 of a window, off the windows, 20 / 20 / 5 %
+of the landmarks missed, invented and misnamed, map displaced, lens, tilt. Images are cut from the database's own map,
+around windows with three landmarks or more. Right: within 2 % of the image's edge; the topology vector: the nearest
+window."""
 
 
 def _file(place: Place) -> str:
