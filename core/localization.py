@@ -66,6 +66,15 @@ class Status(_Keyed):
         return member
 
 
+IMAGE_PARTS = {
+    "left": Sentence("localization.left_part"),
+    "right": Sentence("localization.right_part"),
+    "upper": Sentence("localization.upper_part"),
+    "lower": Sentence("localization.lower_part"),
+}
+"""Parts of an image, for sentences."""
+
+
 class Method(_Keyed):
     """A road to a fix; each equals its key, the text of the column ``method``.
 

@@ -19,7 +19,7 @@ from ..geometry.pose import (
 )
 from ..geometry.shared_errors import LANDMARKS, VIEW, MatchedPoints, refined_pose
 from ..landmarks.landmarks import Landmarks
-from ..localization import LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
+from ..localization import IMAGE_PARTS, LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from .hypotheses import QueryTriangles, SeenLandmarks, query_triangles
@@ -266,14 +266,6 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
     return None
 
 
-_PARTS = {
-    "left": Sentence("localization.left_part"),
-    "right": Sentence("localization.right_part"),
-    "upper": Sentence("localization.upper_part"),
-    "lower": Sentence("localization.lower_part"),
-}
-
-
 def _remark(
     of_image: Agreement, of_map: Agreement, diagonal: float, settings: ConstellationSettings
 ) -> Sentence | None:
@@ -284,7 +276,7 @@ def _remark(
             held = side.holds(seen.points)
             right, up = side.direction.real, side.direction.imag
             across, along = "right" if right > 0 else "left", "upper" if up > 0 else "lower"
-            part = _PARTS[across if abs(right) >= abs(up) else along]
+            part = IMAGE_PARTS[across if abs(right) >= abs(up) else along]
             return Sentence(code, part=part, agree=int(seen.agree[held].sum()), count=int(held.sum()))
     return None
 

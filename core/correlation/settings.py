@@ -68,6 +68,13 @@ class CorrelationSettings:
             nothing [reasoning].
         usual_detail: Mean and standard deviation of the detail at wrong places, and how many of an image's other places
             that counts as [Liechtenstein, north; areas].
+        part_share: Share of an image's edge that a part of it reaches in from that edge, which a place may not hold for
+            [reasoning].
+        part_known: Least share of it that image and map both have labels of [reasoning].
+        part_energies: Least energies of image and map in it, in any order, in units of the map's mean one
+            [Liechtenstein, north; parts].
+        part_agreement: A part that agrees less than so many times as well as the whole image is told [Liechtenstein,
+            north; parts].
         alternative_band: Other places are told when their score is at most this much below the best one's [reasoning].
         error_factor: 95 % radius in units of the larger axis' standard deviation, as the refinement gives it, times the
             ratio of noise to signal that a correlation s tells, 1/s² − 1: the worse the labels, the farther their
@@ -113,6 +120,10 @@ class CorrelationSettings:
     confidence_curve: tuple[float, float, float] = (-4.8, 12.0, 0.6)
     least_chance: float = 0.1
     usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
+    part_share: float = 0.3
+    part_known: float = 0.3
+    part_energies: tuple[float, float] = (0.1, 0.3)
+    part_agreement: float = 0.3
     alternative_band: float = 0.1
     error_factor: float = 4.0
     least_noise: float = 0.4

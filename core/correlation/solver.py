@@ -26,6 +26,7 @@ from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirrored_l
 from .decision import decide, exact_enough, position_error_95, ranked, risk_of_peaks
 from .detail import details_at
 from .exactness import covariance_on_map, known_pose, noise_factor
+from .parts import disagreeing_part
 from .places import (
     ChanceLevels,
     best_places,
@@ -92,6 +93,8 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     effect = view_effect(reduced_image(image, settings.decision_edge), pyramid, pose, factor, errors)
     pose = pose if effect is None else effect.moved(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
+    if found.is_fix:
+        found = replace(found, reason=disagreeing_part(reduced_image(image, settings.decision_edge), pyramid, pose))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
     known = known_pose(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
@@ -135,10 +138,30 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> fl
     image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
     if missing_information(image, pyramid):
         return None
-    x, y = place.position[0] - pyramid.frame.origin[0], pyramid.frame.origin[1] - place.position[1]
-    pose = ScoredPose(x, y, *place.oriented)
-    score = score_at(image, pyramid, pose, pyramid.quiet)
+    score = score_at(image, pyramid, _pose_of(place, pyramid), pyramid.quiet)
     return None if score == NOT_COMPARABLE else score
+
+
+def part_against(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Sentence | None:
+    """The part of a label image that a place, found by another method, does not hold for.
+
+    Args:
+        labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
+        pyramid: The map's overview.
+        place: With heading and pixel size.
+
+    Returns:
+        None where class areas tell none.
+    """
+    height, width = labels_hw.shape
+    size = size_for((height, width), pyramid.settings.decision_edge)
+    image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
+    return disagreeing_part(image, pyramid, _pose_of(place, pyramid))
+
+
+def _pose_of(place: Place, pyramid: MapPyramid) -> ScoredPose:
+    x, y = place.position[0] - pyramid.frame.origin[0], pyramid.frame.origin[1] - place.position[1]
+    return ScoredPose(x, y, *place.oriented)
 
 
 def _check(labels_hw: np.ndarray, prior: Prior) -> None:

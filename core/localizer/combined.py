@@ -78,7 +78,8 @@ def agreed(
     if risk > settings.allowed_risk:
         return None
     exact = objects if objects.is_doubted else replace(areas, references=objects.references)
-    return replace(_as_fix(exact, risk), peaks=areas.peaks)
+    fix = _as_fix(exact, risk)
+    return replace(fix, reason=fix.reason or (areas.reason if areas.is_fix else None), peaks=areas.peaks)
 
 
 def _as_fix(found: Localization, risk: float) -> Localization:
@@ -148,7 +149,13 @@ def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Loca
     exactness = objects if objects.is_fix else areas
     # Searched for at that place alone, landmarks are no evidence of their own: the risk stays map correlation's.
     fix = _as_fix(objects, areas.risk)
-    return replace(fix, error_95_m=exactness.error_95_m, covariance=exactness.covariance, peaks=areas.peaks)
+    return replace(
+        fix,
+        reason=fix.reason or areas.reason,
+        error_95_m=exactness.error_95_m,
+        covariance=exactness.covariance,
+        peaks=areas.peaks,
+    )
 
 
 def neither(

@@ -12,7 +12,7 @@ from ..constellation.solver import localize as solve
 from ..constellation.solver import matches_at
 from ..constellation.stored import stored_index
 from ..correlation.class_pyramid import MapPyramid
-from ..correlation.solver import agreement_at
+from ..correlation.solver import agreement_at, part_against
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
@@ -278,6 +278,8 @@ class Localizer:
         if objects.best is not None:
             agreement = agreement_at(labels_hw, self.pyramid, objects.best)
             checked = checked_by_areas(objects, agreement, self.settings)
+            if checked.is_fix and checked.reason is None and agreement is not None:
+                return replace(checked, reason=part_against(labels_hw, self.pyramid, objects.best))
             if objects.is_fix or checked.is_fix:
                 return checked
         areas = self.localize_by_map_correlation(labels_hw, prior, shares)

@@ -48,6 +48,10 @@ SENTENCES = {
     "localization.mirror_fits": "The mirrored image fits almost as well, so the pattern is too regular.",
     "localization.position_too_loose": ("The objects that agree with the map don't fix the position closely enough."),
     # Map correlation
+    "localization.part_disagrees": (
+        "In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): "
+        "changed, mistaken, or another place. The fix holds for the rest."
+    ),
     "localization.too_few_classes": ("The map has fewer than two classes, so that no place differs from another."),
     "localization.too_little_ground": (
         "The image shows too little ground to search this whole map for it; give a prior position."

@@ -68,12 +68,13 @@ def measure(run: inputs.Run) -> dict[str, str]:
         found = kept.trials(run, "elsewhere_automatic", kind, run.how_many(COUNT, QUICK_COUNT), measured)
         if not found:
             continue
-        every += [] if make is _two_places else found
+        every += [] if make is two_places else found
         rows.append(_row(kind, found))
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     rows.append(_row("all but those of two places", every))
     header = ["images", "fixes: all wrong", "of them by constellation, by map correlation", "ambiguous", "no match"]
-    header += ["too few landmarks", "told to be of two places", "smallest risk told"]
+    header += ["too few landmarks", "told to be of two places", "fixes that say for which part they don’t hold"]
+    header += ["smallest risk told"]
     return {"elsewhere by automatic": f"{_ABOUT.format(half=run.half)}\n\n{page.table(header, rows)}"}
 
 
@@ -140,15 +141,15 @@ def _lattice(source: Source, rng: np.random.Generator, number: int) -> Made:
 
 def _mirrored(noise: LabelNoise, in_meters: bool, source: Source, rng: np.random.Generator, number: int) -> Made:
     image = source.ground.draw(replace(ON_THE_MAP, is_mirrored=True), rng)
-    return source.ground, _spoiled(source.ground, image, noise, in_meters, rng)
+    return source.ground, spoiled(source.ground, image, noise, in_meters, rng)
 
 
 def _other_half(noise: LabelNoise, in_meters: bool, source: Source, rng: np.random.Generator, number: int) -> Made:
     image = source.ground.draw(ON_THE_MAP, rng, is_of_map=False)
-    return source.known, _spoiled(source.ground, image, noise, in_meters, rng)
+    return source.known, spoiled(source.ground, image, noise, in_meters, rng)
 
 
-def _two_places(source: Source, rng: np.random.Generator, number: int) -> Made:
+def two_places(source: Source, rng: np.random.Generator, number: int) -> Made:
     """One side of an image of one place, the other of another."""
     ground = source.ground
     one = ground.draw(ON_THE_MAP, rng)
@@ -160,10 +161,10 @@ def _two_places(source: Source, rng: np.random.Generator, number: int) -> Made:
     else:
         both[where:] = other.labels_hw[where:]
     image = replace(one, query=replace(one.query, is_of_map=False), labels_hw=both)
-    return ground, _spoiled(ground, image, GOAL, False, rng)
+    return ground, spoiled(ground, image, GOAL, False, rng)
 
 
-def _spoiled(ground: Ground, image: Image, noise: LabelNoise, in_meters: bool, rng: np.random.Generator) -> Image:
+def spoiled(ground: Ground, image: Image, noise: LabelNoise, in_meters: bool, rng: np.random.Generator) -> Image:
     before = ground.spoiled_values
     ground.spoiled_values = BUILDINGS if in_meters else before
     try:
@@ -180,7 +181,7 @@ KINDS: dict[str, Callable[[Source, np.random.Generator, int], Made]] = {
     "aerial label maps of Dubai": _aerial,
     f"one half, 20 / 20 / 5 %, on a map that ends {REACH_PX:,} m from it": partial(_other_half, GOAL, False),
     f"one half, poor network, on a map that ends {REACH_PX:,} m from it": partial(_other_half, STRONG, True),
-    "two places side by side, 20 / 20 / 5 %": _two_places,
+    "two places side by side, 20 / 20 / 5 %": two_places,
 }
 
 
@@ -195,5 +196,6 @@ def _row(title: str, found: Sequence[Trial]) -> list[str]:
         f"{roads[Method.CONSTELLATION]}, {roads[Method.MAP_CORRELATION]}",
         *(str(statuses[status]) for status in STATUSES[1:]),
         str(told),
+        str(sum(t.result.reason is not None for t in fixes)),
         f"{min(risks, default=1.0):.2g}",
     ]

@@ -11,6 +11,7 @@ NAME is one of
     covariance     coverage and likelihood of true errors under other settings of the errors that landmarks share
     biases         how far off networks show their classes: the shipped one, and --model on --tile of dubai_aerial
     probability    right and wrong places of images of all qualities, the curve that fits them, images of two places
+    parts          how well parts of images of one place, and of two, agree with the map where there is a fix
     flights        images of flights measured near their places, and told from others near by; --count flights
 
 They print what a setting is chosen from; nothing is changed. Figures to quote are those of tools/bench, whose images
@@ -41,6 +42,7 @@ MODULES = {
     "covariance": "covariance",
     "biases": "biases",
     "probability": "trials",
+    "parts": "parts",
     "flights": "flights",
 }
 COUNTS = {
@@ -52,6 +54,7 @@ COUNTS = {
     "covariance": 60,
     "biases": 5,
     "probability": 1000,
+    "parts": 60,
     "flights": 6,
 }
 

@@ -94,6 +94,16 @@ def test_without_landmarks_the_class_areas_find_the_image(localizer):
     assert 0 < found.error_95_m < 30 and found.confidence > 0.9
 
 
+@pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT])
+def test_a_part_whose_areas_are_of_another_place_is_told_by_whichever_method(localizer, built):
+    image = view(GROUND, built)
+    image[:, 395:] = view(patches(9), built)[:, 395:]
+    found = localizer.localize(image, Method.AUTOMATIC)
+    assert found.status == Status.FIX and distance(found.position) < 4
+    assert found.reason.code == "localization.part_disagrees"
+    assert dict(found.reason.values)["part"].code == "localization.right_part"
+
+
 def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
     """The houses of one place over the ground of another."""
     image = view(patches(9), HOUSES)
@@ -247,6 +257,12 @@ def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_r
 
 def test_what_a_fix_does_not_hold_for_stays_told_when_class_areas_agree():
     assert checked_by_areas(replace(STARS, reason=SAID), 0.9).reason == SAID
+
+
+def test_what_a_fix_of_map_correlation_does_not_hold_for_stays_told_at_a_finer_pose():
+    assert confirmed(replace(AREAS, reason=SAID), STARS, around(20.0)).reason == SAID
+    doubted = replace(STARS, status=Status.NO_MATCH, confidence=None, is_doubted=True)
+    assert agreed(doubted, replace(AREAS, reason=SAID), 1000).reason == SAID
 
 
 def test_agreement_is_worth_more_the_closer_it_is():

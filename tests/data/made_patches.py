@@ -1,0 +1,46 @@
+"""A made map of patches and houses, images of it, and how far off a place is."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+
+from semref.core.geometry.frame import MapFrame
+from semref.core.localization import Prior
+from semref.core.simulation.label_errors import spoil_labels
+
+ORIGIN = 500_000.0, 5_200_000.0
+FRAME = MapFrame.at(ORIGIN, 4.0)
+PRIOR = Prior(pixel_size_range=(0.7, 1.4))
+
+
+def made_map(seed: int, width: int = 2600, height: int = 2000) -> np.ndarray:
+    """(height, width) uint8: patches of classes 2 to 6 around random points, rows of houses (1), a border of 0."""
+    rng = np.random.default_rng(seed)
+    small = np.full((height // 4, width // 4), 255, np.uint8)
+    small[rng.integers(0, height // 4, 500), rng.integers(0, width // 4, 500)] = 0
+    _, cells = cv2.distanceTransformWithLabels(small, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    labels = rng.integers(2, 7, cells.max() + 1).astype(np.uint8)[cells]
+    labels = cv2.resize(labels, (width, height), interpolation=cv2.INTER_NEAREST)
+    for x, y in rng.uniform(0, 1, (400, 2)) * (width - 40, height - 30):
+        labels[int(y) : int(y) + 14, int(x) : int(x) + 22] = 1
+    labels[:, :150] = 0
+    return labels
+
+
+def view(labels, center, heading_deg, pixel, size_wh=(560, 560)):
+    """The image a camera over ``center`` (pixels of the map) sees; its top points ``heading_deg`` clockwise from up."""
+    turn = np.radians(heading_deg)
+    matrix = pixel * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    offset = np.array(center) - matrix @ (np.array(size_wh) / 2 - 0.5) - 0.5
+    flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(labels, np.column_stack([matrix, offset]), size_wh, flags=flags)
+
+
+def spoiled(labels_hw, noise, seed):
+    """With the errors of a network; houses are class 1."""
+    return spoil_labels(labels_hw, noise, np.random.default_rng(seed), (1,))
+
+
+def error_m(place, center) -> float:
+    return float(np.hypot(place.position[0] - ORIGIN[0] - center[0], ORIGIN[1] - center[1] - place.position[1]))
