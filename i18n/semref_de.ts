@@ -1864,6 +1864,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Im {part} des Bildes sind nur {agree} von {count} Landmarken der Karte zu sehen: verdeckt, verändert oder ein anderer Ort. Die Position gilt für den Rest.</translation>
   </message>
   <message>
+   <source>In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): changed, mistaken, or another place. The fix holds for the rest.</source>
+   <translation>Im {part} des Bildes passen die Klassen kaum zur Karte ({agreement:.2f}, im ganzen {whole:.2f}): verändert, verwechselt oder ein anderer Ort. Die Position gilt für den Rest.</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>Hinweis</translation>
   </message>

@@ -1864,6 +1864,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>En la {part} de la imagen solo se ven {agree} de {count} hitos del mapa: ocultos, cambiados u otro lugar. La posición vale para el resto.</translation>
   </message>
   <message>
+   <source>In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): changed, mistaken, or another place. The fix holds for the rest.</source>
+   <translation>En la {part} de la imagen las clases apenas concuerdan con el mapa ({agreement:.2f}, {whole:.2f} en toda ella): cambiado, confundido u otro lugar. La posición vale para el resto.</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>Información</translation>
   </message>

@@ -1864,6 +1864,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Dans la {part} de l’image, seuls {agree} repères de la carte sur {count} sont visibles : cachés, changés, ou un autre lieu. La position vaut pour le reste.</translation>
   </message>
   <message>
+   <source>In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): changed, mistaken, or another place. The fix holds for the rest.</source>
+   <translation>Dans la {part} de l’image, les classes concordent à peine avec la carte ({agreement:.2f}, {whole:.2f} dans toute l’image) : terrain changé, classes confondues ou autre lieu. La position vaut pour le reste.</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>Information</translation>
   </message>

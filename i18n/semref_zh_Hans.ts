@@ -1864,6 +1864,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>影像{part}只能看到地图 {count} 个地标中的 {agree} 个：可能被遮挡、已改变，或是另一个地点。定位结果对其余部分有效。</translation>
   </message>
   <message>
+   <source>In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): changed, mistaken, or another place. The fix holds for the rest.</source>
+   <translation>影像{part}的类别与地图几乎不符（{agreement:.2f}，整幅影像为 {whole:.2f}）：地面已变、类别误判或为另一地点。该定位对其余部分有效。</translation>
+  </message>
+  <message>
    <source>Information</source>
    <translation>提示</translation>
   </message>

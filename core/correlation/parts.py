@@ -74,11 +74,12 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
     seen, there = (evidence - evidence[known].mean(axis=0) for evidence in (image.evidence, there))
     height, width = known.shape
     reach_x, reach_y = (max(1, round(settings.part_share * edge)) for edge in (width, height))
+    every = slice(None)
     cuts = {
-        "left": np.s_[:, :reach_x],
-        "right": np.s_[:, width - reach_x :],
-        "upper": np.s_[:reach_y],
-        "lower": np.s_[height - reach_y :],
+        "left": (every, slice(reach_x)),
+        "right": (every, slice(width - reach_x, None)),
+        "upper": (slice(reach_y), every),
+        "lower": (slice(height - reach_y, None), every),
     }
     parts = []
     for name, cut in cuts.items():
