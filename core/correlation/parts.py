@@ -23,7 +23,7 @@ class Part:
     Attributes:
         name: Of ``IMAGE_PARTS``.
         agreement: Correlation −1…1 with the map.
-        energies: Of image and map, the smaller first, in units of the map's mean one.
+        energies: Of image and map, in units of the map's mean one.
     """
 
     name: str
@@ -44,7 +44,7 @@ def disagreeing_part(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose
     """
     settings = pyramid.settings
     whole, parts = agreeing_parts(image, pyramid, pose)
-    telling = [part for part in parts if np.greater_equal(part.energies, settings.part_energies).all()]
+    telling = [part for part in parts if min(part.energies) >= settings.part_energy]
     if whole <= 0 or not telling:
         return None
     least = min(telling, key=lambda part: part.agreement)
@@ -86,8 +86,8 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
         held = known[cut]
         if held.mean() >= settings.part_known:
             both = seen[cut][held], there[cut][held]
-            low, high = sorted(float((one**2).sum(axis=1).mean()) / pyramid.energy for one in both)
-            parts.append(Part(name, _agreement(*both, pyramid.quiet), (low, high)))
+            seen_energy, there_energy = (float((one**2).sum(axis=1).mean()) / pyramid.energy for one in both)
+            parts.append(Part(name, _agreement(*both, pyramid.quiet), (seen_energy, there_energy)))
     return _agreement(seen[known], there[known], pyramid.quiet), parts
 
 

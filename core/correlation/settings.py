@@ -71,8 +71,8 @@ class CorrelationSettings:
         part_share: Share of an image's edge that a part of it reaches in from that edge, which a place may not hold for
             [reasoning].
         part_known: Least share of it that image and map both have labels of [reasoning].
-        part_energies: Least energies of image and map in it, in any order, in units of the map's mean one
-            [Liechtenstein, north; parts].
+        part_energy: Least energy of image and of map in it, in units of the map's mean one [Liechtenstein, north;
+            parts].
         part_agreement: A part that agrees less than so many times as well as the whole image is told [Liechtenstein,
             north; parts].
         alternative_band: Other places are told when their score is at most this much below the best one's [reasoning].
@@ -122,8 +122,8 @@ class CorrelationSettings:
     usual_detail: tuple[float, float, float] = (1.2, 1.4, 4.0)
     part_share: float = 0.3
     part_known: float = 0.3
-    part_energies: tuple[float, float] = (0.1, 0.3)
-    part_agreement: float = 0.3
+    part_energy: float = 0.25
+    part_agreement: float = 0.5
     alternative_band: float = 0.1
     error_factor: float = 4.0
     least_noise: float = 0.4
