@@ -18,10 +18,10 @@ def rate(successes: int, trials: int) -> str:
 
 
 def share(successes: int, trials: int) -> str:
-    """“97 % (92–99)”: rate and interval in percent, with a decimal beyond 500 trials."""
+    """“97 % (92–99)”: rate and interval in percent, with a decimal beyond 500 trials, two beyond 5,000."""
     from semref.core.evaluation.rates import wilson
 
-    digits = 0 if trials <= 500 else 1
+    digits = sum(trials > most for most in (500, 5000))
     low, high = wilson(successes, trials)
     return f"{100 * successes / max(trials, 1):.{digits}f} % ({100 * low:.{digits}f}–{100 * high:.{digits}f})"
 
