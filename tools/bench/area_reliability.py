@@ -26,7 +26,7 @@ from semref.core.correlation import decision, places
 from semref.core.correlation.class_pyramid import EvidenceLevel, mirrored_level
 from semref.core.correlation.detail import detail_at
 from semref.core.correlation.exactness import covariance_on_map
-from semref.core.correlation.refine import ScoredPose
+from semref.core.correlation.refine import ScoredPose, is_held_by_edge
 from semref.core.correlation.settings import CORRELATION
 from semref.core.evaluation.trial import RIGHT_SHARE, Query
 from semref.core.localization import Prior, Status
@@ -269,7 +269,9 @@ def _detail_and_exactness(
     spread = covariance_on_map(finest, covariance)[:2, :2]
     error_95 = decision.position_error_95(spread, pose.score, pyramid.frame.pixel_size, pyramid.settings)
     diagonal = math.hypot(*image.labels_hw.shape) * finest.pixel_size_m
-    return detail, away, decision.exact_enough(error_95, diagonal, pyramid.settings)[0] is Status.FIX
+    level = places.reduced_image(seen, pyramid.settings.decision_edge)
+    is_held = is_held_by_edge(level, pyramid, finest, pyramid.quiet)
+    return detail, away, decision.exact_enough(error_95, diagonal, is_held, pyramid.settings)[0] is Status.FIX
 
 
 def _away(image: Image, ground: Ground, pose: ScoredPose) -> float:
