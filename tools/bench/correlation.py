@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from bench import inputs, page
-from bench.ground import ANY, COLUMNS, TILE_SCALES, Case, Ground, Wanted, cells, tile_ground, tile_paths, tried
+from bench.ground import ANY, COLUMNS, NONE, TILE_SCALES, Case, Ground, Wanted, cells, tile_ground, tile_paths, tried
 from semref.core.evaluation.trial import Trial, judge
 from semref.core.localization import Method, Prior
 from semref.core.simulation.noise import MODEST, STRONG
@@ -36,7 +36,7 @@ COUNTRY = (
 ELSEWHERE = (replace(MAP_CORRELATION, name="Liechtenstein, of the other half, modest noise", is_of_map=False),)
 TILE = replace(MAP_CORRELATION, wanted=ON_A_TILE)
 AERIAL = (
-    replace(TILE, name="aerial label maps, true labels", noise=replace(MODEST, **dict.fromkeys(vars(MODEST), 0))),
+    replace(TILE, name="aerial label maps, true labels", noise=NONE),
     replace(TILE, name="aerial label maps, modest noise"),
     replace(TILE, name="aerial label maps, strong noise", noise=STRONG),
     replace(TILE, name="aerial label maps, mirrored, modest noise", wanted=replace(ON_A_TILE, is_mirrored=True)),
