@@ -86,15 +86,16 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
         return _no_match(Sentence("localization.nothing_under_image"))
     poses, peaks = _weighed(image, pyramid, space, poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
-    is_held = is_held_by_edge(reduced_image(image, settings.decision_edge), pyramid, pose, pyramid.quiet)
+    decided = reduced_image(image, settings.decision_edge)
+    is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
     errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
-    effect = view_effect(reduced_image(image, settings.decision_edge), pyramid, pose, factor, errors)
+    effect = view_effect(decided, pyramid, pose, factor, errors)
     pose = pose if effect is None else effect.moved(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
     if found.is_fix:
-        found = replace(found, reason=disagreeing_part(reduced_image(image, settings.decision_edge), pyramid, pose))
+        found = replace(found, reason=disagreeing_part(decided, pyramid, pose))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
     known = known_pose(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
@@ -133,9 +134,7 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> fl
     """
     if not pyramid.space.channels:
         return None
-    height, width = labels_hw.shape
-    size = size_for((height, width), pyramid.settings.decision_edge)
-    image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
+    image = _decided_level(labels_hw, pyramid)
     if missing_information(image, pyramid):
         return None
     score = score_at(image, pyramid, _pose_of(place, pyramid), pyramid.quiet)
@@ -153,10 +152,14 @@ def part_against(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Se
     Returns:
         None where class areas tell none.
     """
+    return disagreeing_part(_decided_level(labels_hw, pyramid), pyramid, _pose_of(place, pyramid))
+
+
+def _decided_level(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
+    """A label image at the pixels of the decision."""
     height, width = labels_hw.shape
     size = size_for((height, width), pyramid.settings.decision_edge)
-    image = evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
-    return disagreeing_part(image, pyramid, _pose_of(place, pyramid))
+    return evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
 
 
 def _pose_of(place: Place, pyramid: MapPyramid) -> ScoredPose:
