@@ -203,7 +203,10 @@ def reopened(folder: Path) -> dict:
 
 
 def own_photos(folder: Path) -> dict:
-    """An empty project: database and model are named, files chosen in QGIS's dialog, localized, laid on the map."""
+    """An empty project: database and model are named, files chosen in QGIS's dialog, localized, laid on the map.
+
+    As docs/guide/own_photos.md tells it.
+    """
     qgis.utils.iface.newProject(False)
     content = opened_tab(0)
     tab = content.localize

@@ -45,8 +45,8 @@ def test_the_table_and_the_lines_are_what_was_kept(tool, kept, repository, tmp_p
         "| 4 | 31 | 3 | 13 |",
         "| 4 | – | 1 | 13 |",
     ]
-    guide = (docs / "user_guide.md").read_text(encoding="utf-8")
-    assert "*At the least: 4 clicks, or 31 keys without the mouse, 3 values to type or choose, 13 s until" in guide
+    photos, guide = ((docs / page).read_text(encoding="utf-8") for page in ("guide/own_photos.md", "user_guide.md"))
+    assert "*At the least: 4 clicks, or 31 keys without the mouse, 3 values to type or choose, 13 s until" in photos
     assert "*At the least: 4 clicks, 1 value to type or choose, 13 s until it is done" in guide
 
 

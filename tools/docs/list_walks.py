@@ -24,7 +24,7 @@ PAGES = {
     "sample": ("the sample, by its menu", "guide/first_fix.md"),
     "sample, closed, reopened": ("its photos localized, the project closed and opened again", "guide/first_fix.md"),
     "own area": ("own area: a layer of OpenStreetMap classified, then the model into a database", "guide/own_area.md"),
-    "own photos": ("own photos: database, model and files named, localized, laid on the map", "user_guide.md"),
+    "own photos": ("own photos: database, model and files named, localized, laid on the map", "guide/own_photos.md"),
     "inspect": ("inspect: windows in turn, by name, on the map; an image compared", "user_guide.md"),
     "correct": ("check → correct → update, of one place to mend", "guide/annotators.md"),
     "assess, route, export": ("assess, route, export for the aircraft", "guide/planners.md"),

@@ -66,6 +66,7 @@ class Variant:
 LIGHT = (
     "first_fix",
     "dock_localize",
+    "own_photos",
     "flight",
     "inspect",
     "correct",

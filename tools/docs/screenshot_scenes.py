@@ -5,11 +5,14 @@ Each may come after any other.
 
 from __future__ import annotations
 
+import shutil
+import tempfile
 import traceback
 from contextlib import contextmanager
 from pathlib import Path
 
 import qgis.utils
+from osgeo import gdal
 from qgis.core import (
     QgsApplication,
     QgsFeature,
@@ -172,6 +175,37 @@ def narrow(session: Session) -> None:
     localized(session)
     session.take("narrow_localize", session.dock)
     session.resize(*WINDOW)
+
+
+def own_photos(session: Session) -> None:
+    """Three photos in the dock: found, said to be taken elsewhere, and too small a piece of ground."""
+    session.resize(WINDOW[0], TALL)
+    session.show_tab(LOCALIZE)
+    tab = session.dock.content.localize
+    listed = tab.images.paths()
+    with tempfile.TemporaryDirectory() as folder:
+        tab.images.list.show_only(three_photos(Path(session.job["sample"]), Path(folder)))
+        tab.localize_button.click()
+        wait_for_results(tab, "the localization")
+        session.localized = False
+        tab.results.table.selectRow(1)
+        wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+        session.take("own_photos", session.dock)
+        tab.images.list.show_only(listed)
+    session.resize(*WINDOW)
+
+
+def three_photos(sample: Path, folder: Path) -> list[str]:
+    """A photo of the sample; another with a position of elsewhere in its EXIF; a corner of a third."""
+    made = [folder / name for name in ("DJI_0041.jpg", "DJI_0042.jpg", "DJI_0043.jpg")]
+    sources = sorted((sample / "photos").glob("*.jpg"))
+    shutil.copy(sources[1], made[0])
+    elsewhere = gdal.Translate("", str(sources[2]), format="MEM")
+    where = {"Latitude": "(52) (31) (12)", "LatitudeRef": "N", "Longitude": "(13) (24) (36)", "LongitudeRef": "E"}
+    elsewhere.SetMetadata({f"EXIF_GPS{key}": value for key, value in where.items()})
+    gdal.GetDriverByName("JPEG").CreateCopy(str(made[1]), elsewhere, options=["WRITE_EXIF_METADATA=YES"])
+    gdal.Translate(str(made[2]), str(sources[3]), format="JPEG", srcWin=[200, 200, 160, 160])
+    return [str(path) for path in made]
 
 
 def inspect(session: Session) -> None:

@@ -19,6 +19,7 @@ MENU: dict[str, tuple[tuple[str, str], ...]] = {
     ),
     "Guide": (
         ("Your own area", "guide/own_area.md"),
+        ("Your own photos", "guide/own_photos.md"),
         ("Your own network", "guide/own_network.md"),
         ("Correct a map", "guide/annotators.md"),
         ("A round trip", "guide/round_trip.md"),
