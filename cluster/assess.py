@@ -17,7 +17,8 @@ from ..core.database.model import ReferenceDatabase
 from ..core.errors import DatabaseError, ParameterError
 from ..core.localizer.localizer import Localizer
 from ..storage.database.connection import DatabaseChangedError
-from ..storage.database.reader import read_overview, read_stored_database
+from ..storage.database.reader import read_database, read_overview
+from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.squares_file import write_squares
@@ -40,9 +41,11 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
         SemRefError: Anything that the user can mend.
     """
     path = seen_by_workers(options.database)
-    require_apart(path, options.output)
+    read = files_of(path)
+    for file in read:
+        require_apart(file, options.output)
     footprints = footprint_sizes(options.footprints, 1.0)
-    before = {path: state(path)}
+    before = {file: state(file) for file in read}
     database = _read(path, teller)
     footprints = footprint_sizes(options.footprints, database.parameters.window_size)
     cells = ground_cells(database, min(footprints) / 2 if options.spacing is None else options.spacing)
@@ -65,7 +68,13 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
             for assessment, (trials, correlated) in zip(assessments, tried)
         ]
         squares = _squares(database, cells, footprints, estimates, threshold)
-        write_squares(temporary, FIELDS, squares, database.parameters.crs, moment_of(before[path]))
+        write_squares(
+            temporary,
+            FIELDS,
+            squares,
+            database.parameters.crs,
+            moment_of(max(before.values(), key=lambda found: found[1])),
+        )
     success = estimates[0].success
     return {
         "output": options.output,
@@ -81,7 +90,7 @@ def _usual() -> Iterator[tuple[str, float]]:
 
 def _read(path: str, teller: Teller) -> ReferenceDatabase:
     """The database with bounds and, if it has one, overview."""
-    database = read_stored_database(path).database
+    database = read_database(path, with_bounds=True)
     try:
         return replace(database, overview=read_overview(path, database.parameters))
     except DatabaseChangedError:

@@ -15,6 +15,7 @@ from ..core.evaluation.plan import planned
 from ..core.evaluation.summary import summarize
 from ..core.localization import Method
 from ..storage.database.reader import read_database
+from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.map_frames import label_map_frame, require_classes_of, require_crs_of
@@ -38,10 +39,11 @@ def evaluate(options: Namespace, teller: Teller) -> dict[str, Any]:
         SemRefError: Anything that the user can mend.
     """
     database_path, path = seen_by_workers(options.database), seen_by_workers(options.labels)
-    for given in (database_path, path):
+    read = (*files_of(database_path), path)
+    for given in read:
         require_apart(given, options.output)
     methods, ranges = _methods(options.methods), _ranges(options)
-    before = {given: state(given) for given in (database_path, path)}
+    before = {given: state(given) for given in read}
     database, labels = read_database(database_path, with_overview=True), GdalLabels(path)
     frame = label_map_frame(labels, path)
     require_crs_of(frame, database.parameters.crs, path)

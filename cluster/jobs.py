@@ -19,7 +19,7 @@ from ..core.localizer.search import AskedImage, FoundImage, ImagesJob
 from ..core.localizer.settings import LOCALIZER
 from ..core.segmentation.class_bias import KnownBiases, known_biases
 from ..storage.carried import from_text, to_text
-from ..storage.database.reader import read_database, read_overview, read_stored_database
+from ..storage.database.reader import read_database, read_overview
 from ..storage.file_states import fingerprint
 from ..storage.label_images import LabelImageReader, opened_photo
 from ..storage.rasters import GdalLabels
@@ -118,7 +118,7 @@ def _correlated(text: str, piece: tuple) -> Any:
 @lru_cache(1)
 def _assessed(text: str) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
     job, known = _told(text)
-    database = _as_planned(read_stored_database(job.database).database, known)
+    database = _as_planned(read_database(job.database, with_bounds=True), known)
     if job.has_overview:
         database = replace(database, overview=read_overview(job.database, database.parameters))
     return job, database, Localizer(database)

@@ -11,7 +11,7 @@ from ...core.errors import ClassTableError, LabelMapError, ParameterError
 from ..compat import SOURCE_POLYGON, wkt_for_gdal
 from ..framework import offers
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
-from ..framework.declarations import DATABASE_WIDGET, File, FileOutput, RasterLayer, VectorSource
+from ..framework.declarations import FileOutput, RasterLayer, VectorSource
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -52,13 +52,7 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            File(
-                self.DATABASE,
-                tr("Reference database"),
-                tr("GeoPackage made by “Build reference database” or by this algorithm."),
-                extension="gpkg",
-                widget=DATABASE_WIDGET,
-            ),
+            offers.database(tr("GeoPackage made by “Build reference database” or by this algorithm.")),
             RasterLayer(
                 self.LABELS,
                 tr("Corrected label map"),

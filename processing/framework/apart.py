@@ -21,6 +21,7 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ...storage.database.sets import files_of
 from ...storage.moving import clear
 from .destinations import Destination, destination_of
 
@@ -111,7 +112,8 @@ def _inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> Iterator[_Inpu
                 if os.path.exists(path):
                     layer = _LAYER_NAME.search(source)
                     name = layer.group(1) if layer else ""
-                    yield _Input(definition.name(), definition.description(), path, name)
+                    for file in files_of(path):
+                        yield _Input(definition.name(), definition.description(), file, name)
 
 
 def _sources(value: Any, context: QgsProcessingContext) -> Iterator[str]:

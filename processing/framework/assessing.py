@@ -109,13 +109,13 @@ class AssessAlgorithm(SemRefAlgorithm):
     ) -> tuple[ReferenceDatabase, QgsCoordinateReferenceSystem]:
         """(database with bounds and, if it has one, overview; its CRS)."""
         from ...storage.database.connection import DatabaseChangedError
-        from ...storage.database.reader import read_overview, read_stored_database
+        from ...storage.database.reader import read_database, read_overview
         from ..exchange.reference_systems import database_crs
 
         feedback.setProgressText(tr("Reading the database"))
         path = values.file(self.DATABASE)
-        stored = cancelable(read_stored_database, path, feedback=feedback)
-        crs, database = database_crs(stored.database), stored.database
+        database = cancelable(read_database, path, False, True, feedback=feedback)
+        crs = database_crs(database)
         try:
             overview = cancelable(read_overview, path, database.parameters, feedback=feedback)
             database = replace(database, overview=overview)

@@ -186,16 +186,13 @@ class FieldOf(Parameter):
 
 @dataclass(frozen=True)
 class File(Parameter):
-    """A file that is there; ``filter`` as file dialogs have it, or the one ``extension`` that it must have."""
+    """A file that is there; ``filter`` as file dialogs have it."""
 
     filter: str = ""
-    extension: str = ""
 
     def made(self) -> QgsProcessingParameterFile:
         """QGIS's own parameter without its help."""
-        return QgsProcessingParameterFile(
-            self.key, self.title, extension=self.extension, optional=self.optional, fileFilter=self.filter or None
-        )
+        return QgsProcessingParameterFile(self.key, self.title, optional=self.optional, fileFilter=self.filter or None)
 
 
 class Files(Parameter):

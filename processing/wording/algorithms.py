@@ -4,6 +4,8 @@ SENTENCES = {
     "algorithms.no_list_of_numbers": "{key}: “{text}” is not a list of numbers such as 1;2.",
     "algorithms.no_number": "{key} is {number}, which is no number; give one.",
     "algorithms.no_text": "{key} is “{text}”: a path or text has no character of value 0; remove it.",
+    "algorithms.too_few_databases": "DATABASES names {count}; choose two or more to use them as one.",
+    "algorithms.no_set_name": "{output} can't be known as a set of databases; give a name that ends in {suffix}.",
     "algorithms.no_images": "IMAGES is empty; choose at least one image, a folder with images, or a LAYER.",
     "algorithms.odometry_of_other_images": (
         "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight."

@@ -13,6 +13,7 @@ from osgeo import gdal
 
 from ...core.errors import DatabaseError
 from . import schema
+from .sets import is_set
 
 _WAIT_S = 3.0
 """How long a writer may take to finish before a database is said to be in use."""
@@ -51,10 +52,13 @@ def snapshot(path: str) -> Iterator[Snapshot]:
     views, virtual or have generated columns are none of ours.
 
     Raises:
-        DatabaseError: The file is missing, foreign, in use, or damaged, whatever the block stumbles over in it.
+        DatabaseError: The file is missing, foreign, in use, or damaged, whatever the block stumbles over in it; or a
+            set of databases, which only ``reader`` reads.
     """
     if not os.path.isfile(path):
         raise no_database(path)
+    if is_set(path):
+        raise DatabaseError("storage.set_is_read_only", path=path)
     try:
         with contextlib.closing(_connected(path)) as connection:
             connection.execute("PRAGMA trusted_schema=OFF")

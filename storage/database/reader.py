@@ -1,4 +1,4 @@
-"""Reading a reference database with SQLite alone."""
+"""Reading a reference database, or a set of them as one, with SQLite alone."""
 
 from __future__ import annotations
 
@@ -8,18 +8,21 @@ import io
 import json
 import sqlite3
 import struct
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from datetime import datetime, timezone
+from typing import TypeVar
 
 import numpy as np
-from osgeo import gdal
+from osgeo import gdal, osr
 
 from ...core.database.checks import digest, require_sound
+from ...core.database.joined import joined_database, joined_overview, joined_parameters
 from ...core.database.model import MapLandmarks, ReferenceDatabase, Windows, first_pixels_of
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
 from ...core.labels.class_table import MAXIMUM_VALUE, class_table_from_csv
-from ...core.values import read_json
+from ...core.values import read_json, short_text
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .checksums import (
@@ -31,6 +34,9 @@ from .checksums import (
     shown_checksums,
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
+from .sets import is_set, parts_of
+
+_Read = TypeVar("_Read")
 
 _LONGEST_REASON = 200
 
@@ -38,24 +44,118 @@ _LONGEST_STYLE = 16 << 20
 """Characters of a layer's style; QGIS's own for these layers have some thousand."""
 
 
-def read_database(path: str, with_overview: bool = False) -> ReferenceDatabase:
-    """Reads a reference database. Raises DatabaseError for files that are missing, foreign, truncated or too new."""
+def read_database(path: str, with_overview: bool = False, with_bounds: bool = False) -> ReferenceDatabase:
+    """Reads a reference database, or a set of them as one.
+
+    Args:
+        path: Of the file.
+        with_overview: Whether its overview is read, too.
+        with_bounds: Whether its landmarks' bounds are; those of a set always are, those of old databases are None.
+
+    Raises:
+        DatabaseError: For files that are missing, foreign, truncated or too new, or don't belong together.
+    """
+    if is_set(path):
+        return _read_set(path, with_overview)
     with snapshot(path) as connection:
-        database = _read(connection, path)
-        return replace(database, overview=_overview(connection, path)) if with_overview else database
+        return _read_one(connection, path, with_overview, with_bounds)
+
+
+def _read_one(connection: Snapshot, path: str, with_overview: bool, with_bounds: bool) -> ReferenceDatabase:
+    database = _read(connection, path)
+    if with_bounds:
+        bounds = _checked_bounds(connection, database, path)
+        database = replace(database, references=replace(database.references, bounds_px=bounds))
+    return replace(database, overview=_overview(connection, path)) if with_overview else database
+
+
+def read_parts(parts: Sequence[str], with_overview: bool = False) -> list[ReferenceDatabase]:
+    """Databases that are to be used as one, from the oldest to the newest, with the bounds of their landmarks.
+
+    Each is read by itself, and none may change meanwhile.
+
+    Args:
+        parts: Their files; of equally old ones the last is the newest.
+        with_overview: Whether their overviews are read, too.
+
+    Raises:
+        DatabaseError: One can't be read, or they are in different CRS.
+    """
+
+    def read(connection: Snapshot, part: str) -> ReferenceDatabase:
+        return _read_one(connection, part, with_overview, with_bounds=True)
+
+    found = _parts(parts, read)
+    _require_one_crs([(part.source or "", part.parameters) for part in found])
+    return found
+
+
+def _read_set(path: str, with_overview: bool) -> ReferenceDatabase:
+    parts = read_parts(parts_of(path), with_overview)
+    database = joined_database(parts, path)
+    if not with_overview:
+        return database
+    parameters, overviews = [part.parameters for part in parts], [part.overview for part in parts]
+    return replace(database, overview=joined_overview(parameters, overviews, database.parameters))
+
+
+def _read_set_overview(path: str, of: BuildParameters | None) -> np.ndarray:
+    def read(connection: Snapshot, part: str) -> tuple[str, BuildParameters, np.ndarray]:
+        return part, _read_parameters(connection, part), _overview(connection, part)
+
+    parts = _parts(parts_of(path), read)
+    named = [(name, parameters) for name, parameters, _ in parts]
+    _require_one_crs(named)
+    parameters = joined_parameters(named)
+    if of is not None and parameters != of:
+        raise DatabaseChangedError("storage.database_changed", path=path)
+    return joined_overview([own for _, own in named], [overview for *_, overview in parts], parameters)
+
+
+def _parts(parts: Sequence[str], read: Callable[[Snapshot, str], _Read]) -> list[_Read]:
+    """What is read of each part, from the oldest to the newest; none may change meanwhile."""
+    found, states = [], {}
+    for part in parts:
+        with snapshot(part) as connection:
+            found.append((_written(connection), read(connection, part)))
+            states[part] = connection.state
+    for part, then in states.items():
+        require_unchanged_since(part, then)
+    return [of_part for _, of_part in sorted(found, key=lambda dated: dated[0])]
+
+
+def _written(connection: sqlite3.Connection) -> datetime:
+    """When a database was built or updated last."""
+    row = connection.execute("SELECT last_change FROM gpkg_contents WHERE table_name = 'parameters'").fetchone()
+    if row is None:
+        raise ValueError("it does not tell when it was written")
+    found = datetime.fromisoformat(short_text(row[0], "last_change").replace("Z", "+00:00"))
+    return found if found.tzinfo else found.replace(tzinfo=timezone.utc)
+
+
+def _require_one_crs(parts: Sequence[tuple[str, BuildParameters]]) -> None:
+    """Raises DatabaseError where parts are in different CRS."""
+    (other, first), known = parts[0], osr.SpatialReference(parts[0][1].crs)
+    for name, parameters in parts[1:]:
+        own = osr.SpatialReference(parameters.crs)
+        if parameters.crs != first.crs and not own.IsSame(known):
+            names = own.GetName() or "", known.GetName() or ""
+            raise DatabaseError("storage.set_other_crs", part=name, crs=names[0], other=other, other_crs=names[1])
 
 
 def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
     """(h, w) uint8 class values.
 
     Args:
-        path: The database.
+        path: The database, or a set of them.
         of: What was read from it before, if anything: what was updated since is refused.
 
     Raises:
         DatabaseError: It has no overview.
         DatabaseChangedError: It was updated since.
     """
+    if is_set(path):
+        return _read_set_overview(path, of)
     with snapshot(path) as connection:
         if of is not None and _read_parameters(connection, path) != of:
             raise DatabaseChangedError("storage.database_changed", path=path)
@@ -190,17 +290,24 @@ def read_stored_database(path: str) -> StoredDatabase:
         database = _read(connection, path)
         window_fids = connection.execute("SELECT fid FROM windows ORDER BY fid").fetchall()
         fids = connection.execute('SELECT fid FROM "references" ORDER BY fid').fetchall()
-        bounds = _read_bounds(connection)
-        if bounds is not None:
-            require_unchanged(connection, {schema.BOUNDS: digest([bounds])})
-    if bounds is not None and len(bounds) != len(fids):
-        raise DatabaseError("storage.bounds_count", path=path, count=len(fids), bounds=len(bounds))
-    if bounds is not None and not _on_map(bounds, database.parameters):
-        raise damaged(path, ValueError("a landmark spans pixels that the map has not"))
+        bounds = _checked_bounds(connection, database, path)
     database = replace(database, references=replace(database.references, bounds_px=bounds))
     return StoredDatabase(
         database, tuple(fid for (fid,) in window_fids), tuple(fid for (fid,) in fids), connection.state
     )
+
+
+def _checked_bounds(connection: sqlite3.Connection, database: ReferenceDatabase, path: str) -> np.ndarray | None:
+    """Bounds of all landmarks; None in databases of older versions."""
+    bounds = _read_bounds(connection)
+    if bounds is None:
+        return None
+    require_unchanged(connection, {schema.BOUNDS: digest([bounds])})
+    if len(bounds) != len(database.references):
+        raise DatabaseError("storage.bounds_count", path=path, count=len(database.references), bounds=len(bounds))
+    if not _on_map(bounds, database.parameters):
+        raise damaged(path, ValueError("a landmark spans pixels that the map has not"))
+    return bounds
 
 
 def _on_map(bounds_px: np.ndarray, parameters: BuildParameters) -> bool:

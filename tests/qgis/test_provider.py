@@ -26,6 +26,7 @@ NAMES = (
     "segmentimage",
     "builddatabase",
     "updatedatabase",
+    "combinedatabases",
     "exportonboard",
     "makesample",
     "describeimage",

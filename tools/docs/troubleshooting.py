@@ -49,7 +49,7 @@ OTHERS = "Everything else"
 _NO_MESSAGE = re.compile(
     r"localization\.(status|method|cause|part_of|radius_of|searched|all_headings|headings_near|whole_map|ground_near"
     r"|shows_|more_needed|neither_road|(left|right|upper|lower)_part).*"
-    r"|.*\.(and_more|line|at_line|unknown_reason|unknown_format|the_database)"
+    r"|database\.setting_.*|.*\.(and_more|line|at_line|unknown_reason|unknown_format|the_database)"
 )
 """Parts of sentences, and what is no complaint."""
 

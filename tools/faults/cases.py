@@ -42,6 +42,7 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "makesample": {"SEED": SEEDS[at.name]},
         "builddatabase": {"LABELS": labels, **_BUILD},
         "updatedatabase": {"DATABASE": area, "LABELS": str(at / "corrected.tif")},
+        "combinedatabases": {"DATABASES": [area, str(at / "again.gpkg")]},
         "exportonboard": {"DATABASE": area},
         "describeimage": {"INPUT": str(at / "images" / "0.png"), "DATABASE": area},
         "localizeimages": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},
@@ -128,7 +129,8 @@ def make_inputs(at: Path, run: Callable[..., Any]) -> None:
     write_layer(at / "positions.gpkg", fixes, columns)
     write_text(at / "classes.csv", CLASSES_CSV)
     write_model(at / "colors.onnx")
-    run("builddatabase", {"LABELS": str(at / "labels.tif"), **_BUILD, "DATABASE": str(at / "area.gpkg")})
+    for name in ("area.gpkg", "again.gpkg"):
+        run("builddatabase", {"LABELS": str(at / "labels.tif"), **_BUILD, "DATABASE": str(at / name)})
 
 
 def destinations(algorithm: Any, folder: Path) -> dict[str, str]:

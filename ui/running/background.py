@@ -112,11 +112,14 @@ class DatabaseShelf:
     """The database read last; read again when its file has changed. For background threads."""
 
     def __init__(self) -> None:
-        self._held = (None, None)
+        self._held: tuple = (None, None)
 
     def read(self, path: str) -> ReferenceDatabase:
         """Raises DatabaseError."""
-        key = (path, os.path.getmtime(path) if os.path.exists(path) else None)
+        from ...storage.database.sets import files_of
+
+        # Of a set those of all its databases.
+        key = tuple((file, os.path.getmtime(file) if os.path.exists(file) else None) for file in files_of(path))
         known, database = self._held
         if key != known:
             # Not at the top: reading brings numpy and GDAL, and QGIS shall start at once.

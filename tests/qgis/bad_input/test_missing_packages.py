@@ -67,4 +67,4 @@ def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(re
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=False)
     assert answer.returncode == 0, answer.stderr
-    assert "'checkannotation', 'classifyopenstreetmap', 'classtable', 'comparelabels'" in answer.stdout
+    assert "'checkannotation', 'classifyopenstreetmap', 'classtable', 'combinedatabases'" in answer.stdout

@@ -142,7 +142,7 @@ def _binary_layers(world: World) -> dict[str, bytes]:
 def parameters(world: World) -> Tools:
     run = Runner(world)
     files = inputs(world.folder.parent / "in")
-    base = base_parameters({**files, "database": ""}, run.out)
+    base = base_parameters({**files, "database": "", "again": ""}, run.out)
     run.out.mkdir()
     import processing
 
@@ -150,6 +150,7 @@ def parameters(world: World) -> Tools:
     processing.run("semref:builddatabase", {**base["builddatabase"], "DATABASE": database})
     shutil.rmtree(run.out)
     files["database"] = database
+    files["again"] = str(shutil.copy(database, world.folder.parent / "in" / "again.gpkg"))
     write_plan(files, database)
     base = base_parameters(files, run.out)
     keys = {
