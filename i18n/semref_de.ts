@@ -76,8 +76,8 @@
    <translation>Eine CSV mit den Spalten image, dx_m, dy_m und dheading_deg: wie weit sich die Kamera seit der Zeile davor bewegt hat, nach rechts und zur Oberkante jenes Bildes hin in Metern, und wie weit sie sich im Uhrzeigersinn gedreht hat in Grad; wahlweise sigma_m, sigma_heading_deg, scale und sigma_scale. Eine Zeile ohne Zahlen sagt, dass die Bewegung nicht bekannt ist. Sie gilt vor dem, was die Pixel sagen.</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”.</source>
-   <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage.</translation>
+   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
+   <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage oder ein mit „Datenbanken als eine verwenden“ erzeugter Verbund.</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -202,6 +202,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
+  </message>
+  <message>
+   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
+   <translation>Eine Textdatei mit den Pfaden der Datenbanken von ihrem eigenen Ordner aus, sodass alles zusammen umziehen kann.</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -672,10 +676,6 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>{package} wird geprüft…</translation>
   </message>
   <message>
-   <source>Choose a GeoPackage</source>
-   <translation>GeoPackage wählen</translation>
-  </message>
-  <message>
    <source>Choose a database and add images.</source>
    <translation>Datenbank wählen und Bilder hinzufügen.</translation>
   </message>
@@ -918,6 +918,18 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>Schneidet ein Bild und seine Klassenkarte in Kacheln, mit denen ein Segmentierungsnetz trainiert wird, dazu Klassentabelle, Statistik und Verzeichnis.
 
 Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöcke werden für die Validierung zurückgelegt, und kein Pixel ist in beiden. Kacheln ohne Klassen entfallen. Klassen in einem anderen Gitter werden durch nächste Nachbarn auf das des Bildes gebracht.</translation>
+  </message>
+  <message>
+   <source>DATABASES names {count}; choose two or more to use them as one.</source>
+   <translation>DATABASES nennt {count}; zwei oder mehr wählen, um sie als eine zu verwenden.</translation>
+  </message>
+  <message>
+   <source>Database set</source>
+   <translation>Datenbankverbund</translation>
+  </message>
+  <message>
+   <source>Database sets (*.semrefset)</source>
+   <translation>Datenbankverbünde (*.semrefset)</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1564,6 +1576,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Ein mit „Referenzdatenbank erstellen“ oder mit diesem Algorithmus erzeugtes GeoPackage.</translation>
   </message>
   <message>
+   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
+   <translation>Zwei oder mehr mit „Referenzdatenbank erstellen“ erzeugte GeoPackages. Sie bleiben, wo sie sind.</translation>
+  </message>
+  <message>
    <source>GeoTIFF</source>
    <translation>GeoTIFF</translation>
   </message>
@@ -2066,6 +2082,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Landmarks that agree</source>
    <translation>Übereinstimmende Landmarken</translation>
+  </message>
+  <message>
+   <source>Landmarks that no database has whole</source>
+   <translation>Landmarken, die keine Datenbank ganz hat</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -3312,6 +3332,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Datenbank wird gelesen</translation>
   </message>
   <message>
+   <source>Reading the databases</source>
+   <translation>Datenbanken werden gelesen</translation>
+  </message>
+  <message>
    <source>Reading the label map</source>
    <translation>Klassenkarte wird gelesen</translation>
   </message>
@@ -3350,6 +3374,14 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   <message>
    <source>Reference database: {name}</source>
    <translation>Referenzdatenbank: {name}</translation>
+  </message>
+  <message>
+   <source>Reference databases</source>
+   <translation>Referenzdatenbanken</translation>
+  </message>
+  <message>
+   <source>Reference databases (*.gpkg *.semrefset)</source>
+   <translation>Referenzdatenbanken (*.gpkg *.semrefset)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -4034,6 +4066,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
+  </message>
+  <message>
+   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
+   <translation>Die Datenbanken liegen so weit auseinander, dass eine Karte von allen {width} × {height} Pixel hätte; nur benachbarte zusammen verwenden.</translation>
   </message>
   <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
@@ -4932,6 +4968,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Datenbank wird aktualisiert</translation>
   </message>
   <message>
+   <source>Use databases as one</source>
+   <translation>Datenbanken als eine verwenden</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>Dieses Modell verwenden</translation>
   </message>
@@ -5202,6 +5242,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>Schreibt eine Referenzdatenbank als eine kleine Datei (.npz), mit der ein Rechner ohne QGIS lokalisiert: Kopieren Sie den Ordner „core“ des Plugins daneben und rufen Sie „python -m core localize“ auf.
 
 Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
+  </message>
+  <message>
+   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
+
+The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
+   <translation>Schreibt eine kleine Textdatei, die mehrere Referenzdatenbanken nennt, nach Blatt oder nach Datum. Wo eine Datenbank gelesen wird, kann diese Datei angegeben werden, und alle werden als eine verwendet; wird ein Blatt aktualisiert, ändert sich nur seine Datei.
+
+Die Datenbanken müssen gleich erstellt sein: in einem KBS, mit einer Pixelgröße, Klassentabelle, Fenstergröße, Schrittweite und Mindestfläche, aus Karten, deren Ecken um ganze Pixel der Übersicht auseinanderliegen. Wo zwei denselben Boden zeigen, gilt die zuletzt erstellte oder aktualisierte. Blätter sollten sich um mehr überlappen, als ihre Landmarken lang sind: Was kein Blatt ganz hat, gehört zu keiner Konstellation.</translation>
   </message>
   <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
@@ -5652,6 +5700,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Verzeichnung bis {value:.1f} % der Breite ausgeglichen</translation>
   </message>
   <message>
+   <source>levels</source>
+   <translation>Stufen</translation>
+  </message>
+  <message>
    <source>localizable</source>
    <translation>lokalisierbar</translation>
   </message>
@@ -5710,6 +5762,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>merged by pixels</source>
    <translation>durch Pixel vereint</translation>
+  </message>
+  <message>
+   <source>minimum area</source>
+   <translation>Mindestfläche</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5778,6 +5834,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>nowhere</source>
    <translation>nirgends</translation>
+  </message>
+  <message>
+   <source>number of landmarks a vector</source>
+   <translation>Zahl der Landmarken je Vektor</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5874,6 +5934,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>reason</source>
    <translation>Grund</translation>
+  </message>
+  <message>
+   <source>reduction of the overview</source>
+   <translation>Verkleinerung der Übersicht</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -5974,6 +6038,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>stopped: the time was over</source>
    <translation>beendet: die Zeit war um</translation>
+  </message>
+  <message>
+   <source>stride</source>
+   <translation>Schrittweite</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6080,6 +6148,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>was zu erwarten ist</translation>
   </message>
   <message>
+   <source>window size</source>
+   <translation>Fenstergröße</translation>
+  </message>
+  <message>
    <source>window {value}</source>
    <translation>Fenster {value}</translation>
   </message>
@@ -6164,6 +6236,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{count} Bilder zu lokalisieren.</translation>
   </message>
   <message>
+   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
+   <translation>{count} Landmarken gehen über den Rand ihrer Datenbank hinaus und sind in keiner ganz, daher hat keine Konstellation sie; Blätter mehr überlappen lassen, wo das zu viele sind.</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
   </message>
@@ -6206,6 +6282,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} misst nicht in Metern; ein projiziertes KBS in Metern als TARGET_CRS wählen.</translation>
+  </message>
+  <message>
+   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
+   <translation>{databases} Datenbanken haben zusammen {landmarks} Landmarken und {windows} Fenster.</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6496,6 +6576,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{option} braucht das Python-Paket {package}; installieren Sie es: pip install {package}.</translation>
   </message>
   <message>
+   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
+   <translation>{output} ist nicht als Datenbankverbund zu erkennen; einen Namen angeben, der auf {suffix} endet.</translation>
+  </message>
+  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} gibt es schon und ist keine Borddatei; sie entfernen oder einen anderen Namen wählen.</translation>
   </message>
@@ -6526,6 +6610,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
    <translation>{pairs} Paare von Nachbarn: {pixels} in ihren Pixeln gesehen, {table} von der Tabelle angegeben, {log} vom Log, {none} unbekannt.</translation>
+  </message>
+  <message>
+   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
+   <translation>{part} hat das KBS {crs} und {other} {other_crs}; Datenbanken, die als eine verwendet werden, haben dasselbe KBS.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -6792,6 +6880,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist ein TIFF mit Palette und {bits} Bit pro Pixel; mit 8 oder als PNG speichern.</translation>
   </message>
   <message>
+   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
+   <translation>{path} ist ein Datenbankverbund, der nur gelesen wird; die gemeinte Datenbank darin angeben, zum Beispiel das korrigierte Blatt.</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
   </message>
@@ -6920,6 +7012,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
   </message>
   <message>
+   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
+   <translation>{path} ist kein Datenbankverbund ({reason}); eine andere Datei wählen oder ihn mit „Datenbanken als eine verwenden“ neu erstellen.</translation>
+  </message>
+  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} ist kein ONNX-Modell, oder es ist beschädigt oder abgeschnitten; noch einmal kopieren oder exportieren.</translation>
   </message>
@@ -6962,6 +7058,18 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} nennt keines der Bilder, zum Beispiel {image}; die Spalte image enthält ihre Dateinamen.</translation>
+  </message>
+  <message>
+   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
+   <translation>{path} nennt die Datenbank {part}, die es nicht gibt; sie zurücklegen oder den Verbund mit „Datenbanken als eine verwenden“ neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} names {part} twice; make the set anew with each database once.</source>
+   <translation>{path} nennt {part} zweimal; den Verbund mit jeder Datenbank nur einmal neu erstellen.</translation>
+  </message>
+  <message>
+   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
+   <translation>{path} nennt {part}, das selbst ein Datenbankverbund ist; den Verbund nur aus Datenbanken neu erstellen.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7132,6 +7240,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{shown}; {needed}.</translation>
   </message>
   <message>
+   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
+   <translation>{source} beginnt {columns:.10g} Pixel neben {other} und {rows:.10g} darüber oder darunter; um als eine verwendet zu werden, müssen beide ganze Vielfache von {factor} Pixeln ({length:g} m) sein.</translation>
+  </message>
+  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} kennt die Klasse {missing} der Datenbank nicht, nur {names}; ein Modell nehmen, das mit den Klassen der Datenbank trainiert wurde.</translation>
   </message>
@@ -7152,6 +7264,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{source} hat eine Zeile mit mehr als {most} Zeichen, wie sie keine Klassentabelle hat; wählen Sie eine andere Datei.</translation>
   </message>
   <message>
+   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
+   <translation>{source} hat eine andere Klassentabelle als {other}; mit einer Klassentabelle erstellen, um sie als eine zu verwenden.</translation>
+  </message>
+  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} hat die Formatversion {version}, neuer als dieses SemRef liest ({known}); die Erweiterung aktualisieren.</translation>
   </message>
@@ -7166,6 +7282,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} hat keine Übersicht, mit der Flüge simuliert werden; legen Sie sie mit einer an.</translation>
+  </message>
+  <message>
+   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
+   <translation>{source} hat Pixel von {pixel_size:g} m und {other} von {known:g} m; Datenbanken, die als eine verwendet werden, haben dieselbe Pixelgröße.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7222,6 +7342,14 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
    <translation>{source} unterscheidet {channels} Klassen, in der Klassentabelle stehen aber {count} Klassennamen: {names}; die Namen nehmen, mit denen es trainiert wurde.</translation>
+  </message>
+  <message>
+   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
+   <translation>{source} wurde mit einem anderen Wert für „{setting}“ ({value}) erstellt als {other} ({known}); gleich erstellen, um sie als eine zu verwenden.</translation>
+  </message>
+  <message>
+   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
+   <translation>{source} wurde mit SemRef {plugin_version} erstellt, das keine Grenzen der Landmarken speicherte, und kann daher nicht mit anderen zusammen verwendet werden; einmal neu erstellen.</translation>
   </message>
   <message>
    <source>{source}, line {line}</source>

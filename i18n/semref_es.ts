@@ -76,8 +76,8 @@
    <translation>Un CSV con las columnas image, dx_m, dy_m y dheading_deg: cuánto se movió la cámara desde la fila anterior, hacia la derecha y hacia la parte superior de aquella imagen en metros, y cuánto giró en sentido horario en grados; opcionalmente sigma_m, sigma_heading_deg, scale y sigma_scale. Una fila sin números dice que el movimiento no se conoce. Prevalece sobre lo que dicen los píxeles.</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”.</source>
-   <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
+   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
+   <translation>Un GeoPackage creado con «Crear base de datos de referencia», o un conjunto de ellos creado con «Usar bases de datos como una».</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -202,6 +202,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Una astilla de {name} de {area:.2f} m² está junto a {other_name} (objeto espacial {id}).</translation>
+  </message>
+  <message>
+   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
+   <translation>Un archivo de texto con las rutas de las bases de datos desde su propia carpeta, para que todo pueda moverse junto.</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -672,10 +676,6 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Comprobando {package}…</translation>
   </message>
   <message>
-   <source>Choose a GeoPackage</source>
-   <translation>Elegir un GeoPackage</translation>
-  </message>
-  <message>
    <source>Choose a database and add images.</source>
    <translation>Elija una base de datos y añada imágenes.</translation>
   </message>
@@ -918,6 +918,18 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>Corta una imagen y su mapa de etiquetas en teselas con las que se entrena una red de segmentación, con tabla de clases, estadísticas y un manifiesto.
 
 Las teselas de entrenamiento y de validación se separan por lugar: bloques enteros de terreno se reservan para la validación, y ningún píxel está en ambas. Las teselas sin etiquetas se dejan fuera. Las etiquetas en otra cuadrícula se llevan a la de la imagen por vecino más próximo.</translation>
+  </message>
+  <message>
+   <source>DATABASES names {count}; choose two or more to use them as one.</source>
+   <translation>DATABASES nombra {count}; elija dos o más para usarlas como una.</translation>
+  </message>
+  <message>
+   <source>Database set</source>
+   <translation>Conjunto de bases de datos</translation>
+  </message>
+  <message>
+   <source>Database sets (*.semrefset)</source>
+   <translation>Conjuntos de bases de datos (*.semrefset)</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1564,6 +1576,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>GeoPackage creado por «Crear base de datos de referencia» o por este algoritmo.</translation>
   </message>
   <message>
+   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
+   <translation>Dos o más GeoPackages creados con «Crear base de datos de referencia». Se quedan donde están.</translation>
+  </message>
+  <message>
    <source>GeoTIFF</source>
    <translation>GeoTIFF</translation>
   </message>
@@ -2066,6 +2082,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Landmarks that agree</source>
    <translation>Hitos que concuerdan</translation>
+  </message>
+  <message>
+   <source>Landmarks that no database has whole</source>
+   <translation>Hitos que ninguna base de datos tiene enteros</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -3312,6 +3332,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Leyendo la base de datos</translation>
   </message>
   <message>
+   <source>Reading the databases</source>
+   <translation>Leyendo las bases de datos</translation>
+  </message>
+  <message>
    <source>Reading the label map</source>
    <translation>Leyendo el mapa de etiquetas</translation>
   </message>
@@ -3350,6 +3374,14 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   <message>
    <source>Reference database: {name}</source>
    <translation>Base de datos de referencia: {name}</translation>
+  </message>
+  <message>
+   <source>Reference databases</source>
+   <translation>Bases de datos de referencia</translation>
+  </message>
+  <message>
+   <source>Reference databases (*.gpkg *.semrefset)</source>
+   <translation>Bases de datos de referencia (*.gpkg *.semrefset)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -4034,6 +4066,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
+  </message>
+  <message>
+   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
+   <translation>Las bases de datos están tan separadas que un mapa de todas tendría {width} × {height} píxeles; use juntas las que sean vecinas.</translation>
   </message>
   <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
@@ -4932,6 +4968,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Actualizando la base de datos</translation>
   </message>
   <message>
+   <source>Use databases as one</source>
+   <translation>Usar bases de datos como una</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>Usar este modelo</translation>
   </message>
@@ -5202,6 +5242,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>Escribe una base de datos de referencia en un solo archivo pequeño (.npz) con el que localiza un ordenador sin QGIS: copie al lado la carpeta «core» del complemento y ejecute «python -m core localize».
 
 Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
+  </message>
+  <message>
+   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
+
+The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
+   <translation>Escribe un pequeño archivo de texto que nombra varias bases de datos de referencia, por hoja o por fecha. Donde se lee una base de datos puede darse este archivo, y todas se usan como una; al actualizar una hoja solo cambia su archivo.
+
+Las bases de datos deben estar creadas por igual: en un SRC, con un tamaño de píxel, tabla de clases, tamaño de ventana, paso y área mínima, a partir de mapas cuyas esquinas estén separadas por píxeles enteros de la vista general. Donde dos muestran el mismo terreno, cuenta la creada o actualizada en último lugar. Las hojas deberían solaparse más de lo que miden sus hitos: lo que ninguna hoja tiene entero no forma parte de ninguna constelación.</translation>
   </message>
   <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
@@ -5652,6 +5700,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>distorsión corregida hasta un {value:.1f} % del ancho</translation>
   </message>
   <message>
+   <source>levels</source>
+   <translation>niveles</translation>
+  </message>
+  <message>
    <source>localizable</source>
    <translation>localizable</translation>
   </message>
@@ -5710,6 +5762,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>merged by pixels</source>
    <translation>unido por píxeles</translation>
+  </message>
+  <message>
+   <source>minimum area</source>
+   <translation>área mínima</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5778,6 +5834,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>nowhere</source>
    <translation>en ningún sitio</translation>
+  </message>
+  <message>
+   <source>number of landmarks a vector</source>
+   <translation>número de hitos por vector</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5874,6 +5934,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>reason</source>
    <translation>motivo</translation>
+  </message>
+  <message>
+   <source>reduction of the overview</source>
+   <translation>reducción de la vista general</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -5974,6 +6038,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>stopped: the time was over</source>
    <translation>detenido: se acabó el tiempo</translation>
+  </message>
+  <message>
+   <source>stride</source>
+   <translation>paso</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6080,6 +6148,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>qué se espera</translation>
   </message>
   <message>
+   <source>window size</source>
+   <translation>tamaño de ventana</translation>
+  </message>
+  <message>
    <source>window {value}</source>
    <translation>ventana {value}</translation>
   </message>
@@ -6164,6 +6236,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{count} imágenes para localizar.</translation>
   </message>
   <message>
+   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
+   <translation>{count} hitos continúan más allá del borde de su base de datos y no están enteros en ninguna, así que ninguna constelación los tiene; solape más las hojas donde sean demasiados.</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} hitos en el cuadrado centrado de {size} píxeles.</translation>
   </message>
@@ -6206,6 +6282,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} no mide en metros; elija un SRC proyectado en metros como TARGET_CRS.</translation>
+  </message>
+  <message>
+   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
+   <translation>{databases} bases de datos tienen juntas {landmarks} hitos y {windows} ventanas.</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6496,6 +6576,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
   </message>
   <message>
+   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
+   <translation>{output} no puede reconocerse como conjunto de bases de datos; dé un nombre que termine en {suffix}.</translation>
+  </message>
+  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} existe y no es un archivo de a bordo; elimínelo o elija otro nombre.</translation>
   </message>
@@ -6526,6 +6610,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
    <translation>{pairs} pares de vecinas: {pixels} vistos en sus píxeles, {table} indicados por la tabla, {log} por el registro, {none} desconocidos.</translation>
+  </message>
+  <message>
+   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
+   <translation>{part} está en {crs} y {other} en {other_crs}; las bases de datos que se usan como una tienen el mismo SRC.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -6792,6 +6880,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} es un TIFF con paleta de {bits} bits por píxel; guárdelo con 8 o como PNG.</translation>
   </message>
   <message>
+   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
+   <translation>{path} es un conjunto de bases de datos, que solo se lee; dé la base de datos de él que se quiere, por ejemplo la hoja corregida.</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
   </message>
@@ -6920,6 +7012,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no es una base de datos de referencia de SemRef; elija una creada con «Crear base de datos de referencia».</translation>
   </message>
   <message>
+   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
+   <translation>{path} no es un conjunto de bases de datos ({reason}); elija otro archivo o vuelva a crearlo con «Usar bases de datos como una».</translation>
+  </message>
+  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} no es un modelo ONNX, o está dañado o cortado; cópielo o expórtelo de nuevo.</translation>
   </message>
@@ -6962,6 +7058,18 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} no nombra ninguna de las imágenes, por ejemplo {image}; su columna image contiene sus nombres de archivo.</translation>
+  </message>
+  <message>
+   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
+   <translation>{path} nombra la base de datos {part}, que no existe; vuelva a ponerla o cree de nuevo el conjunto con «Usar bases de datos como una».</translation>
+  </message>
+  <message>
+   <source>{path} names {part} twice; make the set anew with each database once.</source>
+   <translation>{path} nombra {part} dos veces; cree de nuevo el conjunto con cada base de datos una sola vez.</translation>
+  </message>
+  <message>
+   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
+   <translation>{path} nombra {part}, que es a su vez un conjunto de bases de datos; cree de nuevo el conjunto solo con bases de datos.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7132,6 +7240,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{shown}; {needed}.</translation>
   </message>
   <message>
+   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
+   <translation>{source} empieza {columns:.10g} píxeles al lado de {other} y {rows:.10g} arriba o abajo; para usarse como una, ambos deben ser múltiplos enteros de {factor} píxeles ({length:g} m).</translation>
+  </message>
+  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} no conoce la clase {missing} de la base de datos, solo {names}; tome un modelo entrenado con las clases de la base de datos.</translation>
   </message>
@@ -7152,6 +7264,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{source} tiene una línea de más de {most} caracteres, que ninguna tabla de clases tiene; elija otro archivo.</translation>
   </message>
   <message>
+   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
+   <translation>{source} tiene otra tabla de clases que {other}; créelas con una misma tabla para usarlas como una.</translation>
+  </message>
+  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} tiene la versión de formato {version}, más nueva que la que lee este SemRef ({known}); actualice el complemento.</translation>
   </message>
@@ -7166,6 +7282,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} no tiene vista general, con la que se simulan los vuelos; constrúyala con una.</translation>
+  </message>
+  <message>
+   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
+   <translation>{source} tiene píxeles de {pixel_size:g} m y {other} de {known:g} m; las bases de datos que se usan como una tienen el mismo tamaño de píxel.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7222,6 +7342,14 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
    <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en la tabla de clases: {names}; tome los nombres con los que se entrenó.</translation>
+  </message>
+  <message>
+   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
+   <translation>{source} se creó con otro valor de «{setting}» ({value}) que {other} ({known}); créelas por igual para usarlas como una.</translation>
+  </message>
+  <message>
+   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
+   <translation>{source} se creó con SemRef {plugin_version}, que no guardaba límites de hitos, así que no puede usarse junto con otras; vuelva a crearla una vez.</translation>
   </message>
   <message>
    <source>{source}, line {line}</source>

@@ -76,8 +76,8 @@
    <translation>Un CSV avec les colonnes image, dx_m, dy_m et dheading_deg : de combien la caméra s’est déplacée depuis la ligne précédente, vers la droite et vers le haut de cette image-là en mètres, et de combien elle a tourné dans le sens horaire en degrés ; en option sigma_m, sigma_heading_deg, scale et sigma_scale. Une ligne sans nombres dit que le mouvement n’est pas connu. Il l’emporte sur ce que disent les pixels.</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”.</source>
-   <translation>Un GeoPackage créé par « Créer une base de données de référence ».</translation>
+   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
+   <translation>Un GeoPackage créé par « Créer une base de données de référence », ou un jeu créé par « Utiliser des bases de données comme une seule ».</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -202,6 +202,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Un polygone parasite de {name} de {area:.2f} m² se trouve à côté de {other_name} (entité {id}).</translation>
+  </message>
+  <message>
+   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
+   <translation>Un fichier texte avec les chemins des bases de données à partir de son propre dossier, pour que le tout puisse être déplacé ensemble.</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -672,10 +676,6 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Vérification de {package}…</translation>
   </message>
   <message>
-   <source>Choose a GeoPackage</source>
-   <translation>Choisir un GeoPackage</translation>
-  </message>
-  <message>
    <source>Choose a database and add images.</source>
    <translation>Choisissez une base de données et ajoutez des images.</translation>
   </message>
@@ -918,6 +918,18 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>Découpe une image et sa carte d’étiquettes en tuiles sur lesquelles on entraîne un réseau de segmentation, avec une table des classes, des statistiques et un manifeste.
 
 Les tuiles d’entraînement et de validation sont séparées par lieu : des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’est dans les deux. Les tuiles sans étiquettes sont laissées de côté. Les étiquettes d’une autre grille sont ramenées sur celle de l’image, par plus proche voisin.</translation>
+  </message>
+  <message>
+   <source>DATABASES names {count}; choose two or more to use them as one.</source>
+   <translation>DATABASES en nomme {count} ; choisissez-en deux ou plus pour les utiliser comme une seule.</translation>
+  </message>
+  <message>
+   <source>Database set</source>
+   <translation>Jeu de bases de données</translation>
+  </message>
+  <message>
+   <source>Database sets (*.semrefset)</source>
+   <translation>Jeux de bases de données (*.semrefset)</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1564,6 +1576,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>GeoPackage produit par « Créer une base de données de référence » ou par cet algorithme.</translation>
   </message>
   <message>
+   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
+   <translation>Deux GeoPackages ou plus créés par « Créer une base de données de référence ». Ils restent où ils sont.</translation>
+  </message>
+  <message>
    <source>GeoTIFF</source>
    <translation>GeoTIFF</translation>
   </message>
@@ -2066,6 +2082,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Landmarks that agree</source>
    <translation>Repères visuels concordants</translation>
+  </message>
+  <message>
+   <source>Landmarks that no database has whole</source>
+   <translation>Repères visuels qu’aucune base de données n’a en entier</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -3312,6 +3332,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Lecture de la base de données</translation>
   </message>
   <message>
+   <source>Reading the databases</source>
+   <translation>Lecture des bases de données</translation>
+  </message>
+  <message>
    <source>Reading the label map</source>
    <translation>Lecture de la carte d’étiquettes</translation>
   </message>
@@ -3350,6 +3374,14 @@ Les couches sont dessinées avec leur style du projet.</translation>
   <message>
    <source>Reference database: {name}</source>
    <translation>Base de données de référence : {name}</translation>
+  </message>
+  <message>
+   <source>Reference databases</source>
+   <translation>Bases de données de référence</translation>
+  </message>
+  <message>
+   <source>Reference databases (*.gpkg *.semrefset)</source>
+   <translation>Bases de données de référence (*.gpkg *.semrefset)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -4034,6 +4066,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
+  </message>
+  <message>
+   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
+   <translation>Les bases de données sont si éloignées qu’une carte de toutes aurait {width} × {height} pixels ; utilisez ensemble celles qui sont voisines.</translation>
   </message>
   <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
@@ -4932,6 +4968,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Mise à jour de la base de données</translation>
   </message>
   <message>
+   <source>Use databases as one</source>
+   <translation>Utiliser des bases de données comme une seule</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>Utiliser ce modèle</translation>
   </message>
@@ -5202,6 +5242,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) avec lequel un ordinateur sans QGIS localise : copiez à côté le dossier « core » de l’extension et lancez « python -m core localize ».
 
 Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
+  </message>
+  <message>
+   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
+
+The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
+   <translation>Écrit un petit fichier texte qui nomme plusieurs bases de données de référence, par feuille ou par date. Partout où une base est lue, ce fichier peut être donné, et toutes servent comme une seule ; mettre à jour une feuille ne change que son fichier.
+
+Les bases doivent être créées de la même façon : dans un même SCR, avec une même taille de pixel, table des classes, taille de fenêtre, pas et surface minimale, à partir de cartes dont les coins sont séparés par des pixels entiers de la vue d’ensemble. Là où deux montrent le même terrain, c’est la dernière créée ou mise à jour qui compte. Les feuilles devraient se recouvrir de plus que la longueur de leurs repères visuels : ce qu’aucune feuille n’a en entier ne fait partie d’aucune constellation.</translation>
   </message>
   <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
@@ -5652,6 +5700,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>distorsion redressée jusqu’à {value:.1f} % de la largeur</translation>
   </message>
   <message>
+   <source>levels</source>
+   <translation>niveaux</translation>
+  </message>
+  <message>
    <source>localizable</source>
    <translation>localisable</translation>
   </message>
@@ -5710,6 +5762,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>merged by pixels</source>
    <translation>réuni par les pixels</translation>
+  </message>
+  <message>
+   <source>minimum area</source>
+   <translation>surface minimale</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5778,6 +5834,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>nowhere</source>
    <translation>nulle part</translation>
+  </message>
+  <message>
+   <source>number of landmarks a vector</source>
+   <translation>nombre de repères visuels par vecteur</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5874,6 +5934,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>reason</source>
    <translation>raison</translation>
+  </message>
+  <message>
+   <source>reduction of the overview</source>
+   <translation>réduction de la vue d’ensemble</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -5974,6 +6038,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>stopped: the time was over</source>
    <translation>arrêté : le temps était écoulé</translation>
+  </message>
+  <message>
+   <source>stride</source>
+   <translation>pas</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6080,6 +6148,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>ce qui est attendu</translation>
   </message>
   <message>
+   <source>window size</source>
+   <translation>taille de fenêtre</translation>
+  </message>
+  <message>
    <source>window {value}</source>
    <translation>fenêtre {value}</translation>
   </message>
@@ -6164,6 +6236,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{count} images à localiser.</translation>
   </message>
   <message>
+   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
+   <translation>{count} repères visuels se prolongent au-delà du bord de leur base de données et ne sont entiers dans aucune, donc aucune constellation ne les a ; faites se recouvrir davantage les feuilles si c’est trop.</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} repères visuels dans le carré centré de {size} pixels.</translation>
   </message>
@@ -6206,6 +6282,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} ne mesure pas en mètres ; choisissez un SCR projeté en mètres comme TARGET_CRS.</translation>
+  </message>
+  <message>
+   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
+   <translation>{databases} bases de données ont ensemble {landmarks} repères visuels et {windows} fenêtres.</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6496,6 +6576,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
   </message>
   <message>
+   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
+   <translation>{output} ne peut pas être reconnu comme jeu de bases de données ; donnez un nom qui se termine par {suffix}.</translation>
+  </message>
+  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} existe et n’est pas un fichier de bord ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
@@ -6526,6 +6610,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
    <translation>{pairs} paires de voisines : {pixels} vues dans leurs pixels, {table} données par la table, {log} par le journal, {none} inconnues.</translation>
+  </message>
+  <message>
+   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
+   <translation>{part} est en {crs} et {other} en {other_crs} ; les bases de données utilisées comme une seule ont le même SCR.</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -6792,6 +6880,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est un TIFF à palette de {bits} bits par pixel ; enregistrez-le avec 8, ou en PNG.</translation>
   </message>
   <message>
+   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
+   <translation>{path} est un jeu de bases de données, qui n’est que lu ; donnez la base voulue de ce jeu, par exemple la feuille corrigée.</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
   </message>
@@ -6920,6 +7012,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’est pas une base de données de référence SemRef ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
   </message>
   <message>
+   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
+   <translation>{path} n’est pas un jeu de bases de données ({reason}) ; choisissez un autre fichier ou recréez-le par « Utiliser des bases de données comme une seule ».</translation>
+  </message>
+  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou tronqué ; copiez-le ou exportez-le de nouveau.</translation>
   </message>
@@ -6962,6 +7058,18 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} ne nomme aucune des images, par exemple {image} ; sa colonne image contient leurs noms de fichier.</translation>
+  </message>
+  <message>
+   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
+   <translation>{path} nomme la base de données {part}, qui n’existe pas ; remettez-la ou recréez le jeu par « Utiliser des bases de données comme une seule ».</translation>
+  </message>
+  <message>
+   <source>{path} names {part} twice; make the set anew with each database once.</source>
+   <translation>{path} nomme {part} deux fois ; recréez le jeu avec chaque base de données une seule fois.</translation>
+  </message>
+  <message>
+   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
+   <translation>{path} nomme {part}, qui est lui-même un jeu de bases de données ; recréez le jeu avec des bases de données seulement.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7132,6 +7240,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{shown} ; {needed}.</translation>
   </message>
   <message>
+   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
+   <translation>{source} commence {columns:.10g} pixels à côté de {other} et {rows:.10g} au-dessus ou en dessous ; pour servir comme une seule, les deux doivent être des multiples entiers de {factor} pixels ({length:g} m).</translation>
+  </message>
+  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} ne connaît pas la classe {missing} de la base de données, seulement {names} ; prenez un modèle entraîné sur les classes de la base.</translation>
   </message>
@@ -7152,6 +7264,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{source} a une ligne de plus de {most} caractères, ce qu’aucune table de classes n’a ; choisissez un autre fichier.</translation>
   </message>
   <message>
+   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
+   <translation>{source} a une autre table des classes que {other} ; créez-les avec une même table pour les utiliser comme une seule.</translation>
+  </message>
+  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} a la version de format {version}, plus récente que ce que lit ce SemRef ({known}) ; mettez l’extension à jour.</translation>
   </message>
@@ -7166,6 +7282,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} n’a pas d’aperçu, avec lequel les vols sont simulés ; construisez-la avec un aperçu.</translation>
+  </message>
+  <message>
+   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
+   <translation>{source} a des pixels de {pixel_size:g} m et {other} de {known:g} m ; les bases de données utilisées comme une seule ont la même taille de pixel.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7222,6 +7342,14 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
    <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans la table des classes : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
+  </message>
+  <message>
+   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
+   <translation>{source} a été créée avec une autre valeur de « {setting} » ({value}) que {other} ({known}) ; créez-les de la même façon pour les utiliser comme une seule.</translation>
+  </message>
+  <message>
+   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
+   <translation>{source} a été créée par SemRef {plugin_version}, qui n’enregistrait pas de limites des repères visuels, et ne peut donc pas servir avec d’autres ; recréez-la une fois.</translation>
   </message>
   <message>
    <source>{source}, line {line}</source>

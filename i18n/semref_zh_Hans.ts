@@ -76,8 +76,8 @@
    <translation>包含 image、dx_m、dy_m 和 dheading_deg 列的 CSV：自上一行以来相机移动的距离（米，向右和朝向那幅影像的顶部）以及顺时针转动的角度（度）；可选 sigma_m、sigma_heading_deg、scale 和 sigma_scale。没有数字的行表示运动未知。它优先于像素所示。</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”.</source>
-   <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
+   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
+   <translation>由“构建参考数据库”生成的 GeoPackage，或由“将多个数据库合用”生成的数据库集。</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -202,6 +202,10 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>{name} 的一处 {area:.2f} m² 的碎片紧邻 {other_name}（要素 {id}）。</translation>
+  </message>
+  <message>
+   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
+   <translation>一个文本文件，其中数据库路径相对于它自己的文件夹，因此可以一起移动。</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -672,10 +676,6 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>正在检查 {package}…</translation>
   </message>
   <message>
-   <source>Choose a GeoPackage</source>
-   <translation>选择 GeoPackage</translation>
-  </message>
-  <message>
    <source>Choose a database and add images.</source>
    <translation>请选择数据库并添加影像。</translation>
   </message>
@@ -918,6 +918,18 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>将影像及其标签图切割成用于训练分割网络的图块，并附带类别表、统计信息和清单。
 
 训练图块和验证图块按地点划分：整块的地面留作验证，任何像元都不会同时出现在两者中。没有标签的图块会被舍弃。格网不同的标签会按最近邻重采样到影像的格网上。</translation>
+  </message>
+  <message>
+   <source>DATABASES names {count}; choose two or more to use them as one.</source>
+   <translation>DATABASES 中有 {count} 个；请选择两个或更多以便合用。</translation>
+  </message>
+  <message>
+   <source>Database set</source>
+   <translation>数据库集</translation>
+  </message>
+  <message>
+   <source>Database sets (*.semrefset)</source>
+   <translation>数据库集 (*.semrefset)</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1564,6 +1576,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>由“构建参考数据库”或本算法生成的 GeoPackage。</translation>
   </message>
   <message>
+   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
+   <translation>两个或更多由“构建参考数据库”生成的 GeoPackage。它们留在原处。</translation>
+  </message>
+  <message>
    <source>GeoTIFF</source>
    <translation>GeoTIFF</translation>
   </message>
@@ -2066,6 +2082,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Landmarks that agree</source>
    <translation>吻合的地标</translation>
+  </message>
+  <message>
+   <source>Landmarks that no database has whole</source>
+   <translation>没有任何数据库完整包含的地标</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -3312,6 +3332,10 @@ Layers are drawn as they are styled in the project.</source>
    <translation>正在读取数据库</translation>
   </message>
   <message>
+   <source>Reading the databases</source>
+   <translation>正在读取各数据库</translation>
+  </message>
+  <message>
    <source>Reading the label map</source>
    <translation>正在读取标签图</translation>
   </message>
@@ -3350,6 +3374,14 @@ Layers are drawn as they are styled in the project.</source>
   <message>
    <source>Reference database: {name}</source>
    <translation>参考数据库：{name}</translation>
+  </message>
+  <message>
+   <source>Reference databases</source>
+   <translation>参考数据库（多个）</translation>
+  </message>
+  <message>
+   <source>Reference databases (*.gpkg *.semrefset)</source>
+   <translation>参考数据库 (*.gpkg *.semrefset)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -4034,6 +4066,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
+  </message>
+  <message>
+   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
+   <translation>这些数据库相距太远，覆盖全部的地图将有 {width} × {height} 个像元；请只合用相邻的数据库。</translation>
   </message>
   <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
@@ -4932,6 +4968,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>正在更新数据库</translation>
   </message>
   <message>
+   <source>Use databases as one</source>
+   <translation>将多个数据库合用</translation>
+  </message>
+  <message>
    <source>Use this model</source>
    <translation>使用此模型</translation>
   </message>
@@ -5202,6 +5242,14 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
    <translation>将参考数据库写成一个小文件 (.npz)，没有 QGIS 的计算机可用它定位：把插件的“core”文件夹复制到旁边，运行“python -m core localize”。
 
 位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
+  </message>
+  <message>
+   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
+
+The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
+   <translation>写出一个列出若干参考数据库（按图幅或按日期）的小文本文件。凡是读取数据库之处都可以给出此文件，所有数据库合用如一；更新一幅图只改变它自己的文件。
+
+这些数据库必须以相同方式构建：同一坐标参照系、像元大小、类别表、窗口大小、步长和最小面积，且所用地图的角点相距概览图的整数个像元。两者显示同一地面时，以最后构建或更新的为准。图幅的重叠应大于其地标的长度：没有任何图幅完整包含的地标不属于任何星座。</translation>
   </message>
   <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
@@ -5652,6 +5700,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>镜头畸变已校正，最多为宽度的 {value:.1f} %</translation>
   </message>
   <message>
+   <source>levels</source>
+   <translation>级别</translation>
+  </message>
+  <message>
    <source>localizable</source>
    <translation>可定位</translation>
   </message>
@@ -5710,6 +5762,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>merged by pixels</source>
    <translation>像素化后合并</translation>
+  </message>
+  <message>
+   <source>minimum area</source>
+   <translation>最小面积</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5778,6 +5834,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>nowhere</source>
    <translation>无</translation>
+  </message>
+  <message>
+   <source>number of landmarks a vector</source>
+   <translation>每个向量的地标数</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5874,6 +5934,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>reason</source>
    <translation>原因</translation>
+  </message>
+  <message>
+   <source>reduction of the overview</source>
+   <translation>概览图缩小倍数</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -5974,6 +6038,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>stopped: the time was over</source>
    <translation>已停止：时间已到</translation>
+  </message>
+  <message>
+   <source>stride</source>
+   <translation>步长</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6080,6 +6148,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>预期情况</translation>
   </message>
   <message>
+   <source>window size</source>
+   <translation>窗口大小</translation>
+  </message>
+  <message>
    <source>window {value}</source>
    <translation>窗口 {value}</translation>
   </message>
@@ -6164,6 +6236,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>待定位影像 {count} 幅。</translation>
   </message>
   <message>
+   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
+   <translation>{count} 个地标延伸出其数据库的边缘，且在任何数据库中都不完整，因此不属于任何星座；若数量过多，请加大图幅重叠。</translation>
+  </message>
+  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{size} 像元的居中正方形内有 {count} 个地标。</translation>
   </message>
@@ -6206,6 +6282,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} 不以米为单位；请选择以米为单位的投影坐标参照系作为 TARGET_CRS。</translation>
+  </message>
+  <message>
+   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
+   <translation>{databases} 个数据库共有 {landmarks} 个地标和 {windows} 个窗口。</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6496,6 +6576,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{option} 需要 Python 包 {package}；请安装：pip install {package}。</translation>
   </message>
   <message>
+   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
+   <translation>{output} 无法被识别为数据库集；请给出以 {suffix} 结尾的名称。</translation>
+  </message>
+  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} 已存在且不是机载文件；请将其删除或选择其他名称。</translation>
   </message>
@@ -6526,6 +6610,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{pairs} pairs of neighbors: {pixels} seen in their pixels, {table} told by the table, {log} by the log, {none} unknown.</source>
    <translation>{pairs} 对相邻影像：{pixels} 对由像素看出，{table} 对由表给出，{log} 对由日志给出，{none} 对未知。</translation>
+  </message>
+  <message>
+   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
+   <translation>{part} 使用 {crs}，{other} 使用 {other_crs}；合用的数据库必须有相同的坐标参照系。</translation>
   </message>
   <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
@@ -6792,6 +6880,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 是每像元 {bits} 位的调色板 TIFF；请保存为 8 位或 PNG。</translation>
   </message>
   <message>
+   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
+   <translation>{path} 是数据库集，只供读取；请给出其中所指的数据库，例如已修正的图幅。</translation>
+  </message>
+  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
   </message>
@@ -6920,6 +7012,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不是 SemRef 参考数据库；请选择由“构建参考数据库”生成的数据库。</translation>
   </message>
   <message>
+   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
+   <translation>{path} 不是数据库集（{reason}）；请选择其他文件，或用“将多个数据库合用”重新生成。</translation>
+  </message>
+  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} 不是 ONNX 模型，或已损坏、不完整；请重新复制或导出。</translation>
   </message>
@@ -6962,6 +7058,18 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} 没有列出任何一幅影像，例如 {image}；其 image 列应为影像的文件名。</translation>
+  </message>
+  <message>
+   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
+   <translation>{path} 列出的数据库 {part} 不存在；请放回它，或用“将多个数据库合用”重新生成数据库集。</translation>
+  </message>
+  <message>
+   <source>{path} names {part} twice; make the set anew with each database once.</source>
+   <translation>{path} 列出了两次 {part}；请重新生成数据库集，每个数据库只列一次。</translation>
+  </message>
+  <message>
+   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
+   <translation>{path} 列出的 {part} 本身是数据库集；请只用数据库重新生成数据库集。</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7132,6 +7240,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{shown}；{needed}。</translation>
   </message>
   <message>
+   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
+   <translation>{source} 的起点在水平方向偏离 {other} {columns:.10g} 个像元，在垂直方向偏离 {rows:.10g} 个；要合用，二者都必须是 {factor} 个像元（{length:g} 米）的整数倍。</translation>
+  </message>
+  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} 不识别数据库的类别 {missing}，只识别 {names}；请使用以数据库类别训练的模型。</translation>
   </message>
@@ -7152,6 +7264,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{source} 有一行超过 {most} 个字符，类别表不会如此；请选择其他文件。</translation>
   </message>
   <message>
+   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
+   <translation>{source} 的类别表与 {other} 不同；要合用，请用同一类别表构建。</translation>
+  </message>
+  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} 的格式版本为 {version}，高于本 SemRef 可读取的版本（{known}）；请更新插件。</translation>
   </message>
@@ -7166,6 +7282,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} 没有用于模拟飞行的概览;请重新构建并包含概览。</translation>
+  </message>
+  <message>
+   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
+   <translation>{source} 的像元为 {pixel_size:g} 米，{other} 的为 {known:g} 米；合用的数据库必须有相同的像元大小。</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7222,6 +7342,14 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; take the names it was trained with.</source>
    <translation>{source} 区分 {channels} 个类别，但类别表中有 {count} 个类别名称：{names}；请采用训练时的名称。</translation>
+  </message>
+  <message>
+   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
+   <translation>{source} 构建时的“{setting}”（{value}）与 {other}（{known}）不同；要合用，请以相同方式构建。</translation>
+  </message>
+  <message>
+   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
+   <translation>{source} 由 SemRef {plugin_version} 生成，当时不保存地标范围，因此不能与其他数据库合用；请重新构建一次。</translation>
   </message>
   <message>
    <source>{source}, line {line}</source>
