@@ -8,15 +8,13 @@ from collections.abc import Iterator
 from typing import Callable
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import gdal
 
-from ..core.annotation.coverage import can_simplify, from_wkb, on_map, simplified, with_nodes
+from ..core.annotation.coverage import can_simplify, on_map, simplified
+from ..core.annotation.outlines import outlined
 from ..core.errors import LabelMapError
-from ..core.labels.class_table import UNLABELED
 from .gdal_errors import gdal_failures
 from .rasters import open_raster
-
-_ROWS_AT_ONCE = 2048
 
 WITHOUT_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
 """GDAL's six numbers of pixels with y up, as the other algorithms give places on such images."""
@@ -47,26 +45,24 @@ class LabelPolygons:
         """Yields (what is being done, share done 0…1).
 
         Args:
-            proceed: Asked now and then; once False the work ends with a LabelMapError.
+            proceed: Asked now and then; once False the work ends, with a LabelMapError or without polygons.
 
         Raises:
-            LabelMapError: GDAL can't read the map or make the polygons, or was told to stop.
+            LabelMapError: GDAL can't read the map, or was told to stop.
         """
         with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
             yield "Merging small regions", 0.0
             raster = self._sieved(os.path.join(folder, "sieved.tif"), proceed)
             transform = _transform(raster)
             yield "Outlining regions", 0.3
-            layer = _outlined(raster.GetRasterBand(1), proceed)
-            values, outlines = _read(layer)
+            shape_hw = raster.RasterYSize, raster.RasterXSize
+            values, outlines = outlined(_rows(raster.GetRasterBand(1)), shape_hw, proceed)
             yield "Simplifying borders", 0.6
-            if len(outlines):
-                outlines = with_nodes(outlines, _junctions(raster.GetRasterBand(1)), raster.RasterXSize + 1)
             if self._tolerance > 0 and can_simplify() and len(outlines):
                 outlines = simplified(outlines, self._tolerance / np.sqrt(_pixel_area(transform)))
             self.classes, self.polygons = values, on_map(outlines, transform)
-            # The last references, before their folder is removed.
-            del layer, raster
+            # The last reference, before its folder is removed.
+            del raster
         yield "Simplifying borders", 1.0
 
     def _sieved(self, path: str, proceed: Callable[[], bool]) -> gdal.Dataset:
@@ -89,50 +85,17 @@ class LabelPolygons:
         return target
 
 
-def _outlined(band: gdal.Band, proceed: Callable[[], bool]) -> ogr.DataSource:
-    """Polygons in pixel coordinates, in memory."""
-    driver = ogr.GetDriverByName("Memory") or ogr.GetDriverByName("MEM")
-    found = driver.CreateDataSource("")
-    layer = found.CreateLayer("polygons", geom_type=ogr.wkbPolygon)
-    layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
-    # Polygonize uses the band's own georeference: a view without one gives pixels.
-    view = gdal.GetDriverByName("VRT").CreateCopy("", band.GetDataset())
-    view.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
-    with gdal_failures() as failures:
-        plain = view.GetRasterBand(1)
-        gdal.Polygonize(plain, None, layer, 0, [], callback=lambda *_: int(proceed()))
-    _raise(failures)
-    return found
+def _rows(band: gdal.Band) -> Callable[[int, int], np.ndarray]:
+    """Reads rows of labels, from the first to the one before the last."""
 
+    def read(first: int, last: int) -> np.ndarray:
+        found = None
+        with gdal_failures() as failures:
+            found = band.ReadAsArray(0, first, band.XSize, last - first)
+        _raise(failures)
+        return found
 
-def _read(source: ogr.DataSource) -> tuple[np.ndarray, np.ndarray]:
-    """(n,) class values and (n,) polygons, without those of unlabeled ground."""
-    values, outlines = [], []
-    for feature in source.GetLayer(0):
-        value = feature.GetField(0)
-        if value != UNLABELED:
-            values.append(value)
-            outlines.append(bytes(feature.GetGeometryRef().ExportToWkb()))
-    return np.array(values, np.uint8), from_wkb(outlines)
-
-
-def _junctions(band: gdal.Band) -> np.ndarray:
-    """(m, 2) sorted corners of pixels, (row, column), where three regions or more meet: a border's ends."""
-    height, width = band.YSize, band.XSize
-    found = []
-    for first in range(0, height + 1, _ROWS_AT_ONCE):
-        last = min(first + _ROWS_AT_ONCE, height + 1)
-        labels = np.zeros((last - first + 1, width + 2), np.uint8)
-        top, bottom = max(0, first - 1), min(height, last)
-        labels[top - first + 1 : bottom - first + 1, 1:-1] = band.ReadAsArray(0, top, width, bottom - top)
-        a, b, c, d = labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
-        not_a = [(one, one != a) for one in (b, c, d)]
-        meet = np.zeros(a.shape, bool)
-        for (one, differs), (other, differs_too) in ((not_a[0], not_a[1]), (not_a[0], not_a[2]), (not_a[1], not_a[2])):
-            meet |= differs & differs_too & (one != other)
-        rows, columns = np.nonzero(meet)
-        found.append(np.column_stack([rows + first, columns]))
-    return np.concatenate(found)
+    return read
 
 
 def _transform(raster: gdal.Dataset) -> tuple[float, ...]:

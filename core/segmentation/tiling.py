@@ -309,12 +309,12 @@ def _weight_sums(starts: Sequence[int], ramp: np.ndarray, length: int) -> np.nda
 
 def _best_channel(scores: np.ndarray) -> np.ndarray:
     """(C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
-    best = np.ascontiguousarray(scores[0])
+    best = scores[0]
     channel = np.zeros(best.shape, np.uint8)
     for number in range(1, len(scores)):
         # 255 where this channel is higher, else 0: of that and the number, the lower; no number before is as high.
         higher = cv2.compare(scores[number], best, cv2.CMP_GT)
-        np.maximum(channel, np.minimum(higher, number, out=higher), out=channel)
+        cv2.max(channel, cv2.min(higher, number, dst=higher), dst=channel)
         best = cv2.max(best, scores[number])
     return channel
 

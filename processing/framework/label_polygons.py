@@ -43,7 +43,7 @@ def write_polygons(
     """
     if not outputs.wants(key):
         return
-    from ...core.annotation.coverage import can_simplify
+    from ...core.annotation.coverage import areas_and_wkb, can_simplify
     from ...storage.outlining import LabelPolygons
     from ...storage.rasters import open_raster
     from ..exchange.layer_looks import class_polygons_look
@@ -55,16 +55,18 @@ def write_polygons(
     polygons = LabelPolygons(path, values.optional_number("MINIMUM_AREA", 0.0), tolerance)
     try:
         for what, share in interruptible(polygons.steps(lambda: not feedback.isCanceled()), feedback):
+            check_canceled(feedback)
             feedback.setProgressText(tr(what))
             feedback.setProgress(100 * share)
     except LabelMapError:
         check_canceled(feedback)
         raise
     names = {one.value: one.name for one in table}
+    areas, wkb = areas_and_wkb(polygons.polygons)
     with outputs.layer(key, FIELDS, POLYGON, crs, class_polygons_look(table)) as sink:
-        for n, (value, polygon) in enumerate(zip(polygons.classes.tolist(), polygons.polygons)):
+        for n, (value, area, outline) in enumerate(zip(polygons.classes.tolist(), areas.tolist(), wkb)):
             if n % _CHECK_EVERY == 0:
                 check_canceled(feedback)
             geometry = QgsGeometry()
-            geometry.fromWkb(polygon.wkb)
-            sink.add(geometry, {"class": value, "class_name": names.get(value), "area": polygon.area})
+            geometry.fromWkb(outline)
+            sink.add_row(geometry, (value, names.get(value), area))

@@ -52,10 +52,8 @@ def burnt(polygons: LabelPolygons, like: str) -> np.ndarray:
     return raster.ReadAsArray()
 
 
-@pytest.mark.parametrize("rows_at_once", [16, 2048])
 @pytest.mark.parametrize("seed", [1, 2, 3])
-def test_polygons_cover_what_is_labeled_with_shared_borders(qgis_app, tmp_path, monkeypatch, seed, rows_at_once):
-    monkeypatch.setattr(outlining, "_ROWS_AT_ONCE", rows_at_once)
+def test_polygons_cover_what_is_labeled_with_shared_borders(qgis_app, tmp_path, seed):
     labels = speckled(61, 83, seed)
     path = str(write_raster(tmp_path / "labels.tif", labels, transform=(WEST, 2, 0, NORTH, 0, -2)))
     polygons = outlined(path)
@@ -65,6 +63,25 @@ def test_polygons_cover_what_is_labeled_with_shared_borders(qgis_app, tmp_path, 
     if can_simplify():
         # Where borders lack a neighbor's corner this fails.
         assert shapely.coverage_is_valid(polygons.polygons)
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_they_are_those_of_gdal(qgis_app, tmp_path, seed):
+    path = str(write_raster(tmp_path / "labels.tif", speckled(120, 150, seed), transform=(WEST, 2, 0, NORTH, 0, -2)))
+    polygons = outlined(path)
+    kept = (ogr.GetDriverByName("Memory") or ogr.GetDriverByName("MEM")).CreateDataSource("")
+    made = kept.CreateLayer("p")
+    made.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
+    source = gdal.Open(path)
+    gdal.Polygonize(source.GetRasterBand(1), None, made, 0, [])
+    expected = [(one.GetField(0), bytes(one.GetGeometryRef().ExportToWkb())) for one in made if one.GetField(0)]
+    own = zip(polygons.classes.tolist(), shapely.to_wkb(_plain(polygons.polygons)))
+    assert sorted(own) == sorted((v, shapely.to_wkb(_plain(shapely.from_wkb(wkb)))) for v, wkb in expected)
+
+
+def _plain(polygons):
+    """Without vertices on straight edges, in shapely's own order."""
+    return shapely.normalize(shapely.simplify(shapely.normalize(polygons), 0))
 
 
 @simplifies
@@ -122,13 +139,13 @@ def test_a_photo_without_a_place_gives_polygons_in_pixels(segment, tmp_path):
 
 
 def test_a_cancel_while_outlining_leaves_nothing(segment, feedback, tmp_path, monkeypatch):
-    real = outlining._outlined
+    real = outlining.outlined
 
     def canceled(*arguments):
         feedback.cancel()
         return real(*arguments)
 
-    monkeypatch.setattr(outlining, "_outlined", canceled)
+    monkeypatch.setattr(outlining, "outlined", canceled)
     image = write_raster(tmp_path / "a.tif", np.moveaxis(painted(LABELS), 2, 0))
     with pytest.raises(QgsProcessingException, match="Canceled"):
         segment(image)

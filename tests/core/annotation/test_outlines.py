@@ -1,0 +1,112 @@
+"""Outlines of a label map's regions: each region one valid polygon, borders the same vertices on both sides."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+import shapely
+
+from semref.core.annotation import outlines
+from semref.core.annotation.outlines import outlined
+
+
+def outlines_of(labels: np.ndarray):
+    return outlined(lambda first, last: labels[first:last], labels.shape)
+
+
+def region_numbers(labels: np.ndarray) -> np.ndarray:
+    """(H, W) number of the 4-connected region of each pixel, 0 without a label."""
+    found = np.zeros(labels.shape, np.int64)
+    for value in np.unique(labels[labels > 0]):
+        count, numbers = cv2.connectedComponents((labels == value).astype(np.uint8), connectivity=4)
+        found[numbers > 0] = numbers[numbers > 0] + found.max()
+    return found
+
+
+def painted(polygons: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
+    """(H, W) number of the polygon that covers a pixel, from 1 on; that only one does is asserted."""
+    rows, columns = (indices.ravel() + 0.5 for indices in np.indices(shape_hw))
+    found = np.zeros(len(rows), np.int64)
+    for number, polygon in enumerate(polygons, start=1):
+        inside = shapely.contains_xy(polygon, columns, rows)
+        assert not found[inside].any()
+        found[inside] = number
+    return found.reshape(shape_hw)
+
+
+def assert_regions(labels: np.ndarray) -> None:
+    values, polygons = outlines_of(labels)
+    numbers, expected = painted(polygons, labels.shape), region_numbers(labels)
+    # One to one: as many pairs as there are regions, and as there are polygons.
+    pairs = np.unique(np.stack([numbers, expected]).reshape(2, -1), axis=1)
+    pairs = pairs[:, pairs.any(axis=0)]
+    assert pairs.shape[1] == expected.max() == len(polygons)
+    assert pairs.all()
+    np.testing.assert_array_equal(np.append(0, values)[numbers], labels)
+    assert shapely.is_valid(polygons).all()
+    assert shapely.area(polygons).sum() == (labels > 0).sum()
+    if hasattr(shapely, "coverage_is_valid"):
+        # Where borders lack a neighbor's corner this fails.
+        assert shapely.coverage_is_valid(polygons)
+
+
+@pytest.mark.parametrize("rows_at_once", [5, 2048])
+@pytest.mark.parametrize("classes", [2, 3, 5])
+@pytest.mark.parametrize("shape_hw", [(1, 1), (1, 9), (7, 1), (23, 31), (40, 22)])
+def test_every_region_is_one_polygon(monkeypatch, shape_hw, classes, rows_at_once):
+    monkeypatch.setattr(outlines, "_ROWS_AT_ONCE", rows_at_once)
+    labels = np.random.default_rng(classes).integers(0, classes, shape_hw).astype(np.uint8)
+    labels[0, 0] = 1
+    assert_regions(labels)
+
+
+def test_holes_within_holes_belong_to_the_region_around_them():
+    labels = np.ones((15, 22), np.uint8)
+    labels[2:13, 2:13] = 2
+    labels[4:11, 4:11] = 1
+    labels[6:9, 6:9] = 0
+    labels[3:6, 15:18] = labels[3:6, 19:21] = 3
+    assert_regions(labels)
+    _, polygons = outlines_of(labels)
+    assert sorted(shapely.get_num_interior_rings(polygons).tolist()) == [0, 0, 1, 1, 3]
+
+
+def test_a_hole_behind_another_is_its_regions():
+    # Left of the lower hole lies the upper one, of which it sees the edge.
+    labels = np.ones((9, 12), np.uint8)
+    labels[1:8, 2:4] = 2
+    labels[3:5, 6:9] = 2
+    values, polygons = outlines_of(labels)
+    assert values.tolist() == [1, 2, 2]
+    assert shapely.get_num_interior_rings(polygons).tolist() == [2, 0, 0]
+
+
+def test_a_region_that_meets_itself_at_a_corner_has_a_hole_there():
+    labels = np.array([[1, 1, 1], [1, 2, 1], [1, 1, 2]], np.uint8)
+    labels = np.pad(labels, 1, constant_values=2)
+    labels[3, 3] = 1
+    labels[2, 3] = labels[3, 2] = 2
+    assert_regions(labels)
+
+
+def test_a_neighbors_corner_on_a_straight_edge_becomes_a_vertex():
+    labels = np.array([[1, 2], [1, 3]], np.uint8)
+    _, (left, _, _) = outlines_of(labels)
+    assert (1, 1) in {(int(x), int(y)) for x, y in shapely.get_coordinates(left)}
+
+
+def test_without_a_neighbor_straight_edges_have_no_vertices_between():
+    _, (only,) = outlines_of(np.ones((4, 9), np.uint8))
+    assert shapely.get_coordinates(only).tolist() == [[0, 0], [0, 4], [9, 4], [9, 0], [0, 0]]
+
+
+def test_ground_without_a_label_has_no_polygon():
+    values, polygons = outlines_of(np.zeros((4, 5), np.uint8))
+    assert len(values) == len(polygons) == 0
+
+
+def test_told_to_stop_it_finds_nothing():
+    labels = np.ones((4, 5), np.uint8)
+    values, polygons = outlined(lambda first, last: labels[first:last], labels.shape, lambda: False)
+    assert len(values) == len(polygons) == 0
