@@ -55,3 +55,13 @@ def test_it_sees_what_a_photo_of_a_made_up_area_shows(model):
     for value in (1, 2, 3, 4):
         both, either = ((labels == value) & (truth == value)).sum(), ((labels == value) | (truth == value)).sum()
         assert both / either > 0.4, f"class {value}"
+
+
+def test_what_is_moved_in_a_tile_is_seen_moved_by_as_much(model):
+    edge, moved, margin = 512, 64, 192
+    photo_hw3 = np.random.default_rng(1671).integers(0, 256, (edge, edge, 3), np.uint8)
+    here = model.scores([photo_hw3])[0]
+    there = model.scores([np.ascontiguousarray(np.roll(photo_hw3, moved, (0, 1)))])[0]
+    inside, before = slice(margin + moved, edge - margin + moved), slice(margin, edge - margin)
+    # Of the tile's border a little comes in everywhere, by the means over all of it.
+    assert np.abs(there[:, inside, inside] - here[:, before, before]).max() < 0.02 * here.std()
