@@ -6,6 +6,7 @@ not what was said of them: a run after a change of the curve alone judges the sa
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import json
 import math
@@ -17,7 +18,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from bench import footprints, inputs, page, reliability, two_dates
+from bench import footprints, inputs, new_places, page, reliability, two_dates
 from bench.correlation import BUILDINGS, ON_A_TILE
 from bench.elsewhere import aerial_labels, sample_labels
 from bench.ground import GOAL, Ground, Image, tile_ground, tile_paths
@@ -27,12 +28,12 @@ from semref.core.correlation.class_pyramid import EvidenceLevel, mirrored_level
 from semref.core.correlation.detail import detail_at
 from semref.core.correlation.exactness import covariance_on_map
 from semref.core.correlation.refine import ScoredPose, is_held_by_edge
-from semref.core.correlation.settings import CORRELATION
+from semref.core.correlation.settings import CORRELATION, CorrelationSettings
 from semref.core.evaluation.trial import RIGHT_SHARE, Query
 from semref.core.localization import Prior, Status
 from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.noise import STRONG, LabelNoise
-from semref.core.simulation.views import PIXELS, View, cut, random_view
+from semref.core.simulation.views import PIXELS, cut, random_view
 from semref.storage.database.reader import read_database
 
 PAGE = "benchmarks.md"
@@ -63,8 +64,14 @@ KINDS = {OF_MAP: 0.7, OTHER_HALF: 0.2, LANDSCAPE: 0.05, AERIAL: 0.05}
 LEADS = (0.13, 0.29)
 """What a fix took at first, and what a risk of 1 in 10,000 took by the lead alone."""
 
-NOWHERE = Query(View(0.0, 0.0), is_of_map=False)
+LIECHTENSTEIN, CHRISTCHURCH, TILES = "liechtenstein", "christchurch", "tiles"
+NEW_PLACES = {place.name.partition(",")[0].lower(): place for place in new_places.PLACES}
+"""Of which no constant knows, by the name of the area."""
+
 PLAIN_DETAIL = 4.0
+OWN_GROUND = 1.0
+"""Within so many of an image's edges from its true place it shows some of the same ground."""
+
 SEARCHING = ("class_pyramid", "detail", "places", "refine", "refine_many", "search")
 """What finds the places of ``core/correlation``: after a change of one of these nothing is kept."""
 
@@ -77,7 +84,7 @@ class Places:
         kind: where the image is from
         noise: of its labels
         own: (score as it would be at the first one's scale, detail, how far it is from the truth as a share of the
-            footprint, whether it is known closely enough for a fix) a place
+            footprint, whether it is known closely enough for a fix, its 95 % radius as a share of the diagonal) a place
         mirrored: the same of the mirrored image
     """
 
@@ -93,32 +100,40 @@ def measure(run: inputs.Run) -> dict[str, str]:
     cv2.setNumThreads(1)
     count = run.how_many(COUNT, QUICK_COUNT)
     text = []
-    for name, about in (("liechtenstein", _ABOUT), ("christchurch", _CHRISTCHURCH), ("tiles", _TILES)):
-        if not run.wants(name):
+    for name, about in ABOUT.items():
+        if not run.wants(name) or name in NEW_PLACES and not new_places.is_here(run, NEW_PLACES[name]):
             continue
         found = list(kept(run, name, count))
-        told = [one for places_of_one in found for one in judged(places_of_one)]
-        wrong = sum(one.kind != reliability.OF_MAP for one in told)
-        text += [about.format(half=run.half, images=len(told) - wrong, wrong=wrong), reliability.curve(told)]
-        text += [reliability.by_decade(told), reliability.costs(told), _by_lead_alone(found)]
+        said = [one for places_of_one in found for one in judged(places_of_one)]
+        wrong = sum(one.kind != reliability.OF_MAP for one in said)
+        text += [about.format(half=run.half, images=len(said) - wrong, wrong=wrong), reliability.curve(said)]
+        text += [reliability.by_decade(said), reliability.costs(said), _by_lead_alone(found)]
     return {"area reliability": "\n\n".join(text)}
 
 
 _ABOUT = """\
-Map correlation, images of the {half}ern half of Liechtenstein (constants are from the northern), of 1,280, 640 and
-320 m (± 15 %) at uniform positions, three of four with a pixel size known to within 20 % and a heading known to within
-30°. {images} images of the map, and {wrong} that are wrong by construction: of the half that the database lacks,
-made-up landscapes, aerial label maps; of every image the mirrored one, judged against the image's other places, and the
-best place that is left without the right one. Of each the best place counts, fix or not; right: within 2 % of the
-footprint."""
+Map correlation, images of the {half}ern half of Liechtenstein, of 1,280, 640 and 320 m (± 15 %) at uniform positions,
+three of four with a pixel size known to within 20 % and a heading known to within 30°. {images} images of the map, and
+{wrong} that are wrong by construction: of the half that the database lacks, made-up landscapes, aerial label maps; of
+every image the mirrored one on ground that the image itself does not show, judged against the image's other places, and
+the best place that is left without the right one. Of each the best place counts, fix or not; right: within 2 % of the
+footprint. Constants: of the northern halves of Liechtenstein and Christchurch and of tiles 1 to 3 of Dubai."""
 
 _CHRISTCHURCH = """\
-The same on Christchurch, a map of 1996 and images of 2018 of 6.4, 3.2 and 1.6 km: {images} images of the map, {wrong}
-that are wrong by construction:"""
+The same on the {half}ern half of Christchurch, a map of 1996 and images of 2018 of 6.4, 3.2 and 1.6 km: {images} images
+of the map, {wrong} that are wrong by construction:"""
 
 _TILES = """\
-And on the annotated labels of Dubai's tiles, spoiled as above, {images} crops of 384–768 px at 0.9–1.1 of their pixels,
-pixel size searched over 0.7–1.4, and {wrong} that are wrong by construction:"""
+And on the annotated labels of three of Dubai's tiles, spoiled as above, {images} crops of 384–768 px at 0.9–1.1 of
+their pixels, pixel size searched over 0.7–1.4, and {wrong} that are wrong by construction:"""
+
+
+_NEW = """\
+And on {place}, of which no constant knows, as built by the steps of the guide: {{images}} images of 1, ½ and ¼ of a
+window, and {{wrong}} that are wrong by construction:"""
+
+ABOUT = {LIECHTENSTEIN: _ABOUT, CHRISTCHURCH: _CHRISTCHURCH, TILES: _TILES}
+ABOUT |= {name: _NEW.format(place=place.name.partition(",")[0]) for name, place in NEW_PLACES.items()}
 
 
 def _by_lead_alone(found: Sequence[Places]) -> str:
@@ -164,9 +179,9 @@ def _state() -> str:
 def _one(run: inputs.Run, area: str, grounds: dict, rng: np.random.Generator, number: int) -> Places | None:
     """An image of one of KINDS, of any footprint and noise; None where class areas can't tell anything."""
     noise, share = str(rng.choice(list(NOISES))), float(rng.choice(footprints.SHARES))
-    if area == "tiles":
+    if area == TILES:
         return _of_tile(run, grounds, noise, rng, number)
-    kind = OF_MAP if area == "christchurch" else str(rng.choice(list(KINDS), p=list(KINDS.values())))
+    kind = str(rng.choice(list(KINDS), p=list(KINDS.values()))) if area == LIECHTENSTEIN else OF_MAP
     ground = grounds.setdefault(area, _ground(run, area)) if area not in grounds else grounds[area]
     if kind in (LANDSCAPE, AERIAL):
         paths = tile_paths(run)
@@ -192,16 +207,21 @@ def _one(run: inputs.Run, area: str, grounds: dict, rng: np.random.Generator, nu
 
 
 def _ground(run: inputs.Run, area: str) -> Ground:
-    if area == "liechtenstein":
+    if area == LIECHTENSTEIN:
         ground = Ground.of(run)
         ground.spoiled_values = BUILDINGS
         return ground
+    if area in NEW_PLACES:
+        database, labels = new_places.built(run, NEW_PLACES[area])
+        return Ground(inputs.read_labels(labels), read_database(database, with_overview=True))
     labels = inputs.read_labels(two_dates.label_map(run, two_dates.AFTER))
-    return Ground(labels, read_database(str(two_dates.database(run, 6400.0)), with_overview=True))
+    return Ground(labels, read_database(str(two_dates.database(run, 6400.0)), with_overview=True), run.half)
 
 
 def _of_tile(run: inputs.Run, grounds: dict, noise: str, rng: np.random.Generator, number: int) -> Places | None:
-    path = tile_paths(run)[number % len(tile_paths(run))]
+    north, south = (tile_paths(run)[part] for part in (slice(3), slice(3, None)))
+    paths = north if run.half == "north" else south
+    path = paths[number % len(paths)]
     if path.stem not in grounds:
         grounds[path.stem] = tile_ground(path)
         grounds[path.stem].spoiled_values = BUILDINGS
@@ -246,32 +266,30 @@ def found_for(ground: Ground, image: Image, prior: Prior | None, kind: str, nois
         (chance.moved(pose.score, pose.pixel_size_m, size), *_detail_and_exactness(ground, image, seen, pose))
         for pose in poses
     ]
-    decoys = [
-        (pose.score, *_detail_and_exactness(ground, replace(image, query=NOWHERE), mirrored_level(seen), pose))
-        for pose in mirrored
-    ]
+    decoys = [(pose.score, *_detail_and_exactness(ground, image, mirrored_level(seen), pose)) for pose in mirrored]
     return Places(kind, noise, own, decoys)
 
 
 def _detail_and_exactness(
     ground: Ground, image: Image, seen: EvidenceLevel, pose: ScoredPose
-) -> tuple[float, float, bool]:
-    """Detail at a place, how far it is from the truth as a share of the footprint, whether it is close enough."""
+) -> tuple[float, float, bool, float | None]:
+    """Detail at a place, how far from the truth, whether it is close enough, and its radius, as ``Places`` has them."""
     pyramid = ground.localizer.pyramid
     detail = detail_at(places.reduced_image(seen, pyramid.settings.decision_edge), pyramid, pose)
     if _away(image, ground, pose) > 2 * RIGHT_SHARE and detail < PLAIN_DETAIL:
         # Nobody would take it for a fix, so that the time is saved.
-        return detail, _away(image, ground, pose), True
+        return detail, _away(image, ground, pose), True, None
     finest, covariance = places.finest_pose(seen, pyramid, pose)
     away = _away(image, ground, finest)
     if not np.isfinite(covariance).all():
-        return detail, away, False
+        return detail, away, False, None
     spread = covariance_on_map(finest, covariance)[:2, :2]
     error_95 = decision.position_error_95(spread, pose.score, pyramid.frame.pixel_size, pyramid.settings)
     diagonal = math.hypot(*image.labels_hw.shape) * finest.pixel_size_m
     level = places.reduced_image(seen, pyramid.settings.decision_edge)
     is_held = is_held_by_edge(level, pyramid, finest, pyramid.quiet)
-    return detail, away, decision.exact_enough(error_95, diagonal, is_held, pyramid.settings)[0] is Status.FIX
+    is_exact = decision.exact_enough(error_95, diagonal, is_held, pyramid.settings)[0] is Status.FIX
+    return detail, away, is_exact, error_95 / diagonal
 
 
 def _away(image: Image, ground: Ground, pose: ScoredPose) -> float:
@@ -285,21 +303,28 @@ def _away(image: Image, ground: Ground, pose: ScoredPose) -> float:
 # --- verdicts ---
 
 
-def judged(found: Places) -> Iterator[reliability.Told]:
+def judged(found: Places, settings: CorrelationSettings = CORRELATION) -> Iterator[reliability.Told]:
     """What is said of an image, of the same without its place where that was found, and of the mirrored image."""
+    say = functools.partial(told, settings=settings)
     can_be_right = found.kind == OF_MAP
-    yield _told(found, found.own, found.mirrored, reliability.OF_MAP if can_be_right else found.kind)
+    yield say(found, found.own, found.mirrored, reliability.OF_MAP if can_be_right else found.kind)
     others = [place for place in found.own if place[2] >= CORRELATION.apart]
     if others and len(others) < len(found.own):
-        yield _told(found, others, found.mirrored, WITHOUT)
-    if found.mirrored:
-        yield _told(found, found.mirrored, others, MIRRORED)
+        yield say(found, others, found.mirrored, WITHOUT)
+    # Coasts and streets resemble themselves in a mirror: no other ground, and in use the image itself refuses it.
+    elsewhere = [place for place in found.mirrored if place[2] >= OWN_GROUND]
+    if elsewhere:
+        yield say(found, elsewhere, others, MIRRORED)
 
 
-def _told(found: Places, own: Sequence, decoys: Sequence, kind: str) -> reliability.Told:
-    order, peaks = decision.ranked([tuple(place[:2]) for place in own], [tuple(place[:2]) for place in decoys])
-    _, _, off, is_exact = own[order[0]]
-    risk, is_right = decision.risk_of_peaks(peaks), off <= RIGHT_SHARE
+def told(
+    found: Places, own: Sequence, decoys: Sequence, kind: str, settings: CorrelationSettings = CORRELATION
+) -> reliability.Told:
+    """What is said of places, the best of them first, against those that are none."""
+    scored, unlike = ([tuple(place[:2]) for place in some] for some in (own, decoys))
+    order, peaks = decision.ranked(scored, unlike, settings)
+    _, _, off, is_exact, _ = own[order[0]]
+    risk, is_right = decision.risk_of_peaks(peaks, settings), kind == OF_MAP and off <= RIGHT_SHARE
     return reliability.Told(
-        kind, found.noise, 0, peaks.detail, decision.lead(peaks), risk, is_right, False, is_exact, ""
+        kind, found.noise, 0, peaks.detail, decision.lead(peaks, settings), risk, is_right, False, is_exact, ""
     )

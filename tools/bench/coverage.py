@@ -205,8 +205,8 @@ the footprint), by the ellipse of the told covariance. Goal: 93–97 % in the 95
 own date and states the default accuracy, so images of its own date have errors smaller than told. “Not stated”: a
 network made the labels whose metadata state no bias, so that {spread:g} m along each axis is added. Christchurch: label
 images of another date of LCDB v5.0, 10 m pixels, 6.4 km of ground, any number of landmarks. Photos: as under “photos of
-the sample area” and “real photos”; Dubai's with
-`--model FOLDER` of *without_tileN.onnx, in pixels."""
+the sample area” and “real photos”, with `--model FOLDER`;
+Dubai's by *without_tileN.onnx, in pixels, Banepa's by the networks of `own_buildings`, at 0.25 m."""
 
 _ABOUT_AREAS = """\
 Map correlation and automatic, told the position to {radius:g} m; otherwise as above. Map correlation: “modest” noise in

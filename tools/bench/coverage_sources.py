@@ -8,7 +8,7 @@ from functools import lru_cache, partial
 
 import numpy as np
 
-from bench import inputs, photos, two_dates
+from bench import inputs, own_buildings, photos, real_places, two_dates
 from bench.correlation import ON_A_TILE
 from bench.ground import ANY, Ground, Image, Wanted, tile_ground, tile_paths
 from semref.core.evaluation.trial import Query, Trial
@@ -98,10 +98,16 @@ def _rendered_trials(method: Method, told: bool, part: int, size: int) -> list[T
 
 
 def _real(run: inputs.Run) -> Rows:
-    """Of one tile by the network of --model, or by each NETWORK_without_tileN.onnx of that folder."""
+    """Of one tile by the network of --model, or by each NETWORK_without_tileN.onnx of that folder, and a place's."""
     models = {run.tile: run.model}
     if run.model.is_dir():
         models = {int(path.stem[-1]): path for path in sorted(run.model.glob("*without_tile[0-9].onnx"))}
+        for path in sorted(run.model.glob(f"*without_{own_buildings.FLOWN}.onnx")):
+            for method in PHOTO_METHODS:
+                trained = path.stem.partition("_without")[0].replace("_", " ")
+                name = f"{method.key}: {REAL}, east of banepa, {REAL_PX} px, trained for {trained}"
+                if run.wants(name):
+                    yield name, partial(_place_trials, replace(run, model=path), method)
     for tile, model in models.items():
         for method in PHOTO_METHODS:
             name = f"{method.key}: {REAL}, tile {tile} of dubai_aerial, {REAL_PX} px"
@@ -120,6 +126,26 @@ def _of_tile(run: inputs.Run, part: int, size: int) -> tuple[Ground, list[Image]
     wanted = replace(ON_A_TILE, sizes_px=(REAL_PX,), labeled=0.0)
     images = [ground.draw(wanted, rng) for _ in range(size)]
     return ground, [photos.as_seen(i, network.seen(photos.seen(ground, picture, i.view))) for i in images]
+
+
+@lru_cache(maxsize=1)
+def _place(run: inputs.Run) -> tuple[real_places.PlaceGround, photos.Network]:
+    place = own_buildings.both_databases(run)[own_buildings.WITH_OTHER]
+    network = photos.Network(run.model, place.ground)
+    place.ground.localizer.heed_biases(*network.biases)
+    return place, network
+
+
+@lru_cache(maxsize=1)
+def _of_place(run: inputs.Run, part: int, size: int) -> list[Image]:
+    place, network = _place(run)
+    images = place.images(REAL_PX, size, np.random.default_rng([SEED, 200, part]))
+    return [photos.as_seen(i, network.seen(photos.seen(place.ground, place.picture, i.view))) for i in images]
+
+
+def _place_trials(run: inputs.Run, method: Method, part: int, size: int) -> list[Trial]:
+    ground = _place(run)[0].ground
+    return [ground.try_image(image, method) for image in _of_place(run, part, size)]
 
 
 def _real_trials(run: inputs.Run, method: Method, part: int, size: int) -> list[Trial]:

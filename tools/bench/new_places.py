@@ -74,10 +74,9 @@ def measure(run: inputs.Run) -> dict[str, str]:
     count = run.how_many(COUNT, QUICK_COUNT)
     rows = []
     for place in PLACES:
-        paths = [run.data / layer for layer in place.layers]
-        if not run.wants(place.name) or not all(Path(str(path).partition("|")[0]).exists() for path in paths):
+        if not run.wants(place.name) or not is_here(run, place):
             continue
-        database, labels = _database(place, paths, run.work)
+        database, labels = built(run, place)
         rows += _rows(place.name, database, labels, run.work / f"{_file(place)}_trials.gpkg", count)
     if not rows:
         return {"new places": "Not measured: the real data is not here."}
@@ -93,14 +92,20 @@ around windows with three landmarks or more. Right: within 2 % of the image's ed
 window."""
 
 
+def is_here(run: inputs.Run, place: Place) -> bool:
+    """Whether the place's layers are among the real data."""
+    return all((run.data / layer.partition("|")[0]).exists() for layer in place.layers)
+
+
 def _file(place: Place) -> str:
     return place.name.partition(",")[0].lower()
 
 
-def _database(place: Place, paths: Sequence[Path], work: Path) -> tuple[str, str]:
+def built(run: inputs.Run, place: Place) -> tuple[str, str]:
     """Paths of database and label map, by the steps of the guide."""
     import processing
 
+    work, paths = run.work, [run.data / layer for layer in place.layers]
     source = str(paths[0])
     if len(paths) > 1:
         merged = {"LAYERS": [str(path) for path in paths], "OUTPUT": str(work / f"{_file(place)}_merged.gpkg")}

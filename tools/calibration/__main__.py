@@ -48,7 +48,7 @@ MODULES = {
 COUNTS = {
     "constellation": 300,
     "correlation": 100,
-    "areas": 200,
+    "areas": 400,
     "radius": 50,
     "agreement": 100,
     "covariance": 60,
