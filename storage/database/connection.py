@@ -13,7 +13,7 @@ from osgeo import gdal
 
 from ...core.errors import DatabaseError
 from . import schema
-from .sets import is_set
+from .sets import require_no_set
 
 _WAIT_S = 3.0
 """How long a writer may take to finish before a database is said to be in use."""
@@ -57,8 +57,7 @@ def snapshot(path: str) -> Iterator[Snapshot]:
     """
     if not os.path.isfile(path):
         raise no_database(path)
-    if is_set(path):
-        raise DatabaseError("storage.set_is_read_only", path=path)
+    require_no_set(path)
     try:
         with contextlib.closing(_connected(path)) as connection:
             connection.execute("PRAGMA trusted_schema=OFF")

@@ -329,10 +329,10 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
 
 
 def stored_style(path: str, table: str) -> str | None:
-    """QML of the style of one table of a database, None when it has none or a damaged one."""
+    """QML of the style of one table of a database, None when it has none or a damaged one; of a set its first one's."""
     query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
-        with snapshot(path) as connection:
+        with snapshot(parts_of(path)[0] if is_set(path) else path) as connection:
             row = connection.execute(query, (table, _LONGEST_STYLE)).fetchone()
     except DatabaseError:
         return None

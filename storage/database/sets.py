@@ -27,6 +27,12 @@ def is_set(path: str) -> bool:
     return path.lower().endswith(SUFFIX)
 
 
+def require_no_set(path: str) -> None:
+    """Raises DatabaseError for a set where one database is wanted."""
+    if is_set(path):
+        raise DatabaseError("storage.set_is_read_only", path=path)
+
+
 def parts_of(path: str) -> list[str]:
     """Paths of the databases that a set names, in its order.
 

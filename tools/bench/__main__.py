@@ -67,6 +67,7 @@ NAMES = (
     "segment",
     "annotation",
     "update",
+    "databases_in_parts",
     "dock",
 )
 KEEPING = (
