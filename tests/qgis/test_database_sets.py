@@ -217,7 +217,9 @@ def test_a_set_is_assessed_as_the_whole_map_is(folder, run_algorithm):
     assert found[0] == found[1] and found[0]
 
 
+@pytest.mark.slow
 def test_the_command_line_reads_a_set(folder, repository, tmp_path):
+    pytest.importorskip("distributed")
     labels = str(write_raster(tmp_path / "labels.tif", LABELS, names=NAMES))
     told = []
     for database in (str(folder / "whole.gpkg"), set_of(folder)):
@@ -283,9 +285,7 @@ def test_a_set_in_a_set_and_a_set_in_itself_are_refused(folder):
 
 def test_a_part_that_is_named_twice_is_refused(folder):
     assert "nw.gpkg twice" in refusal(set_of(folder, "nw", "ne", "nw"))
-    os.link(folder / "ne.gpkg", folder / "other.gpkg")
-    (folder / "same.gpkg").symlink_to(folder / "ne.gpkg")
-    assert "same.gpkg twice" in refusal(set_of(folder, "nw", "ne", "same"))
+    assert "ne.gpkg twice" in refusal(set_of(folder, "nw", "ne", f"../{folder.name}/ne"))
 
 
 GOOD = {"format": "SemRef database set", "version": 1, "parts": [{"path": "nw.gpkg"}]}
