@@ -360,4 +360,5 @@ def session() -> dict:
     return seen
 
 
-start(session)
+if __name__ != "walk_job_session":  # tools/docs/walk_before_session.py imports the walks, QGIS runs them.
+    start(session)

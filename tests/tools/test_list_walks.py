@@ -41,9 +41,9 @@ def test_the_table_and_the_lines_are_what_was_kept(tool, kept, repository, tmp_p
     written = (docs / tool.PAGE).read_text(encoding="utf-8")
     rows = [row for row in written.partition(tool.BEGIN)[2].partition(tool.END)[0].splitlines() if "](" in row]
     assert [row.rpartition("](")[2].partition(") ")[2] for row in rows] == [
-        "| 3 | – | 1 | 4 |",
-        "| 4 | 31 | 3 | 13 |",
-        "| 4 | – | 1 | 13 |",
+        "| 3 | – | 1 | 4 | 3, 1, – |",
+        "| 4 | 31 | 3 | 13 | 4, 3, 7 |",
+        "| 4 | – | 1 | 13 | 7, 1, 4 |",
     ]
     photos, guide = ((docs / page).read_text(encoding="utf-8") for page in ("guide/own_photos.md", "user_guide.md"))
     assert "*At the least: 4 clicks, or 31 keys without the mouse, 3 values to type or choose, 13 s until" in photos
@@ -56,3 +56,9 @@ def test_walks_that_were_not_gone_keep_their_lines(tool, tmp_path, repository):
     tool.write(docs, {}, "today")
     for page in {page for _, page in tool.PAGES.values()} - {tool.PAGE}:
         assert (docs / page).read_text(encoding="utf-8") == (repository / "docs" / page).read_text(encoding="utf-8")
+
+
+def test_every_walk_tells_what_it_took_before(tool):
+    before = json.loads(tool.BEFORE.read_text(encoding="utf-8"))
+    assert set(before["walks"]) == set(tool.PAGES) and len(before["commit"]) == 7
+    assert tool._before(None) == "not possible"

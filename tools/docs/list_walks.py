@@ -2,6 +2,8 @@
 
 SEMREF_PICTURES=DIR python -m pytest tests/gui/test_walk_install.py tests/gui/test_walks.py tests/gui/test_walk_job.py
 python tools/docs/list_walks.py DIR
+
+What they took before they were made shorter is in walks_before.json, which walk_before.py writes.
 """
 
 from __future__ import annotations
@@ -37,6 +39,8 @@ INSTALL_CLICKS, INSTALL_VALUES = 3, 1
 """*Install from ZIP*, *…* beside the file, *Install Plugin*; QGIS's own installer is called, as they do."""
 
 
+BEFORE = Path(__file__).with_name("walks_before.json")
+
 BY_CALLS = ("sample",)
 """Walks whose every press is a call of QGIS's own: which key it would be, nobody has tried."""
 
@@ -69,12 +73,18 @@ def walks(folder: Path) -> dict[str, Walk]:
 
 def table(found: dict[str, Walk], how: str) -> str:
     """Markdown: all walks, and how they were measured."""
-    lines = ["| walk | clicks | or keys alone | values typed or chosen | seconds |", "|---|---|---|---|---|"]
+    before = json.loads(BEFORE.read_text(encoding="utf-8"))
+    lines = [
+        "| walk | clicks | or keys alone | values typed or chosen | seconds | before: clicks, values, seconds |",
+        "|---|---|---|---|---|---|",
+    ]
     for name, one in found.items():
         what, page = PAGES[name]
         pressed = "–" if one.keys is None else one.keys
-        lines.append(f"| [{what}]({page}) | {one.clicks} | {pressed} | {one.values} | {one.seconds:.0f} |")
-    return "\n".join(lines) + f"\n\nIn desktop QGIS, by a script that presses and types ({how})."
+        took = f"{one.clicks} | {pressed} | {one.values} | {one.seconds:.0f} | {_before(before['walks'].get(name))}"
+        lines.append(f"| [{what}]({page}) | {took} |")
+    how = f"In desktop QGIS, by a script that presses and types ({how}). Before: commit {before['commit']}, by"
+    return "\n".join(lines) + f"\n\n{how} `tools/docs/walk_before.py`."
 
 
 def line(name: str, one: Walk) -> str:
@@ -100,6 +110,13 @@ def write(docs: Path, found: dict[str, Walk], how: str) -> None:
     for name in sorted({page for _, page in PAGES.values()}):
         text = (docs / name).read_text(encoding="utf-8")
         (docs / name).write_text(LINE.sub(told, text), encoding="utf-8")
+
+
+def _before(one: dict | None) -> str:
+    """What a walk took before; seconds only where it was gone."""
+    if one is None:
+        return "not possible"
+    return f"{one['clicks']}, {one['values']}, {'–' if one['seconds'] is None else format(one['seconds'], '.0f')}"
 
 
 def _kept(folder: Path, name: str) -> dict:
