@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 
 import pytest
@@ -213,3 +214,35 @@ def issues(qgis_app, dock):
 def tab(dock):
     """The dock's tab Localize."""
     return dock.content.localize
+
+
+@pytest.fixture
+def open_dialog(plugin, iface, monkeypatch):
+    """`open_dialog(id, parameters)` opens QGIS's own dialog of one of SemRef's algorithms, and gives it."""
+    import processing
+    from dock_area import settle
+    from processing.gui import AlgorithmDialog
+    from qgis.gui import QgsBrowserGuiModel
+
+    assert AlgorithmDialog
+    browser = QgsBrowserGuiModel()
+    monkeypatch.setattr(iface, "browserModel", lambda: browser, raising=False)
+    monkeypatch.setattr(iface, "activeLayer", lambda: None, raising=False)
+    # Each of Processing's modules has taken the window when it was imported.
+    for module in [module for name, module in sys.modules.items() if name.startswith("processing.")]:
+        if hasattr(module, "iface"):
+            monkeypatch.setattr(module, "iface", iface)
+    kept = []
+
+    def make(name: str, given: dict):
+        dialog = processing.createAlgorithmDialog(f"semref:{name}", given)
+        dialog.show()
+        settle()
+        kept.append(dialog)
+        return dialog
+
+    yield make
+    for dialog in kept:
+        dialog.close()
+        dialog.deleteLater()
+    settle()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
@@ -146,34 +145,9 @@ def polygons(qgis_app, tmp_path):
 
 
 @pytest.fixture
-def dialog_of(plugin, iface, monkeypatch):
+def dialog_of(open_dialog):
     """`dialog_of(id, parameters)` opens QGIS's own dialog of an algorithm; gives the wrappers of its parameters."""
-    import processing
-    from processing.gui import AlgorithmDialog
-    from qgis.gui import QgsBrowserGuiModel
-
-    assert AlgorithmDialog
-    browser = QgsBrowserGuiModel()
-    monkeypatch.setattr(iface, "browserModel", lambda: browser, raising=False)
-    monkeypatch.setattr(iface, "activeLayer", lambda: None, raising=False)
-    # Each of Processing's modules has taken the window when it was imported.
-    for module in [module for name, module in sys.modules.items() if name.startswith("processing.")]:
-        if hasattr(module, "iface"):
-            monkeypatch.setattr(module, "iface", iface)
-    kept = []
-
-    def make(name: str, **given):
-        dialog = processing.createAlgorithmDialog(f"semref:{name}", given)
-        dialog.show()
-        settle()
-        kept.append(dialog)
-        return dialog.mainWidget().wrappers
-
-    yield make
-    for dialog in kept:
-        dialog.close()
-        dialog.deleteLater()
-    settle()
+    return lambda name, **given: open_dialog(name, given).mainWidget().wrappers
 
 
 def set_value(wrapper, value) -> None:

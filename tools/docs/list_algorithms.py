@@ -5,13 +5,16 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+sys.path.append(str(Path(__file__).parent))
+from example_calls import ELSEWHERE, in_python, in_terminal
+
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "guide" / "toolbox.md"
 BEGIN, END = "<!-- algorithms: tools/docs/list_algorithms.py -->", "<!-- /algorithms -->"
 GROUPS = ("annotation", "referencedatabase", "localization")
 
 
 def listing(provider) -> str:
-    """Markdown: a heading for each algorithm of the provider, by group, with title, what it does, and keys."""
+    """Markdown: a heading for each algorithm of the provider, by group, with title, what it does, keys and a call."""
     parts = []
     for group in GROUPS:
         algorithms = sorted((a for a in provider.algorithms() if a.groupId() == group), key=lambda a: a.name())
@@ -29,7 +32,11 @@ def entry(algorithm) -> str:
     keys = [key_text(parameter) for parameter in algorithm.parameterDefinitions()]
     named = {parameter.name() for parameter in algorithm.parameterDefinitions()}
     results = [f"`{o.name()}`" for o in algorithm.outputDefinitions() if o.name() not in named]
-    return f"#### {algorithm.id()}\n\n{about}\n\n" + ", ".join(keys) + (" → " + ", ".join(results) if results else "")
+    keys_text = ", ".join(keys) + (" → " + ", ".join(results) if results else "")
+    name = algorithm.name()
+    calls = f"```sh\n{in_terminal(name)}\n```\n\n```python\n{in_python(name)}\n```"
+    needs = [ELSEWHERE[name]] if name in ELSEWHERE else []
+    return "\n\n".join([f"#### {algorithm.id()}", about, keys_text, calls, *needs])
 
 
 def key_text(parameter) -> str:
