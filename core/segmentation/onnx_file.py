@@ -14,7 +14,9 @@ from dataclasses import dataclass
 _VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
 _IR_VERSION, _GRAPH, _OPSETS, _METADATA = 1, 7, 8, 14
 _DOMAIN, _VERSION = 1, 2
-_INITIALIZER, _EXTERNAL_DATA = 5, 13
+_NODE, _INITIALIZER, _EXTERNAL_DATA = 1, 5, 13
+_OPERATOR, _ATTRIBUTE, _NAME, _TEXT = 4, 5, 1, 4
+_ALIGNED = b"coordinate_transformation_mode", b"align_corners"
 _KEY, _VALUE = 1, 2
 
 
@@ -26,11 +28,14 @@ class OnnxHeader:
         ir_version: Of the format; 0 when it says none.
         opset: Version of ONNX's own operators; 0 when it says none.
         weight_files: Names of other files that hold its weights.
+        aligns_corners: Whether it enlarges anything with aligned corners: what lies off the middle of a tile is then
+            answered farther off (docs/training.md).
     """
 
     ir_version: int
     opset: int
     weight_files: tuple[str, ...]
+    aligns_corners: bool = False
 
     def missing_weights(self, path: str) -> str:
         """The first file of weights that is not beside the model, or nothing."""
@@ -52,7 +57,9 @@ def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
                 version = stated.get(_VERSION, 0)
                 if not stated.get(_DOMAIN) and isinstance(version, int):
                     opset = version
-        return None if graph is None else OnnxHeader(ir_version, opset, tuple(_weight_files(graph)))
+        if graph is None:
+            return None
+        return OnnxHeader(ir_version, opset, tuple(_weight_files(graph)), _aligns_corners(graph))
     except ValueError:
         return None
 
@@ -124,6 +131,20 @@ def _weight_files(graph: memoryview) -> list[str]:
                 if texts.get(_KEY) == b"location":
                     found[texts.get(_VALUE, b"").decode("utf-8", "replace")] = None
     return list(found)
+
+
+def _aligns_corners(graph: memoryview) -> bool:
+    for number, node in _fields(graph):
+        if number != _NODE or not isinstance(node, memoryview):
+            continue
+        parts = [(inner, part) for inner, part in _fields(node) if isinstance(part, memoryview)]
+        if (_OPERATOR, b"Resize") not in parts:
+            continue
+        for inner, attribute in parts:
+            stated = dict(_fields(attribute)) if inner == _ATTRIBUTE else {}
+            if (stated.get(_NAME), stated.get(_TEXT)) == _ALIGNED:
+                return True
+    return False
 
 
 def _fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:

@@ -130,6 +130,12 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     return Sentence("segmentation.not_run", path=path, version=version, reason=reason_of(error))
 
 
+def aligns_corners(path: str) -> bool:
+    """Whether a network enlarges anything with aligned corners (``OnnxHeader``)."""
+    header = read_header(_content(path))
+    return header is not None and header.aligns_corners
+
+
 def _content(path: str) -> bytes:
     try:
         with open(path, "rb") as file:

@@ -105,6 +105,10 @@ SENTENCES = {
     ),
     "segmentation.device_left_out": "its driver or its libraries could not be loaded",
     "segmentation.not_run": "{path} can't be run by onnxruntime {version}: {reason}.",
+    "segmentation.aligned_corners": (
+        "The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels "
+        "farther off, and photos are taken for up to 1 % larger than they are."
+    ),
     "segmentation.other_tile_size": (
         "tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: these are "
         "used."

@@ -40,6 +40,7 @@ def test_it_is_small_and_knows_the_classes_of_the_sample(model):
     ]
     assert model.settings.resolution_m == 1.0
     assert model.tile_hw == (512, 512)
+    assert model.notes == []
 
 
 def test_it_sees_what_a_photo_of_a_made_up_area_shows(model):

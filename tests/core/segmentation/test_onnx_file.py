@@ -35,3 +35,17 @@ def test_weights_that_are_not_beside_the_model_are_named(tmp_path):
     assert header.missing_weights(str(tmp_path / "m.onnx")) == "weights.bin"
     (tmp_path / "weights.bin").write_bytes(b"1234")
     assert header.missing_weights(str(tmp_path / "m.onnx")) == ""
+
+
+def enlarging(mode):
+    """A file with a network that does nothing but enlarge, with corners or centers as ``mode`` says."""
+    onnx = pytest.importorskip("onnx")
+    nodes = [onnx.helper.make_node("Relu", ["x"], ["y"])]
+    nodes += [onnx.helper.make_node("Resize", ["y"], ["z"], mode="linear", coordinate_transformation_mode=mode)]
+    return onnx.ModelProto(ir_version=8, graph=onnx.GraphProto(name="g", node=nodes)).SerializeToString()
+
+
+def test_a_network_that_enlarges_with_aligned_corners_is_known_by_its_file():
+    assert read_header(enlarging("align_corners")).aligns_corners
+    assert not read_header(enlarging("half_pixel")).aligns_corners
+    assert not read_header(enlarging("pytorch_half_pixel")).aligns_corners
