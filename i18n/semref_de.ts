@@ -4420,6 +4420,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das nächste Fenster hat den Abstand {distance:.3f}, mehr als {threshold:g}.</translation>
   </message>
   <message>
+   <source>The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels farther off, and photos are taken for up to 1 % larger than they are.</source>
+   <translation>Das Netz vergrößert mit ausgerichteten Ecken: Was abseits der Mitte einer Kachel liegt, wird bis zu einige Pixel weiter außen gezeigt, und Fotos werden für bis zu 1 % größer gehalten, als sie sind.</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>Das Netz hält seine Labels im Mittel zu {percent:.0f} % für richtig. Wo das viel weniger ist als auf dem Gelände, auf dem es trainiert wurde, kennt es dieses Gelände nicht; eine hohe Zahl beweist nicht, dass es das tut.</translation>
   </message>

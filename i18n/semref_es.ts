@@ -4420,6 +4420,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La ventana más cercana está a la distancia {distance:.3f}, más de {threshold:g}.</translation>
   </message>
   <message>
+   <source>The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels farther off, and photos are taken for up to 1 % larger than they are.</source>
+   <translation>La red amplía con las esquinas alineadas: lo que queda fuera del centro de una tesela se muestra hasta algunos píxeles más lejos, y las fotos se toman por hasta un 1 % más grandes de lo que son.</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>La red considera que sus etiquetas son correctas con un {percent:.0f} % de media. Donde eso es mucho menos que en el terreno con el que se entrenó, no conoce este terreno; un número alto no prueba que lo conozca.</translation>
   </message>

@@ -4420,6 +4420,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La fenêtre la plus proche est à la distance {distance:.3f}, plus que {threshold:g}.</translation>
   </message>
   <message>
+   <source>The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels farther off, and photos are taken for up to 1 % larger than they are.</source>
+   <translation>Le réseau agrandit avec les coins alignés : ce qui est loin du milieu d’une tuile est montré jusqu’à quelques pixels plus loin, et les photos passent pour jusqu’à 1 % plus grandes qu’elles ne sont.</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>Le réseau estime ses étiquettes justes à {percent:.0f} % en moyenne. Là où c’est bien moins que sur le terrain de son entraînement, il ne connaît pas ce terrain ; un nombre élevé ne prouve pas qu’il le connaît.</translation>
   </message>

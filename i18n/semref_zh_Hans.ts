@@ -4420,6 +4420,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>最近窗口的距离为 {distance:.3f}，大于 {threshold:g}。</translation>
   </message>
   <message>
+   <source>The network enlarges with aligned corners: what lies off the middle of a tile is shown up to some pixels farther off, and photos are taken for up to 1 % larger than they are.</source>
+   <translation>该网络在放大时对齐角点：偏离瓦片中心的内容会显示得再偏远几个像素，照片会被当作比实际最多大 1 %。</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>网络认为其标签正确的平均概率为 {percent:.0f} %。若明显低于训练所用地面上的值，说明网络不认识这片地面；数值高并不能证明它认识。</translation>
   </message>
