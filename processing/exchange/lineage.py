@@ -21,6 +21,7 @@ from qgis.core import (
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.database.notes import LONGEST_NOTE, QGIS_STANDARD
+from ...storage.database.sets import files_of, is_set
 
 LONGEST_COMMAND = 20_000
 """Characters of a lineage: a run of thousands of images names each."""
@@ -98,7 +99,7 @@ def _told_by_inputs(
         value = parameters.get(definition.name())
         if definition.isDestination() or definition.type() not in (*_LAYERS, "file"):
             continue
-        for one in (value if isinstance(value, (list, tuple)) else (value,))[:_MOST_FILES]:
+        for one in _each(value)[:_MOST_FILES]:
             if isinstance(one, QgsProcessingFeatureSourceDefinition):
                 one = one.source.staticValue()
             layer = one if isinstance(one, QgsMapLayer) else None
@@ -109,6 +110,12 @@ def _told_by_inputs(
                 # A database's note is of one of its layers, so that it is called by its file.
                 title = "" if definition.type() == "file" else told.title()
                 yield title or (layer.name() if layer is not None else Path(one).stem), told
+
+
+def _each(value: Any) -> list[Any]:
+    """What is given, one by one; of a set of databases these."""
+    given = value if isinstance(value, (list, tuple)) else (value,)
+    return [file for one in given for file in (files_of(one)[1:] if isinstance(one, str) and is_set(one) else (one,))]
 
 
 def _told_by(layer: QgsMapLayer) -> QgsLayerMetadata:

@@ -85,8 +85,8 @@ def clear_beside_inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> No
     folders = set()
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():
-            for source in _sources(values.raw(definition.name()), values.context):
-                path = source.split("|")[0]
+            sources = _sources(values.raw(definition.name()), values.context)
+            for path in (file for source in sources for file in files_of(source.split("|")[0])):
                 folder = os.path.dirname(path) or "."
                 # Not by pathlib, which raises for texts that no file system takes as a name.
                 if (os.path.isabs(path) or os.path.exists(path)) and os.path.isdir(folder):

@@ -131,6 +131,22 @@ def test_a_file_that_is_no_database_does_not_go_to_the_map(dock, iface, area):
     assert "is not a SemRef reference database" in messages(iface)[0]
 
 
+def test_layers_that_come_while_the_box_is_folded_away_do_not_open_it(dock, area):
+    from qgis.core import QgsProject
+
+    from semref.processing.exchange.database_layers import add_database_to_map
+
+    localize(dock, area.database, [area.image])
+    box = dock.content.database
+    assert box.isCollapsed()
+    add_database_to_map(area.database, QgsProject.instance())
+    settle()
+    assert box.in_project.count() > 1 and not box.in_project.isVisibleTo(dock)
+    box.setCollapsed(False)
+    settle()
+    assert box.in_project.isVisibleTo(dock) and box.file.isVisibleTo(dock)
+
+
 @pytest.fixture
 def country(area, tmp_path):
     """A set of two databases, which happen to be of the same ground."""

@@ -96,6 +96,17 @@ def test_a_history_of_long_lines_stays_what_a_reader_takes(qgis_app):
     assert 100_000 < sum(map(len, lines)) <= 150_001
 
 
+def test_what_is_made_of_a_set_has_the_licenses_of_its_databases(database, run_algorithm, tmp_path):
+    from semref.storage.database.sets import set_text
+
+    path = tmp_path / "country.semrefset"
+    path.write_text(set_text(str(path), [database]), encoding="utf-8")
+    output = str(tmp_path / "squares.gpkg")
+    run_algorithm("semref:assessdatabase", {"DATABASE": str(path), "TRIALS": 20, "OUTPUT": output})
+    told = QgsVectorLayer(output, "squares", "ogr").metadata()
+    assert told.licenses() == ["ODbL 1.0"] and Path(database).stem in told.abstract()
+
+
 def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):
     image = write_raster(tmp_path / "image.png", scattered_objects(600, 600, 300, seed=3)[100:300, 100:300])
     output = str(tmp_path / "positions.gpkg")

@@ -40,7 +40,7 @@ class DatabaseBox(FoldingBox):
         self.setObjectName("SemRefDatabase")
         # Folded away after a run, not for ever.
         self.setSaveCollapsedState(False)
-        self.collapsedStateChanged.connect(self._show_title)
+        self.collapsedStateChanged.connect(self._show_folded)
         self.setAcceptDrops(True)
         self.file = QgsFileWidget()
         self.file.setFilter(tr("Reference databases (*.gpkg *.semrefset)"))
@@ -108,8 +108,13 @@ class DatabaseBox(FoldingBox):
         for path, name in project_databases(QgsProject.instance()).items():
             self.in_project.addItem(QgsApplication.getThemeIcon("/mIconVector.svg"), name, path)
             self.in_project.setItemData(self.in_project.count() - 1, path, Qt.ItemDataRole.ToolTipRole)
-        self.in_project.setVisible(self.in_project.count() > 1)
+        self._show_folded()
         self._show_in_project()
+
+    def _show_folded(self, *_) -> None:
+        """What is seen of the box as it is, folded or not: layers may come at any time."""
+        self.in_project.setVisible(self.in_project.count() > 1 and not self.isCollapsed())
+        self._show_title()
 
     def _show_in_project(self) -> None:
         self.in_project.setCurrentIndex(max(0, self.in_project.findData(self.path())))
