@@ -156,10 +156,7 @@ def _row(ground: Ground, sheets: Sheets, known, images: list[Image], answers: li
     found, true = _landmarks(together.references), _landmarks(known.references)
     windows = _windows(together.windows) & _windows(known.windows)
     same_overview = "the same" if np.array_equal(together.overview, known.overview) else "another"
-    same = [0, 0]
-    for image, expected in zip(images, answers):
-        for n, (one, two) in enumerate(zip(_answers(other, image), expected)):
-            same[n] += _same(one, two)
+    found_there = [_answers(other, image) for image in images]
     return [
         f"{sheets.overlap} m",
         f"{len(together.references):,}",
@@ -167,7 +164,7 @@ def _row(ground: Ground, sheets: Sheets, known, images: list[Image], answers: li
         f"{cut_landmarks(together, parts):,}",
         f"{len(windows):,} of {len(known.windows):,}",
         same_overview,
-        *(f"{count} of {len(images)}" for count in same),
+        *(_compared([of[n] for of in found_there], [of[n] for of in answers]) for n in (0, 1)),
     ]
 
 
@@ -179,6 +176,17 @@ def _landmarks(references) -> set[tuple]:
 def _windows(windows) -> set[tuple]:
     keys = np.column_stack([windows.levels, windows.first_pixels, windows.counts]).tolist()
     return {(*key, vector.tobytes()) for key, vector in zip(keys, windows.vectors)}
+
+
+def _compared(found: list, expected: list) -> str:
+    """How many answers are the same; of others, how many fixes there are, and how far apart they are at most."""
+    same = sum(map(_same, found, expected))
+    if same == len(expected):
+        return f"{same} of {same}"
+    both = [(one, two) for one, two in zip(found, expected) if one.is_fix and two.is_fix]
+    most = max(float(np.hypot(*np.subtract(one.best.position, two.best.position))) for one, two in both)
+    fixes = sum(one.is_fix for one in found), sum(two.is_fix for two in expected)
+    return f"{same} of {len(expected)}; {fixes[0]} fixes instead of {fixes[1]}, at most {most:.1f} m apart"
 
 
 def _same(one, two) -> bool:
