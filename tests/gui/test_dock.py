@@ -234,6 +234,30 @@ def test_a_database_of_the_project_can_be_chosen_or_dropped(dock, area):
     assert not box.isVisibleTo(dock)
 
 
+def test_a_folded_box_shows_nothing_of_a_database_that_comes_into_the_project(dock, area):
+    box = dock.content.database
+    box.file.setFilePath(area.database)
+    box.setCollapsed(True)
+    box.add_to_map.click()
+    settle()
+    assert box.in_project.count() == 2 and not box.in_project.isVisibleTo(dock)
+    box.setCollapsed(False)
+    settle()
+    assert box.in_project.isVisibleTo(dock)
+
+
+def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin, iface):
+    from semref.ui.dock.dock import FIRST_WIDTH_PX
+
+    iface.tool_bar_actions[0].trigger()
+    settle()
+    dock = iface.docks[0]
+    assert FIRST_WIDTH_PX - 10 <= dock.width() <= iface.window.width() / 2
+    bar = dock.content.tabs.tabBar()
+    for tab in range(bar.count()):
+        assert bar.fontMetrics().horizontalAdvance(bar.tabText(tab)) < bar.tabRect(tab).width()
+
+
 def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(dock, iface, area, issues, tab):
     from qgis.core import QgsProject
 

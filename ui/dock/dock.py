@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
-from qgis.PyQt.QtCore import QTimer, pyqtSignal
+from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
-from qgis.PyQt.QtWidgets import QMessageBox, QWidget
+from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QWidget
 
 from ...core.localization import Method
 from ...processing.exchange.database_layers import OPENED
@@ -25,6 +25,13 @@ if TYPE_CHECKING:
 
 SETTINGS = "semref"
 """All of SemRef's settings lie below it."""
+
+
+FIRST_WIDTH_PX, LEAST_WINDOW_PX = 400, 1200
+"""Of the dock that is opened for the first time, so that titles of tabs and rows of results have room, beside a map
+that keeps its own; then QGIS keeps the width that its user gives it."""
+
+_SIZED_SETTING = f"{SETTINGS}/dock/sized"
 
 
 class SemRefDock(QgsDockWidget):
@@ -165,7 +172,16 @@ class SemRefDock(QgsDockWidget):
     def showEvent(self, event: QShowEvent) -> None:
         if self._opens:
             self.content.show()
+            if not QgsSettings().value(_SIZED_SETTING, False, type=bool):
+                QgsSettings().setValue(_SIZED_SETTING, True)
+                # Its window has not laid it out yet.
+                QTimer.singleShot(0, self._widen)
         super().showEvent(event)
+
+    def _widen(self) -> None:
+        window = self.parent()
+        if isinstance(window, QMainWindow) and window.width() >= LEAST_WINDOW_PX and self.width() < FIRST_WIDTH_PX:
+            window.resizeDocks([self], [FIRST_WIDTH_PX], Qt.Orientation.Horizontal)
 
     def _follow_visibility(self) -> None:
         # A dock behind another one's tab is not hidden: its hit stays.
