@@ -234,18 +234,6 @@ def test_a_database_of_the_project_can_be_chosen_or_dropped(dock, area):
     assert not box.isVisibleTo(dock)
 
 
-def test_a_folded_box_shows_nothing_of_a_database_that_comes_into_the_project(dock, area):
-    box = dock.content.database
-    box.file.setFilePath(area.database)
-    box.setCollapsed(True)
-    box.add_to_map.click()
-    settle()
-    assert box.in_project.count() == 2 and not box.in_project.isVisibleTo(dock)
-    box.setCollapsed(False)
-    settle()
-    assert box.in_project.isVisibleTo(dock)
-
-
 def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin, iface):
     from semref.ui.dock.dock import FIRST_WIDTH_PX
 
