@@ -2465,7 +2465,7 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   </message>
   <message>
    <source>Methods</source>
-   <translation>Verfahren</translation>
+   <translation>Methoden</translation>
   </message>
   <message>
    <source>Methods side by side</source>
