@@ -119,8 +119,9 @@ def _run_of(run: Callable[..., Any], algorithm: str, parameters: Callable[..., d
 
 
 def _tried(name: str, is_one_run: bool, folder: Path, run: Callable[..., Any]) -> Writer:
-    before, out = folder / "before" / name, folder / "out"
-    before.mkdir(parents=True)
+    # As deep as each other: a set of databases tells paths from its folder on.
+    before, out = folder / f"before {name}", folder / "out"
+    before.mkdir()
     if " in place" in name:
         shutil.copy(folder / "inputs" / "old" / "area.gpkg", before / "area.gpkg")
     else:
