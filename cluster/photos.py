@@ -10,7 +10,7 @@ from ..core.errors import ImageError
 from ..core.labels.class_table import class_table_from_csv
 from ..core.labels.image_source import ImageSource
 from ..core.segmentation.model import SegmentationModel
-from ..core.segmentation.resampling import at_resolution
+from ..core.segmentation.resampling import at_resolution, resized_transform
 from ..core.segmentation.tiling import Tiles, tiles_of
 from ..storage.images import GdalImage
 from ..storage.rasters import open_raster
@@ -79,9 +79,6 @@ def opened(opening: Opening) -> Opened:
             raise ImageError("cluster.photo_not_in_meters", path=opening.image, crs=srs.GetName() or "")
         size_m = hypot(transform[1], transform[4]), hypot(transform[2], transform[5])
     image = at_resolution(photo, size_m, resolution_m)
-    if transform is not None:
-        down, across = (old / new for old, new in zip(photo.shape_hw, image.shape_hw))
-        x, x_column, x_row, y, y_column, y_row = transform
-        transform = x, x_column * across, x_row * down, y, y_column * across, y_row * down
+    transform = resized_transform(transform, photo.shape_hw, image.shape_hw)
     wkt = srs.ExportToWkt(_WKT) if srs is not None else ""
     return Opened(model, image, tiles_of(model, image.shape_hw, overlap), overlap, transform, wkt)

@@ -8,7 +8,7 @@ OpenCV only whole images.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import gcd
+from math import gcd, sqrt
 
 import numpy as np
 
@@ -45,6 +45,33 @@ def at_resolution(
     if min(width, height) < 1:
         raise ImageError("segmentation.resolution_too_coarse", resolution_cm=100 * resolution_m)
     return ResampledImage(image, (height, width))
+
+
+def resized_transform(
+    transform: tuple[float, ...] | None, old_hw: tuple[int, int], new_hw: tuple[int, int]
+) -> tuple[float, ...] | None:
+    """GDAL's six numbers of an image that was brought to another size; None for None.
+
+    Heights and widths are whole numbers, so that pixels would be a trace longer than wide, and their labels of no use
+    as a map. Where that is all, they are squares around the image's middle: its edges move by half a pixel at most.
+
+    Args:
+        transform: Of the image before.
+        old_hw: (height, width) before.
+        new_hw: (height, width) after.
+    """
+    if transform is None or old_hw == new_hw:
+        return transform
+    x, x_column, x_row, y, y_column, y_row = transform
+    down, across = (old / new for old, new in zip(old_hw, new_hw))
+    columns, rows = across * complex(x_column, y_column), down * complex(x_row, y_row)
+    width, height = abs(columns), abs(rows)
+    middle = complex(x, y) + columns * new_hw[1] / 2 + rows * new_hw[0] / 2
+    if abs(width / height - 1) * max(new_hw) <= 1 + max(new_hw) / min(new_hw):
+        edge = sqrt(width * height)
+        columns, rows = columns * edge / width, rows * edge / height
+    first = middle - columns * new_hw[1] / 2 - rows * new_hw[0] / 2
+    return first.real, columns.real, rows.real, first.imag, columns.imag, rows.imag
 
 
 class ResampledImage:

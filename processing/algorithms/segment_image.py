@@ -185,6 +185,7 @@ class SegmentImage(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.segmentation.certainty import Certainty, Sureness
+        from ...core.segmentation.resampling import resized_transform
         from ...core.segmentation.tiling import segment
 
         feedback.setProgressText(tr("Loading the model"))
@@ -196,7 +197,7 @@ class SegmentImage(SemRefAlgorithm):
         resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
         photo = self._source.open(resolution_m, feedback)
         image = self._at_resolution(photo, resolution_m, model, feedback)
-        transform = _resized_transform(photo.geotransform, photo.image.shape_hw, image.shape_hw)
+        transform = resized_transform(photo.geotransform, photo.image.shape_hw, image.shape_hw)
         image = self._source.masked(image, photo, transform)
         overlap = values.optional_number(self.OVERLAP)
         overlap = model.settings.overlap if overlap is None else overlap / 100
@@ -261,15 +262,6 @@ class SegmentImage(SemRefAlgorithm):
         elif resolution_m is None:
             feedback.pushWarning(tr("The model does not say its resolution: the image is taken as it is."))
         return image
-
-
-def _resized_transform(transform: tuple | None, old_hw: tuple[int, int], new_hw: tuple[int, int]) -> tuple | None:
-    """The geotransform of an image that was brought to another (height, width); None for None."""
-    if transform is None:
-        return None
-    x, x_column, x_row, y, y_column, y_row = transform
-    down, across = (old / new for old, new in zip(old_hw, new_hw))
-    return x, x_column * across, x_row * down, y, y_column * across, y_row * down
 
 
 def _followed(steps: Iterable[tuple], sure: Sureness, feedback: QgsProcessingFeedback) -> Iterator[SegmentedRows]:

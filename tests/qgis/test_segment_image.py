@@ -170,6 +170,14 @@ def test_the_image_is_brought_to_the_models_resolution(segment, tmp_path, pixel_
     assert (back == SEEN)[LABELS > 0].mean() > 0.9
 
 
+def test_a_resampled_label_map_has_square_pixels_as_a_database_needs_them(segment, tmp_path):
+    from semref.storage.map_frames import require_map_grid
+
+    image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
+    path = segment(image, RESOLUTION=37)
+    require_map_grid(gdal.Open(path).GetGeoTransform(), path)
+
+
 def test_a_resolution_given_goes_before_the_models(segment, tmp_path):
     model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50))
     image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))

@@ -8,7 +8,7 @@ import pytest
 
 from semref.core.errors import ImageError
 from semref.core.labels.image_source import ArrayImage
-from semref.core.segmentation.resampling import ResampledImage, at_resolution
+from semref.core.segmentation.resampling import ResampledImage, at_resolution, resized_transform
 
 PHOTO = np.random.default_rng(4).integers(0, 256, (61, 97, 3)).astype(np.uint8)
 
@@ -27,6 +27,35 @@ def test_an_image_stays_as_it_is_where_a_resolution_is_unknown_or_both_are_the_s
 
 def test_pixels_that_are_not_square_become_square():
     assert at_resolution(ArrayImage(PHOTO), (0.25, 1.0), 0.5).shape_hw == (122, 48)
+
+
+@pytest.mark.parametrize("turn", [1, np.exp(0.3j)])
+def test_pixels_of_a_whole_number_stay_squares_around_the_middle(turn):
+    columns, rows = 5 * turn, -5j * turn
+    before = 500_000.0, columns.real, rows.real, 5_000_000.0, columns.imag, rows.imag
+    x, x_column, x_row, y, y_column, y_row = resized_transform(before, (723, 934), (1004, 1297))
+    made_columns, made_rows = complex(x_column, y_column), complex(x_row, y_row)
+    assert abs(made_columns) == pytest.approx(abs(made_rows), rel=1e-12)
+    assert abs(made_columns / columns - 934 / 1297) < 0.5 / 1297
+    corners = [(0, 0), (1297, 0), (0, 1004), (1297, 1004)]
+    moved = [
+        complex(x, y)
+        + c * made_columns
+        + r * made_rows
+        - (500_000 + 5_000_000j)
+        - c * 934 / 1297 * columns
+        - r * 723 / 1004 * rows
+        for c, r in corners
+    ]
+    assert max(map(abs, moved)) < abs(made_columns) / 2
+    assert sum(moved) == pytest.approx(0, abs=1e-6)
+
+
+def test_pixels_that_are_no_squares_stay_so_and_what_is_not_resized_as_it_is():
+    degrees = 8.0, 1e-5, 0.0, 60.0, 0.0, -1e-5
+    assert resized_transform(degrees, (100, 200), (100, 100)) == pytest.approx((8.0, 2e-5, 0.0, 60.0, 0.0, -1e-5))
+    assert resized_transform(degrees, (100, 200), (100, 200)) is degrees
+    assert resized_transform(None, (100, 200), (50, 100)) is None
 
 
 def test_an_image_of_which_nothing_is_left_is_refused():
