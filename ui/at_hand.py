@@ -6,8 +6,10 @@ import os
 
 from qgis.core import QgsMapLayer, QgsProject, QgsVectorLayer
 
+from ..core.errors import ClassTableError, ParameterError
 from ..processing.compat import POLYGON_GEOMETRY
 from ..processing.exchange.database_layers import database_file
+from ..processing.inspection.models import base_model
 from ..storage.sample_files import CLASSES_FILE
 from .layer_files import layer_file, raster_layers
 
@@ -15,6 +17,7 @@ _CLASS_FIELDS, _PRIORITY_FIELDS = ("class",), ("priority", "zorder")
 """As “Classify OpenStreetMap” and the sample area call them."""
 
 _COLOR_BANDS = 3
+_MOST_READ = 100_000
 
 
 def annotation_at_hand(project: QgsProject) -> dict[str, str]:
@@ -37,10 +40,38 @@ def annotation_at_hand(project: QgsProject) -> dict[str, str]:
     return {key: value for key, value in found.items() if value}
 
 
-def training_at_hand(project: QgsProject) -> dict[str, str]:
-    """The annotation, and as IMAGE the project's one raster file with colors."""
+def training_at_hand(project: QgsProject, model: str = "") -> dict[str, str]:
+    """The annotation, as IMAGE the project's one raster file with colors, and as BASE_MODEL one that knows its classes.
+
+    Args:
+        project: What is open.
+        model: The dock's; where it fits it is the base, else the only one of the folder of models that does.
+    """
+    found = annotation_at_hand(project)
     photo = _only([layer for layer in raster_layers(project) if layer.bandCount() >= _COLOR_BANDS])
-    return {**({} if photo is None else {"IMAGE": photo.id()}), **annotation_at_hand(project)}
+    if photo is None:
+        return found
+    here = {photo.name(), os.path.basename(layer_file(photo))}
+    base = base_model(model, here, lambda: _class_names(project, found))
+    return {"IMAGE": photo.id(), **found, **({"BASE_MODEL": base} if base else {})}
+
+
+def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
+    """The annotation's classes, in small letters; of a table beside it, or else what its text field says."""
+    from ..storage.rasters import read_class_table
+
+    if "CLASS_TABLE" in found:
+        try:
+            return {one.name.casefold() for one in read_class_table(found["CLASS_TABLE"]) if one.value}
+        except (ClassTableError, ParameterError):
+            return set()
+    layer = project.mapLayer(found.get("INPUT", ""))
+    field = found.get("CLASS_FIELD", "")
+    # Nobody waits for a dialog until a large layer is read.
+    if layer is None or field not in _text_fields(layer) or layer.featureCount() > _MOST_READ:
+        return set()
+    values = layer.uniqueValues(layer.fields().indexOf(field))
+    return {str(value).casefold() for value in values if isinstance(value, str)}
 
 
 def _may_be_annotation(layer: QgsMapLayer) -> bool:

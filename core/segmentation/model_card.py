@@ -61,6 +61,7 @@ class ModelCard:
         not_for: In a sentence.
         license: In a sentence.
         minutes: Of training.
+        can_be_base: It says what it is built of, so that “Train model” can go on from it.
     """
 
     file: str
@@ -77,6 +78,7 @@ class ModelCard:
     not_for: str = ""
     license: str = ""
     minutes: float | None = None
+    can_be_base: bool = False
 
     @property
     def mean_iou(self) -> float | None:
@@ -135,6 +137,7 @@ def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
         _text(told.get("not_for"), _LONGEST_SENTENCE),
         _text(told.get("license"), _LONGEST_SENTENCE),
         _number(training.get("minutes")) if isinstance(training, dict) else None,
+        bool(_json(texts, "architecture", dict)),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsSettings
 
@@ -35,6 +35,25 @@ def listed_models(folder: Path) -> list[ModelCard]:
     from ...core.segmentation.model_card import read_card
 
     return [read_card(str(path)) for path in model_files(folder)]
+
+
+def base_model(chosen: str, here: set[str], class_names: Callable[[], set[str]]) -> str:
+    """A model that “Train model” can go on from: the chosen one, else the folder's only one that fits; empty for none.
+
+    Args:
+        chosen: Path of the dock's model; may be empty.
+        here: Names of the ground: a model of it has seen what is set aside to tell how good the new one is.
+        class_names: Gives the classes that it has to know, in small letters; asked where there is a model.
+    """
+    from ...core.segmentation.model_card import read_card
+
+    files = [chosen, *(str(path) for path in model_files(models_folder()))]
+    own = [path for path in dict.fromkeys(files) if path and Path(path).parent != SHIPPED]
+    cards = [card for card in map(read_card, own) if card.can_be_base]
+    cards = [card for card in cards if not here & {ground.place for ground in card.trained_on}]
+    wanted = class_names() if cards else set()
+    fitting = [card.file for card in cards if wanted and wanted <= {name.casefold() for name in card.classes}]
+    return chosen if chosen in fitting else fitting[0] if len(fitting) == 1 else ""
 
 
 def at_hand(path: str) -> str:

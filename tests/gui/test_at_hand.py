@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from made_inputs import square, write_layer, write_raster
+from made_models import metadata, write_model
 
 
 @pytest.fixture
@@ -59,6 +60,50 @@ def test_the_only_text_field_tells_classes_and_numbers_do_not(add, project):
 
     layer = add("houses", [("number", "integer"), ("kind", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "kind"}
+
+
+@pytest.fixture
+def models(tmp_path, qgis_app):
+    """`models(name, **metadata)` puts a model that SemRef trained into the folder of models; gives its path."""
+    from semref.processing.inspection.models import choose_models_folder
+
+    folder = tmp_path / "models"
+    folder.mkdir()
+    choose_models_folder(str(folder))
+
+    def write(name, **about):
+        return str(write_model(folder / name, metadata=metadata(**{"architecture": {"encoder": "lite0"}, **about})))
+
+    yield write
+    choose_models_folder("")
+
+
+def test_a_model_of_other_ground_that_knows_the_classes_is_the_base(add, project, models):
+    from semref.ui.at_hand import training_at_hand
+
+    add("cover", [("class", "text")])
+    add.photo("orthophoto")
+    houses = models("houses.onnx", class_names={"0": "other", "1": "Building"})
+    models("water.onnx", class_names={"0": "other", "1": "water"})
+    models("foreign.onnx", class_names={"0": "other", "1": "building"}, architecture=None)
+    here = {"image": "orthophoto", "labels": "cover"}
+    models("same_ground.onnx", class_names={"0": "other", "1": "building"}, training_ground=here)
+    assert training_at_hand(project)["BASE_MODEL"] == houses
+    # Of two only the dock's is one that somebody chose.
+    other = models("other_houses.onnx", class_names={"0": "other", "1": "building"})
+    assert "BASE_MODEL" not in training_at_hand(project)
+    assert training_at_hand(project, other)["BASE_MODEL"] == other
+
+
+def test_without_a_model_that_knows_the_classes_there_is_no_base(add, project, models):
+    from semref.processing.inspection.models import SHIPPED
+    from semref.ui.at_hand import training_at_hand
+
+    add("cover", [("class", "text")])
+    add.photo("orthophoto")
+    models("water.onnx", class_names={"0": "other", "1": "water"})
+    # The model that ships knows buildings, but made-up ones.
+    assert "BASE_MODEL" not in training_at_hand(project, str(SHIPPED / "sample_area.onnx"))
 
 
 def test_where_it_could_be_several_nothing_is_taken(add, project):

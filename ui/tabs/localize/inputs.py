@@ -157,7 +157,7 @@ class ImageBox(FoldingBox):
         # QGIS's Results Viewer would come between, and take half of the dock's height.
         configuration = {REPORTS_AS_FILES: True}
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(TRAIN_MODEL, configuration)
-        self.training = createAlgorithmDialog(algorithm, training_at_hand(QgsProject.instance()))
+        self.training = createAlgorithmDialog(algorithm, training_at_hand(QgsProject.instance(), self.model_path()))
         self.training.algorithmFinished.connect(self._take_model)
         self.training.show()
 
