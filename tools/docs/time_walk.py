@@ -1,11 +1,13 @@
 """The walk of docs/guide/own_network.md, timed: orthophoto and polygons to the first fix, in desktop QGIS.
 
     .venv/bin/python tools/docs/time_walk.py --python PYTHON_WITH_TORCH [--minutes 5] [--processor-time] [--write]
+                                             [--place banepa [--data FOLDER]]
 
 A fresh profile with the packaged plugin on a virtual screen. The ground is the sample area unless a folder is named
-that has the same files (orthophoto.tif, landcover.shp, photos, photos.csv). With --write the table and the pictures of
-the guide are replaced by those of this run; else they come into the folder that --pictures names. On a machine that
-does other work --processor-time gives the training the time of one processor that it would have had alone.
+that has the same files (orthophoto.tif, landcover.shp, photos, photos.csv), or a real place, which walk_ground.py cuts
+out of the real data; without that, or without torch, it says so and does nothing. With --write the table and the
+pictures of the guide are replaced by those of this run; else they come into the folder that --pictures names. On a
+machine that does other work --processor-time gives the training the time of one processor that it would have had alone.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ from pathlib import Path
 
 from make_screenshots import IMAGES, LARGEST_BYTES, ROOT, Variant, in_desktop, say_what_is_missing
 from palette_png import shrink
+from walk_ground import PLACES, RealPlace, fill, lacks
 
 sys.path.append(str(ROOT / "tools"))
 from bench import machine, page
@@ -28,12 +31,20 @@ SESSION = Path(__file__).with_name("walk_session.py")
 GUIDE = ROOT / "docs" / "guide" / "own_network.md"
 SECTION = "own network walk"
 LIMIT_S = 7200
+SAMPLE = {
+    "polygons": "landcover.shp",
+    "buildings_alone": False,
+    # As the sample project's: about what its photos show, and its houses.
+    "fields": {"WINDOW_SIZE": "640", "STRIDE": "160", "MINIMUM_AREA": "50"},
+    "picture": "",
+}
 SAMPLE_MARKER = "sample.json"
+REAL_PICTURE = "own_network_real_place"
 STEPS = {
     "options": "Options: name the Python that trains",
     "layers": "Drop orthophoto and polygons on the map, open the dock",
     "train": "Train: time limit ({minutes:g} minutes{whose}) and file",
-    "database": "Make the database: window, stride, smallest landmark, file",
+    "database": "Make the database: {fields}, file",
     "localize": "Drop {photos} photos, press *Localize*",
     "look": "Select the first fix",
 }
@@ -44,11 +55,18 @@ def main() -> None:
     parser.add_argument("--python", required=True, help="one with torch")
     parser.add_argument("--minutes", type=float, default=5, help="of training")
     parser.add_argument("--processor-time", action="store_true", help="minutes of the processor, not of the clock")
+    parser.add_argument("--place", choices=PLACES, help="a real place in place of the sample area")
+    parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
     parser.add_argument("--ground", type=Path, help="folder as semref:makesample fills it")
     parser.add_argument("--folder", type=Path, help="where the walk's files lie meanwhile, as the pictures show")
     parser.add_argument("--pictures", type=Path, help="folder for the pictures, if they are not the guide's")
     parser.add_argument("--write", action="store_true", help="into the guide")
     arguments = parser.parse_args()
+    place = PLACES.get(arguments.place)
+    missing = (place and lacks(place, arguments.data)) or lacks_torch(arguments.python)
+    if missing:
+        print(missing)
+        return
     say_what_is_missing([Variant(())])
     load = machine.load()
     with tempfile.TemporaryDirectory(prefix="semref-", dir=arguments.folder) as folder:
@@ -57,37 +75,62 @@ def main() -> None:
         make = [sys.executable, str(ROOT / "tools" / "release" / "package.py"), "--output", str(package)]
         subprocess.run(make, check=True)
         python = by_processor_time(work, arguments.python) if arguments.processor_time else arguments.python
-        seen = walk(package, work / "home", arguments.ground, python, arguments.minutes)
-        keep(work / "home" / "pictures", IMAGES if arguments.write else arguments.pictures)
+        ground = arguments.ground
+        if place is not None:
+            ground = work / "ground"
+            ground.mkdir()
+            fill(place, arguments.data, ground)
+        seen = walk(package, work / "home", ground, python, arguments.minutes, place)
+        keep(work / "home" / "pictures", IMAGES if arguments.write else arguments.pictures, place)
     print(json.dumps(seen, indent=1))
     command = f"tools/docs/time_walk.py --python PYTHON --minutes {arguments.minutes:g}"
     command += " --processor-time" if arguments.processor_time else ""
-    is_sample = arguments.ground is None or (arguments.ground / SAMPLE_MARKER).exists()
-    ground = "The sample area." if is_sample else "Ground of one's own."
-    body = f"{told(seen, arguments.minutes, arguments.processor_time)}\n\n{machine.footer(command, ground, load)}"
+    command += f" --place {arguments.place}" if place else ""
+    is_sample = ground is None or (ground / SAMPLE_MARKER).exists()
+    about = f"{place.name}. {place.credit}" if place else "The sample area." if is_sample else "Ground of one's own."
+    table = told(seen, arguments.minutes, arguments.processor_time, place)
+    body = f"{table}\n\n{machine.footer(command, about, load)}"
     print(body)
     if arguments.write:
-        page.write_section(GUIDE, SECTION, body)
+        page.write_section(GUIDE, f"{SECTION}, {arguments.place}" if place else SECTION, body)
 
 
-def walk(package: Path, home: Path, ground: Path | None, python: str, minutes: float) -> dict:
+def lacks_torch(python: str) -> str:
+    """A sentence where this Python can't train; empty where it can."""
+    try:
+        found = subprocess.run([python, "-c", "import torch"], check=False, capture_output=True).returncode == 0
+    except OSError:
+        found = False
+    return "" if found else f"Not walked: {python} is no Python with torch."
+
+
+def walk(
+    package: Path, home: Path, ground: Path | None, python: str, minutes: float, place: RealPlace | None = None
+) -> dict:
     """What the session saw; ends this program where it came to an error."""
     work, made = home / "work", home / "ground"
     for folder in (work, made):
         folder.mkdir(parents=True)
     job = {"tools": str(SESSION.parent), "ground": str(ground or made), "work": str(work)}
-    job |= {"python": str(python), "minutes": minutes, "pictures": str(home / "pictures")}
+    job |= {"python": str(python), "minutes": minutes, "pictures": str(home / "pictures"), **there(place)}
     (home / "walk.json").write_text(json.dumps(job), encoding="utf-8")
     variables = {"SEMREF_WALK": str(home / "walk.json"), "SEMREF_DESKTOP_RESULT": str(home / "result.json")}
     return in_desktop(Variant(()), package, home, SESSION, variables, LIMIT_S)
 
 
-def keep(pictures: Path, folder: Path | None) -> None:
-    """Small, in that folder; without one they go."""
+def there(place: RealPlace | None) -> dict:
+    """What the walk does at a place, as the session's job has it."""
+    if place is None:
+        return SAMPLE
+    return {"polygons": "buildings.gpkg", "buildings_alone": True, "fields": place.fields, "picture": REAL_PICTURE}
+
+
+def keep(pictures: Path, folder: Path | None, place: RealPlace | None = None) -> None:
+    """Small, in that folder; without one they go. Of a real place only the last: dialogs look the same everywhere."""
     if folder is None:
         return
     folder.mkdir(parents=True, exist_ok=True)
-    for picture in sorted(pictures.glob("*.png")):
+    for picture in sorted(pictures.glob("*.png" if place is None else f"{REAL_PICTURE}.png")):
         shutil.copy(picture, folder)
         shrink(picture, folder / picture.name, LARGEST_BYTES)
 
@@ -113,13 +156,14 @@ os.execv({python!r}, [{python!r}, *sys.argv[1:]])
 """
 
 
-def told(seen: dict, minutes: float, by_processor: bool = False) -> str:
+def told(seen: dict, minutes: float, by_processor: bool = False, place: RealPlace | None = None) -> str:
     """Markdown: each step's clicks and seconds, and what came of it."""
     whose = " of one processor" if by_processor else ""
-    rows = [
-        [STEPS[name].format(minutes=minutes, whose=whose, photos=seen["photos"]), clicks, f"{seconds:.0f}"]
-        for name, clicks, seconds in seen["steps"]
-    ]
+    whose += ", other ground" if place else ""
+    fields = "window, stride, smallest landmark"
+    fields = f"pixel size, {fields}, classes, other ground" if place else fields
+    names = {"minutes": minutes, "whose": whose, "photos": seen["photos"], "fields": fields}
+    rows = [[STEPS[name].format(**names), clicks, f"{seconds:.0f}"] for name, clicks, seconds in seen["steps"]]
     clicks, seconds = (sum(step[place] for step in seen["steps"]) for place in (1, 2))
     rows.append(["together", clicks, f"{seconds:.0f}"])
     table = page.table(["step", "clicks", "seconds"], rows)

@@ -1,9 +1,12 @@
 """Runs inside desktop QGIS (--code): goes the guide's way from orthophoto and polygons to the first fix, and counts.
 
 SEMREF_WALK names the job, a JSON file that time_walk.py writes: ``tools`` (the folder of this file), ``ground`` (a
-folder as semref:makesample fills it; filled here when it is empty), ``work`` (an empty folder for what the walk makes),
-``python`` (that trains), ``minutes`` (of training) and ``pictures`` (folder). SEMREF_DESKTOP_RESULT names the JSON file
-that is written at the end: for each step what was clicked and the seconds until QGIS was done.
+folder as semref:makesample fills it; filled here when it is empty), ``polygons`` (name of their file there),
+``buildings_alone`` (whether all ground without a polygon is something else), ``fields`` (what is written into the
+dialog that makes the database, by key), ``picture`` (that ends the walk; empty for none), ``work`` (an empty folder for
+what the walk makes), ``python`` (that trains), ``minutes`` (of training) and ``pictures`` (folder).
+SEMREF_DESKTOP_RESULT names the JSON file that is written at the end: for each step what was clicked and the seconds
+until QGIS was done.
 """
 
 import csv
@@ -18,7 +21,7 @@ from pathlib import Path
 
 import qgis.utils
 from qgis.core import QgsProject, QgsSettings
-from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QTimer, QUrl
+from qgis.PyQt.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QLineEdit, QTextEdit
@@ -26,9 +29,6 @@ from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QLineEd
 JOB = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
 sys.path.append(JOB["tools"])
 from screenshot_window import Session, settle, wait_until  # noqa: E402 - where it lies the job tells
-
-WINDOW_M, STRIDE_M, SMALLEST_M2 = 640, 160, 50
-"""As the sample project's: about what its photos show, and its houses."""
 
 WINDOW_PX, DIALOG_PX = (1280, 900), (1000, 880)
 LIMIT_S, CRITICAL = 3600, 2
@@ -54,6 +54,20 @@ class Hand:
         QTest.keyClicks(widget, text)
         QTest.keyClick(widget, Qt.Key.Key_Tab)
         settle(0.1)
+
+    def choose_next(self, box) -> None:
+        """The choice below the one that a list shows."""
+        self.clicks += 1
+        box.setFocus()
+        QTest.keyClick(box, Qt.Key.Key_Down)
+        settle(0.1)
+
+    def tick(self, box) -> None:
+        """Where its square is, not in the middle of the line."""
+        self.clicks += 1
+        QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
+        if not box.isChecked():
+            raise RuntimeError(f"“{box.text()}” took no tick")
 
     def drop(self, widget, paths: list) -> None:
         """Files that are dragged from the system's window of a folder."""
@@ -118,7 +132,7 @@ class Walk:
 
     def open_layers(self) -> None:
         with self.step("layers"):
-            self.hand.drop(self.session.window, [self.ground / "orthophoto.tif", self.ground / "landcover.shp"])
+            self.hand.drop(self.session.window, [self.ground / "orthophoto.tif", self.ground / self.job["polygons"]])
             wait_until(lambda: len(QgsProject.instance().mapLayers()) == 2, "the layers")
             self.hand.clicks += 1
             self.session.window.findChild(QAction, "SemRefDockAction").trigger()
@@ -134,6 +148,8 @@ class Walk:
             dialog.setGeometry(0, 0, *DIALOG_PX)
             fields = dialog.mainWidget().wrappers
             self.seen["training_begins_with"] = given(fields, "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE")
+            if self.job["buildings_alone"]:
+                self.hand.choose_next(field(fields, "UNLABELED"))
             self.hand.write(field(fields, "MINUTES"), str(self.job["minutes"]))
             self.hand.write(line(fields, "OUTPUT"), str(model))
             self.session.take("own_network_train", dialog)
@@ -152,8 +168,11 @@ class Walk:
             dialog.setGeometry(0, 0, *DIALOG_PX)
             fields = dialog.mainWidget().wrappers
             self.seen["database_begins_with"] = given(fields, "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE")
-            for key, value in (("WINDOW_SIZE", WINDOW_M), ("STRIDE", STRIDE_M), ("MINIMUM_AREA", SMALLEST_M2)):
-                self.hand.write(field(fields, key), str(value))
+            for key, value in self.job["fields"].items():
+                self.hand.write(field(fields, key), value)
+            if self.job["buildings_alone"]:
+                self.hand.write(line(fields, "REFERENCE_CLASSES"), "building")
+                self.hand.tick(field(fields, "OTHER_GROUND"))
             self.hand.write(line(fields, "build:Reference database"), str(database))
             self.session.take("own_network_database", dialog)
             self.run(dialog)
@@ -180,6 +199,18 @@ class Walk:
             tab.results.table.selectRow(shown.mapFromSource(results.index(fixes[0] if fixes else 0, 0)).row())
         if fixes:
             wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
+            if self.job["picture"]:
+                self.close_what_lies_over()
+                self.session.take(self.job["picture"])
+
+    def close_what_lies_over(self) -> None:
+        """Windows that are still there, such as QGIS's own with a model's progress, would be in the picture."""
+        for widget in QApplication.topLevelWidgets():
+            if widget is not self.session.window and widget.isWindow() and widget.isVisible():
+                self.seen.setdefault("closed", []).append(f"{type(widget).__name__} {widget.windowTitle()}")
+                widget.close()
+                widget.hide()
+        settle(0.5)
 
     def run(self, dialog) -> dict:
         ended = []
@@ -189,6 +220,9 @@ class Walk:
         if not ended or not ended[0][0]:
             said = refusal(dialog) or dialog.findChild(QTextEdit, "txtLog").toPlainText()[-2000:]
             raise RuntimeError(f"{dialog.windowTitle()}: {said}")
+        # It says that it is done before its buttons are back.
+        wait_until(button_of(dialog, "Close").isEnabled, "the dialog's buttons")
+        settle(0.5)
         return ended[0][1]
 
 
@@ -217,10 +251,10 @@ def field(fields: dict, key: str):
 
 
 def line(fields: dict, key: str) -> QLineEdit:
-    """Where the path of an output is written."""
+    """Where a text or the path of an output is written."""
     wrapper = fields[key]
     widget = wrapper.wrappedWidget() if hasattr(wrapper, "wrappedWidget") else wrapper
-    return widget.findChild(QLineEdit)
+    return widget if isinstance(widget, QLineEdit) else widget.findChild(QLineEdit)
 
 
 def button_of(dialog, name: str):

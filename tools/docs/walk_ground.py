@@ -1,0 +1,105 @@
+"""A real place as a newcomer has it: an orthophoto, polygons of the buildings, and photos of ground beside it.
+
+Banepa in Nepal (shared/data/banepa): its western half is the orthophoto, the photos are cut from its eastern half, at
+any heading and at 0.9–1.1 of its scale; the polygons are of both. Their field ``class`` says ``building`` for all, as a
+person makes it with QGIS's field calculator of what OpenStreetMap says (yes, residential, school, …).
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+from osgeo import gdal
+
+SEED, COUNT = 1671, 12
+EDGE_PX, SCALES = 640, (0.9, 1.1)
+QUALITY = 92
+
+
+@dataclass(frozen=True)
+class RealPlace:
+    """Where its files lie in the folder of the real data, and what a person would write into the dialogs.
+
+    Attributes:
+        name: As a sentence begins with it.
+        photo: The orthophoto.
+        polygons: Of the buildings.
+        credit: Whose they are, as their licenses ask for it.
+        fields: Text of the fields of the dialog that makes the database.
+    """
+
+    name: str
+    photo: str
+    polygons: str
+    credit: str
+    fields: dict[str, str]
+
+
+PLACES = {
+    "banepa": RealPlace(
+        "Banepa, Nepal",
+        "banepa/banepa_photo.tif",
+        "banepa/banepa_buildings.gpkg",
+        "Orthophoto: OpenAerialMap, CC BY 4.0. Buildings: © OpenStreetMap contributors, ODbL. Published by HOTOSM.",
+        {"PIXEL_SIZE": "0.25", "WINDOW_SIZE": "96", "STRIDE": "24", "MINIMUM_AREA": "4"},
+    )
+}
+
+
+def lacks(place: RealPlace, data: Path) -> str:
+    """What is missing to walk there, as a sentence; empty for nothing."""
+    missing = [name for name in (place.photo, place.polygons) if not (data / name).is_file()]
+    return f"Not walked: there is no {missing[0]} in {data}." if missing else ""
+
+
+def fill(place: RealPlace, data: Path, folder: Path) -> None:
+    """Writes orthophoto.tif, buildings.gpkg, photos and photos.csv."""
+    source = gdal.Open(str(data / place.photo))
+    width, height = source.RasterXSize, source.RasterYSize
+    half = width // 2
+    orthophoto = gdal.Translate(
+        str(folder / "orthophoto.tif"),
+        source,
+        srcWin=[0, 0, half, height],
+        creationOptions=["TILED=YES", "COMPRESS=JPEG", "PHOTOMETRIC=YCBCR", f"JPEG_QUALITY={QUALITY}"],
+    )
+    buildings = gdal.VectorTranslate(
+        str(folder / "buildings.gpkg"),
+        str(data / place.polygons),
+        SQLStatement=f"SELECT 'building' AS class, * FROM {Path(place.polygons).stem}",
+        SQLDialect="OGRSQL",
+        layerName="buildings",
+    )
+    if orthophoto is None or buildings is None:
+        raise RuntimeError(gdal.GetLastErrorMsg())
+    # Closed, and so written.
+    del orthophoto, buildings
+    pixels = np.ascontiguousarray(np.moveaxis(source.ReadAsArray()[:3], 0, 2))
+    photos = folder / "photos"
+    photos.mkdir()
+    random = np.random.default_rng(SEED)
+    margin = EDGE_PX * max(SCALES) * 0.71 + 2
+    with (folder / "photos.csv").open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(["image", "x", "y"])
+        for number in range(1, COUNT + 1):
+            column, row = random.uniform((half + margin, margin), (width - margin, height - margin))
+            turn, scale = random.uniform(0, 2 * np.pi), random.uniform(*SCALES)
+            name = f"photo_{number:02d}.jpg"
+            shown = _cut(pixels, (column, row), turn, scale)
+            cv2.imwrite(str(photos / name), shown[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, QUALITY])
+            x0, across, _, y0, _, down = source.GetGeoTransform()
+            rows.writerow([name, round(x0 + column * across, 3), round(y0 + row * down, 3)])
+
+
+def _cut(pixels: np.ndarray, center: tuple[float, float], turn: float, scale: float) -> np.ndarray:
+    """(EDGE_PX, EDGE_PX, 3) around a place (column, row)."""
+    across = scale * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    # Coordinates have pixels' corners at whole numbers, OpenCV their centers.
+    first = np.array(center) - 0.5 - across @ np.full(2, (EDGE_PX - 1) / 2)
+    inverse = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(pixels, np.column_stack([across, first]), (EDGE_PX, EDGE_PX), flags=inverse)
