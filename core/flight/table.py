@@ -50,7 +50,8 @@ def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
         if state.st_size > most:
             raise ParameterError("flight.file_too_large", path=path, most_mb=most // 1_000_000)
         with open(path, "rb") as file:
-            return file.read(most if count is None else count)
+            # No more than there is: a buffer of all that is asked for would be made first.
+            return file.read(min(most if count is None else count, state.st_size))
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
         reason = getattr(error, "strerror", None) or str(error)

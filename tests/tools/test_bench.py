@@ -348,10 +348,14 @@ def test_right_fixes_that_say_what_they_do_not_hold_for_are_counted(bench):
 
 def test_an_image_without_its_place_and_the_mirrored_one_are_judged_as_wrong_ones(bench):
     area = bench("area_reliability")
-    own, decoys = [(0.8, 20.0, 0.001, True), (0.3, 1.0, 5.0, True)], [(0.25, 1.0, np.inf, True)]
+    own = [(0.8, 20.0, 0.001, True, 0.01), (0.3, 1.0, 5.0, True, None)]
+    decoys = [(0.25, 1.0, 3.0, True, None), (0.24, 1.5, 0.4, True, None)]
     told = list(area.judged(area.Places("of the map", "clean", own, decoys)))
     assert [one.kind for one in told] == ["of the map", "without its place", "mirrored"]
     assert [one.is_right for one in told] == [True, False, False]
     assert told[0].risk < 1e-4 and min(one.risk for one in told[1:]) > 0.9
+    # A mirrored image's place on the image's own ground is none of the wrong ones.
+    of_own = list(area.judged(area.Places("of the map", "clean", own, decoys[1:])))
+    assert [one.kind for one in of_own] == ["of the map", "without its place"]
     strange = list(area.judged(area.Places("landscape", "", own[1:], decoys)))
     assert [one.kind for one in strange] == ["landscape", "mirrored"] and not any(one.is_right for one in strange)

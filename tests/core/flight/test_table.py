@@ -1,5 +1,7 @@
 """Tables of flights, checked where they are read."""
 
+import tracemalloc
+
 import pytest
 
 from semref.core.errors import ParameterError
@@ -69,3 +71,14 @@ def test_a_null_character_ends_nothing(tmp_path):
         assert [row.texts["image"] for row in rows_of(write(tmp_path, b"image,b\na\0,1\n"), need_image)] == ["a\0"]
     except ParameterError as error:
         assert error.sentence.code == "flight.unreadable"
+
+
+def test_a_small_file_takes_no_room_for_the_largest(tmp_path):
+    path = tmp_path / "track.csv"
+    path.write_bytes(b"x,y\n1,2\n")
+    tracemalloc.start()
+    try:
+        assert bytes_of(str(path), 500_000_000) == b"x,y\n1,2\n"
+        assert tracemalloc.get_traced_memory()[1] < 1_000_000
+    finally:
+        tracemalloc.stop()
