@@ -23,6 +23,23 @@ def qgis_app(start_qgis, display):
     return start_qgis(window=True)
 
 
+@pytest.fixture(autouse=True)
+def clipboard_left_empty():
+    """What a test copied or selected is not held any longer: no other QGIS waits for this process to hand it out.
+
+    QGIS looks at X's clipboard and selection whenever the layer changes, and Qt 5 waits five seconds a format where
+    their owner is busy, as pytest is while it waits for that very QGIS.
+    """
+    yield
+    from qgis.PyQt.QtGui import QClipboard
+    from qgis.PyQt.QtWidgets import QApplication
+
+    if QApplication.instance() is not None:
+        for mode in (QClipboard.Mode.Clipboard, QClipboard.Mode.Selection):
+            QApplication.clipboard().clear(mode)
+        QApplication.processEvents()
+
+
 @pytest.fixture
 def filled_at_once(qgis_app, monkeypatch):
     """Lists are filled in slices of time; a few rows come in one slice, however busy the machine is."""
