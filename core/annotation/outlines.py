@@ -24,6 +24,8 @@ _STRAIGHT, _TO_OWN_SIDE, _AWAY = 0, 1, 3
 
 _ROWS_AT_ONCE = 2048
 
+_STARTS_AT_ONCE = 1 << 16
+
 Rows = Callable[[int, int], np.ndarray]
 """(first, one after the last) row of a label map → (rows, W) uint8."""
 
@@ -42,10 +44,18 @@ def outlined(
         (n,) uint8 labels and (n,) shapely polygons in pixels (column, row), valid; where borders are shared, both sides
         have the same vertices. Each ring begins with its topmost vertex, of several with the leftmost.
     """
-    corners = _Corners.of(rows, shape_hw, proceed)
-    if not len(corners.places) or not proceed():
-        return np.empty(0, np.uint8), np.empty(0, object)
-    order, ends = corners.rings()
+    try:
+        corners = _Corners.of(rows, shape_hw, proceed)
+        if len(corners.places):
+            return _polygons(corners, rows, proceed)
+    except _StoppedError:
+        pass
+    return np.empty(0, np.uint8), np.empty(0, object)
+
+
+def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
+    """What ``outlined`` gives, of at least one region. Raises _StoppedError."""
+    order, ends = corners.rings(proceed)
     sizes = np.diff(ends, prepend=0)
     begins = ends - sizes
     x, y = corners.columns[order], corners.rows[order]
@@ -129,7 +139,7 @@ class _Corners:
         found: list[list[tuple[np.ndarray, ...]]] = [[], [], [], []]
         for first, labels in _framed(rows, shape_hw):
             if not proceed():
-                break
+                raise _StoppedError
             a, b, c, d = labels[:-1, :-1], labels[:-1, 1:], labels[1:, :-1], labels[1:, 1:]
             # At the right hand and at the left one, before the vertex and beyond it.
             seen = ((c, a, d, b), (a, b, c, d), (b, d, a, c), (d, c, b, a))
@@ -149,10 +159,10 @@ class _Corners:
         )
         return _Corners(shape_hw, places, coming, leaving, labels, touches)
 
-    def rings(self) -> tuple[np.ndarray, np.ndarray]:
+    def rings(self, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
         """(N,) numbers of vertices ring by ring, and (rings,) where each ends there; no ring meets itself."""
         following = self._following()
-        order, ends = _rings(following)
+        order, ends = _rings(following, proceed)
         ring_of = _spread(order, np.append(0, ends[:-1]))
         opposite = [
             [np.flatnonzero(self.touches & (self.coming == direction)) for direction in pair]
@@ -166,7 +176,7 @@ class _Corners:
         one, other = one[both], other[both]
         for some in (following, self.leaving):
             some[one], some[other] = some[other], some[one]
-        return _rings(following)
+        return _rings(following, proceed)
 
     def _following(self) -> np.ndarray:
         """(N,) int64 number of the vertex after each."""
@@ -195,7 +205,7 @@ class _Corners:
             # Row n of the frame is row first + n - 1 of the map.
             here = np.flatnonzero((places >= first * width) & (places < (first + len(labels) - 1) * width))
             if not proceed():
-                break
+                raise _StoppedError
             if len(here):
                 changed = first * width + np.flatnonzero(labels[1:, 1:] != labels[1:, :-1])
                 changes[here] = changed[np.searchsorted(changed, places[here]) - 1]
@@ -217,12 +227,18 @@ def _framed(rows: Rows, shape_hw: tuple[int, int]) -> Iterator[tuple[int, np.nda
         yield first, labels
 
 
-def _rings(following: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(N,) numbers of vertices ring by ring, and (rings,) where each ends there."""
+class _StoppedError(Exception):
+    """Nothing more is to be found."""
+
+
+def _rings(following: np.ndarray, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
+    """(N,) numbers of vertices ring by ring, and (rings,) where each ends there. Raises _StoppedError."""
     # One by one, but in plain numbers: numpy would have to double its steps through all of them again and again.
     after, order, ends = array("q", following.tobytes()), array("q"), array("q")
     add = order.append
     for first in range(len(after)):
+        if first % _STARTS_AT_ONCE == 0 and not proceed():
+            raise _StoppedError
         if after[first] < 0:
             continue
         place = first

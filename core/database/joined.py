@@ -247,7 +247,7 @@ def _stacked(items: Sequence[_Rows]) -> _Rows:
 
 
 def _ordered_landmarks(landmarks: MapLandmarks) -> MapLandmarks:
-    """In THE order of a map's landmarks."""
+    """In the order in which a map's landmarks are found."""
     left, top = landmarks.required_bounds[:, 0], landmarks.required_bounds[:, 1]
     return _chosen(landmarks, np.lexsort((landmarks.positions[:, 0], left, top, landmarks.classes)))
 

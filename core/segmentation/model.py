@@ -15,7 +15,8 @@ from .certainty import are_probabilities, softmax
 from .class_bias import read_class_bias
 from .devices import AUTO, CPU, Device, device_of, devices_to_try
 from .metadata import named_channels, read_classes, read_settings
-from .session import aligns_corners, available_providers, failures_of_a_run, open_session, reason_of
+from .onnx_file import header_of
+from .session import available_providers, failures_of_a_run, open_session, reason_of
 
 DEFAULT_TILE_SIZE_PX = 512
 """Edge of a tile for networks that take any size and don't say which they were trained on."""
@@ -52,7 +53,8 @@ class SegmentationModel:
         self.path = path
         self.tiles_seen, self._counting = 0, threading.Lock()
         texts, outputs = self._start(threads, device)
-        if aligns_corners(path):
+        header = header_of(path)
+        if header is not None and header.aligns_corners:
             self.notes.append(Sentence("segmentation.aligned_corners"))
         names = named_channels(texts, path)
         single = outputs.ndim == 3 or outputs.shape[1] == 1

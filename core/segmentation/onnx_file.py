@@ -43,6 +43,16 @@ class OnnxHeader:
         return next((name for name in self.weight_files if not os.path.isfile(os.path.join(folder, name))), "")
 
 
+def header_of(path: str) -> OnnxHeader | None:
+    """What an ONNX file says; None when it can't be read or is none. Of large files only what is looked at is read."""
+    try:
+        # An empty one can't be mapped.
+        with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
+            return read_header(data)
+    except (OSError, ValueError):
+        return None
+
+
 def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
     """What the bytes of an ONNX file say; None when they are no protobuf or hold no graph."""
     ir_version, opset, graph = 0, 0, None

@@ -14,7 +14,7 @@ import cv2
 from ..errors import ModelError
 from ..sentences import Sentence
 from .devices import CPU, CUDA, DIRECTML
-from .onnx_file import read_header, smallest_model
+from .onnx_file import header_of, smallest_model
 
 if TYPE_CHECKING:
     from onnxruntime import InferenceSession
@@ -115,7 +115,7 @@ def _load_libraries(onnxruntime: ModuleType) -> str:
 
 def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     """One sentence for why onnxruntime refused a file; by what is in the file, for messages change with releases."""
-    header = read_header(_content(path))
+    header = header_of(path)
     if header is None:
         return Sentence("segmentation.no_onnx", path=path)
     known = _newest_known(header.ir_version, lambda ir_version: smallest_model(ir_version, _OPSET_OF_ALL))
@@ -128,20 +128,6 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     if missing:
         return Sentence("segmentation.weights_missing", path=path, reason=missing)
     return Sentence("segmentation.not_run", path=path, version=version, reason=reason_of(error))
-
-
-def aligns_corners(path: str) -> bool:
-    """Whether a network enlarges anything with aligned corners (``OnnxHeader``)."""
-    header = read_header(_content(path))
-    return header is not None and header.aligns_corners
-
-
-def _content(path: str) -> bytes:
-    try:
-        with open(path, "rb") as file:
-            return file.read()
-    except OSError:
-        return b""
 
 
 def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:

@@ -17,6 +17,7 @@ from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsProject, QgsVe
 from qgis.PyQt.QtCore import QPoint, Qt, QTimer
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QLineEdit, QMessageBox
+from walked_layers import openstreetmap_layer
 from walking import dock, run_button, settle, start, wait_until
 
 SAMPLE = Path(os.environ["SEMREF_SAMPLE"])
@@ -246,16 +247,7 @@ def inspected(folder: Path) -> dict:
 def own_area(folder: Path) -> dict:
     """A layer as QuickOSM makes it: classified, and by the model into a database, which is then the dock's."""
     qgis.utils.iface.newProject(False)
-    layer = QgsVectorLayer("Polygon?crs=EPSG:25832&field=building:string&field=natural:string", "osm", "memory")
-    for number in range(200):
-        x, y, size = 500_000 + 40 * (number % 20), 5_400_000 + 40 * (number // 20), 8 + number % 7
-        feature = QgsFeature(layer.fields())
-        wkt = f"POLYGON(({x} {y}, {x + size} {y}, {x + size} {y + size}, {x} {y + size}, {x} {y}))"
-        feature.setGeometry(QgsGeometry.fromWkt(wkt))
-        feature["building" if number % 9 else "natural"] = "yes" if number % 9 else "water"
-        layer.dataProvider().addFeature(feature)
-    layer.updateExtents()
-    QgsProject.instance().addMapLayer(layer)
+    layer = openstreetmap_layer()
     classes = str(folder / "classified.gpkg")
     ran("semref:classifyopenstreetmap", {"INPUT": layer, "OUTPUT": classes})
     database = str(folder / "own.gpkg")

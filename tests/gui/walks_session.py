@@ -7,9 +7,10 @@ from pathlib import Path
 
 import qgis.utils
 from dock_area import CRS, label_map, write_raster
-from qgis.core import QgsApplication, QgsFeature, QgsGeometry, QgsProject, QgsVectorLayer
+from qgis.core import QgsApplication, QgsProject
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
+from walked_layers import cover_with_database
 from walking import dock, run_button, settle, start, wait_until
 
 clicks = 0
@@ -102,25 +103,7 @@ def corrected(folder: Path, press) -> dict:
     import processing
 
     QgsProject.instance().clear()
-    cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "cover", "memory")
-    squares = [(x, y, "building") for x in range(0, 240, 20) for y in range(0, 240, 20)]
-    for x, y, name in [*squares, (3, 3, "water")]:
-        left, bottom = 400_000 + x, 5_400_000 + y
-        size = 5 + (x + 3 * y) / 20 % 7
-        feature = QgsFeature(cover.fields())
-        wkt = f"POLYGON(({left} {bottom}, {left + size} {bottom}, {left + size} {bottom + size}, {left} {bottom}))"
-        feature.setGeometry(QgsGeometry.fromWkt(wkt))
-        feature["class"] = name
-        cover.dataProvider().addFeature(feature)
-    cover.updateExtents()
-    QgsProject.instance().addMapLayer(cover)
-    table = folder / "classes.csv"
-    table.write_text("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,reference\n")
-    same = {"INPUT": cover, "CLASS_FIELD": "class", "CLASS_TABLE": str(table)}
-    labels, database = str(folder / "cover.tif"), str(folder / "cover.gpkg")
-    processing.run("semref:rasterizeannotation", {**same, "PIXEL_SIZE": 0.5, "OUTPUT": labels})
-    sizes = {"WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 5, "DATABASE": database}
-    processing.run("semref:builddatabase", {"LABELS": labels, **sizes})
+    cover, same, labels, database = cover_with_database(folder, CRS)
     dock().choose_database(database)
     dock().content.tabs.setCurrentIndex(2)
     clicks, begun = 0, time.monotonic()
@@ -132,7 +115,7 @@ def corrected(folder: Path, press) -> dict:
     places = tab.places.rowCount()
     press(tab.after)
     cover.startEditing()
-    cover.deleteFeature(len(squares) + 1)
+    cover.deleteFeature(cover.featureCount())  # The pond, which came last.
     while tab.places.rowCount():
         press(tab.done)
     press(tab.updating.button)

@@ -6,13 +6,12 @@ import json
 import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_inputs import scattered_objects
+from made_sheets import sheet_settings
 from qgis.core import QgsProcessingException
 
 COMBINE = "semref:combinedatabases"
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 HEIGHT, WIDTH = 300, 480
 LABELS = scattered_objects(HEIGHT, WIDTH, 160, seed=4)
 LABELS[40:44, 100:400] = 2
@@ -21,17 +20,9 @@ LABELS[40:44, 100:400] = 2
 @pytest.fixture(scope="module")
 def build(run_algorithm):
     def run(folder, name, left, right, **parameters):
-        transform = (WEST + left, 1.0, 0.0, NORTH, 0.0, -1.0)
-        piece = np.ascontiguousarray(LABELS[:, left:right])
-        settings = {
-            "LABELS": str(write_raster(Path(folder) / f"{name}.tif", piece, transform=transform, names=NAMES)),
-            "REFERENCE_CLASSES": "building;water;bare_land",
-            "WINDOW_SIZE": 160,
-            "STRIDE": 80,
-            "MINIMUM_AREA": 30,
-            "DATABASE": str(Path(folder) / f"{name}.gpkg"),
-        }
-        return run_algorithm("semref:builddatabase", {**settings, **parameters})["DATABASE"]
+        settings = sheet_settings(folder, name, LABELS, (left, 0, right, HEIGHT))
+        sizes = {"WINDOW_SIZE": 160, "STRIDE": 80}
+        return run_algorithm("semref:builddatabase", {**settings, **sizes, **parameters})["DATABASE"]
 
     return run
 

@@ -16,11 +16,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_layer, write_raster
+from made_sheets import NAMES, sheet_settings
 from qgis.core import QgsProcessingException
 
 from semref.core.errors import DatabaseError, SemRefError
 
-NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 HEIGHT, WIDTH = 600, 720
 LABELS = scattered_objects(HEIGHT, WIDTH, 420, seed=21)
 LABELS[590:, 300:320] = 2
@@ -46,18 +46,9 @@ def edited():
 @pytest.fixture(scope="module")
 def build(run_algorithm):
     def run(folder, name, labels, box=(0, 0, WIDTH, HEIGHT), **parameters):
-        left, top, right, bottom = box
-        transform = (WEST + left, 1.0, 0.0, NORTH - top, 0.0, -1.0)
-        piece = np.ascontiguousarray(labels[top:bottom, left:right])
-        settings = {
-            "LABELS": str(write_raster(Path(folder) / f"{name}.tif", piece, transform=transform, names=NAMES)),
-            "REFERENCE_CLASSES": "building;water;bare_land",
-            "WINDOW_SIZE": 200,
-            "STRIDE": 100,
-            "MINIMUM_AREA": 30,
-            "DATABASE": str(Path(folder) / f"{name}.gpkg"),
-        }
-        return run_algorithm("semref:builddatabase", {**settings, **parameters})["DATABASE"]
+        settings = sheet_settings(folder, name, labels, box)
+        sizes = {"WINDOW_SIZE": 200, "STRIDE": 100}
+        return run_algorithm("semref:builddatabase", {**settings, **sizes, **parameters})["DATABASE"]
 
     return run
 

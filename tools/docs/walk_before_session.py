@@ -10,10 +10,11 @@ from pathlib import Path
 
 import processing
 import qgis.utils
-from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsVectorLayer
+from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QLineEdit
+from walked_layers import cover_with_database, openstreetmap_layer
 from walking import dock, settle, start, wait_until
 
 sys.path.append(str(Path(os.environ["SEMREF_WALKS"]).parent))
@@ -64,16 +65,7 @@ def inspected_twice(folder: Path) -> dict:
 def area_by_field_calculator(folder: Path) -> dict:
     """Tags become classes and priorities by two formulas of QGIS's own; the database is put into dock and map."""
     qgis.utils.iface.newProject(False)
-    layer = QgsVectorLayer("Polygon?crs=EPSG:25832&field=building:string&field=natural:string", "osm", "memory")
-    for number in range(200):
-        x, y, size = 500_000 + 40 * (number % 20), 5_400_000 + 40 * (number // 20), 8 + number % 7
-        feature = QgsFeature(layer.fields())
-        wkt = f"POLYGON(({x} {y}, {x + size} {y}, {x + size} {y + size}, {x} {y + size}, {x} {y}))"
-        feature.setGeometry(QgsGeometry.fromWkt(wkt))
-        feature["building" if number % 9 else "natural"] = "yes" if number % 9 else "water"
-        layer.dataProvider().addFeature(feature)
-    layer.updateExtents()
-    QgsProject.instance().addMapLayer(layer)
+    layer = openstreetmap_layer()
     classes, both = str(folder / "classes.gpkg"), str(folder / "both.gpkg")
     named = "CASE WHEN \"building\" IS NOT NULL THEN 'building' WHEN \"natural\" = 'water' THEN 'water' END"
     above = "CASE WHEN \"class\" = 'building' THEN 2 ELSE 1 END"
@@ -95,25 +87,7 @@ def area_by_field_calculator(folder: Path) -> dict:
 def corrected_by_model(folder: Path) -> dict:
     """From the check's layer on: gone through, mended, and the model that rasterizes and updates, as the guide told."""
     qgis.utils.iface.newProject(False)
-    cover = QgsVectorLayer("Polygon?crs=EPSG:25832&field=class:string", "cover", "memory")
-    squares = [(x, y, "building") for x in range(0, 240, 20) for y in range(0, 240, 20)]
-    for x, y, name in [*squares, (3, 3, "water")]:
-        left, bottom = 400_000 + x, 5_400_000 + y
-        size = 5 + (x + 3 * y) / 20 % 7
-        feature = QgsFeature(cover.fields())
-        wkt = f"POLYGON(({left} {bottom}, {left + size} {bottom}, {left + size} {bottom + size}, {left} {bottom}))"
-        feature.setGeometry(QgsGeometry.fromWkt(wkt))
-        feature["class"] = name
-        cover.dataProvider().addFeature(feature)
-    cover.updateExtents()
-    QgsProject.instance().addMapLayer(cover)
-    table = folder / "classes.csv"
-    table.write_text("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,reference\n")
-    same = {"INPUT": cover, "CLASS_FIELD": "class", "CLASS_TABLE": str(table)}
-    labels, database = str(folder / "cover.tif"), str(folder / "cover.gpkg")
-    processing.run("semref:rasterizeannotation", {**same, "PIXEL_SIZE": 0.5, "OUTPUT": labels})
-    sizes = {"WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 5, "DATABASE": database}
-    processing.run("semref:builddatabase", {"LABELS": labels, **sizes})
+    cover, same, labels, database = cover_with_database(folder, "EPSG:25832")
     dock().content.database.file.setFilePath(database)
     dock().content.tabs.setCurrentIndex(2)
     begun = time.monotonic()
@@ -129,7 +103,7 @@ def corrected_by_model(folder: Path) -> dict:
     places = tab.places.rowCount()
     press(tab.after)
     cover.startEditing()
-    cover.deleteFeature(len(squares) + 1)
+    cover.deleteFeature(cover.featureCount())  # The pond, which came last.
     for _ in range(places):
         press(tab.done)
     given = {**same, "LABELS": labels, "DATABASE": database}

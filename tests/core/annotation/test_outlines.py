@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import cv2
 import numpy as np
 import pytest
@@ -103,6 +105,15 @@ def test_without_a_neighbor_straight_edges_have_no_vertices_between():
 
 def test_ground_without_a_label_has_no_polygon():
     values, polygons = outlines_of(np.zeros((4, 5), np.uint8))
+    assert len(values) == len(polygons) == 0
+
+
+@pytest.mark.parametrize("answers", range(4))
+def test_told_to_stop_anywhere_it_finds_nothing_rather_than_a_part(answers):
+    labels = np.random.default_rng(3).integers(0, 4, (60, 70)).astype(np.uint8)
+    asked = itertools.count()
+    values, polygons = outlined(lambda first, last: labels[first:last], labels.shape, lambda: next(asked) < answers)
+    assert next(asked) == answers + 1
     assert len(values) == len(polygons) == 0
 
 
