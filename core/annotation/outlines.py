@@ -44,13 +44,12 @@ def outlined(
         (n,) uint8 labels and (n,) shapely polygons in pixels (column, row), valid; where borders are shared, both sides
         have the same vertices. Each ring begins with its topmost vertex, of several with the leftmost.
     """
+    nothing = np.empty(0, np.uint8), np.empty(0, object)
     try:
         corners = _Corners.of(rows, shape_hw, proceed)
-        if len(corners.places):
-            return _polygons(corners, rows, proceed)
+        return _polygons(corners, rows, proceed) if len(corners.places) else nothing
     except _StoppedError:
-        pass
-    return np.empty(0, np.uint8), np.empty(0, object)
+        return nothing
 
 
 def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
