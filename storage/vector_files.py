@@ -10,6 +10,7 @@ from osgeo import gdal
 
 from ..core.errors import ParameterError
 from .gdal_errors import gdal_failures
+from .sqlite_copy import copy_whole
 
 _DATABASES = (".gpkg", ".sqlite", ".db")
 _OWN = {"layer_styles"}
@@ -53,7 +54,7 @@ def copy_database(path: str, target: str) -> None:
     try:
         closing = contextlib.closing
         with closing(sqlite3.connect(path, timeout=5)) as source, closing(sqlite3.connect(target)) as copy:
-            source.backup(copy)
+            copy_whole(source, copy)
     except sqlite3.Error as error:
         raise ParameterError("storage.file_unwritable", path=path, reason=str(error)) from None
 

@@ -18,6 +18,15 @@ from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pai
 PORTION = 400_000
 """Triangles of the index looked at together; bounds the memory of a search without a cap."""
 
+_SORTED_AT_ONCE = 20_000
+"""So many poses are sorted sooner than counted."""
+
+_GROUP_BITS = 24
+"""Of the number of a group, at most: counting them takes 128 MB."""
+
+_SPREADING = np.uint64(0x9E3779B97F4A7C15)
+"""Keys that are next to each other fall into groups far apart (Fibonacci hashing)."""
+
 
 @dataclass(frozen=True)
 class SeenLandmarks:
@@ -127,8 +136,13 @@ def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> Qu
     return QueryTriangles(triple, describe_triangles(query.points[triple], query.log_areas[triple]), tolerance)
 
 
-def find_seeds(
-    index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
+def find_seeds(  # noqa: PLR0913 - the map, the image, what is known, and how far to look
+    index: ConstellationIndex,
+    query: SeenLandmarks,
+    triangles: QueryTriangles,
+    prior: Prior | None,
+    cap: int | None,
+    count: int | None = None,
 ) -> Seeds:
     """The most voted poses of an image.
 
@@ -138,8 +152,8 @@ def find_seeds(
         triangles: All or some of its triangles.
         prior: What is known beforehand.
         cap: Triangles of the index looked at, at most, those of the rarest first; where they are more, only those where
-            the prior has the image are counted. Without a cap all are, a portion at a time, and in every region of the
-            map as many poses are kept as else of the whole map.
+            the prior has the image are counted. Without a cap all are, a portion at a time.
+        count: Poses of each of two lattices of cells; as many as the index's settings say without it.
     """
     triple, numbers, place = triangles.members, triangles.numbers, triangles.tolerances
     settings = index.settings
@@ -162,15 +176,7 @@ def find_seeds(
     centers, turns, focuses = (np.concatenate(parts) for parts in zip(*found)) if found else [np.empty(0, complex)] * 3
     kept = _allowed(index, centers, turns, prior)
     poses = centers[kept], turns[kept], focuses[kept]
-    return _clusters(poses, query.diagonal, settings, capped, None if cap is not None else region_edge(index))
-
-
-def region_edge(index: ConstellationIndex) -> float | None:
-    """Edge of a square that holds ``landmarks_of_a_region`` on average, map units; None where the map has no more."""
-    most = index.settings.landmarks_of_a_region
-    if len(index) <= most:
-        return None
-    return float(np.sqrt(np.ptp(index.points.real) * np.ptp(index.points.imag) * most / len(index)))
+    return _clusters(poses, query.diagonal, settings, capped, count or settings.seeds)
 
 
 def _portions(spans: np.ndarray, most: int) -> Iterator[slice]:
@@ -255,7 +261,7 @@ def _clusters(
     diagonal: float,
     settings: ConstellationSettings,
     capped: bool,
-    region: float | None,
+    count: int,
 ) -> Seeds:
     """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both.
 
@@ -264,7 +270,7 @@ def _clusters(
         diagonal: Of the image, pixels.
         settings: Of the constellation.
         capped: Goes into the seeds.
-        region: Edge of the squares of the map of which each has its own fullest cells; None for the map as one.
+        count: Cells of each lattice.
     """
     centers, turns, _ = poses
     log_size = np.log(np.abs(turns))
@@ -274,11 +280,11 @@ def _clusters(
     cell = settings.cell_of_image * diagonal * np.exp(np.round(log_size / turn_cell) * turn_cell)
     around = int(np.ceil(2 * np.pi / turn_cell))
     across, along, turned = centers.real / cell, centers.imag / cell, (angle + np.pi) / (2 * np.pi) * around
-    sizes, regions = np.floor(log_size / turn_cell + 0.5), _regions(centers, region)
+    sizes = np.floor(log_size / turn_cell + 0.5)
     found = []
     for shift in (0.0, 0.5):
         cells = np.floor(across + shift), np.floor(along + shift), sizes, np.floor(turned + shift) % around
-        found.append(_cell_means(cells, poses, settings.seeds, regions))
+        found.append(_cell_means(cells, poses, count))
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
     # A cluster that neither lattice cuts is found twice.
@@ -287,18 +293,10 @@ def _clusters(
     return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
 
 
-def _regions(centers: np.ndarray, edge: float | None) -> np.ndarray | None:
-    """(H,) number of the square that each center lies in; None where all are in one."""
-    if edge is None or not len(centers):
-        return None
-    column, row = np.floor(centers.real / edge).astype(np.int64), np.floor(centers.imag / edge).astype(np.int64)
-    return (column - column.min()) * (np.ptp(row) + 1) + row - row.min()
-
-
 def _cell_means(
-    cells: tuple[np.ndarray, ...], values: tuple[np.ndarray, ...], seed_count: int, regions: np.ndarray | None
+    cells: tuple[np.ndarray, ...], values: tuple[np.ndarray, ...], seed_count: int
 ) -> tuple[np.ndarray, ...]:
-    """Means of each of the complex values (H,) in the fullest cells of every region (H,), and their counts.
+    """Means of each of the complex values (H,) in the fullest cells, and their counts.
 
     ``cells``: whole numbers (H,) a dimension.
     """
@@ -308,30 +306,45 @@ def _cell_means(
     for column in cells:
         place = (column - column.min()).astype(np.int64)
         key = key * (int(place.max()) + 1) + place
-    order = np.argsort(key)
+    found = _in_full_cells(key, seed_count)
+    order = found[np.argsort(key[found], kind="stable")]
     starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
     votes = np.diff(np.append(starts, len(order)))
-    best = _fullest(votes, None if regions is None else regions[order[starts]], seed_count)
+    best = _fullest(votes, seed_count)
     starts, votes = starts[best], votes[best]
-    which, places = expand_ranges(starts, starts + votes)
-    members = order[places]
     # In the order in which they came, so that equal cells have equal means.
-    members, begins = members[np.lexsort((members, which))], np.cumsum(votes) - votes
-    return (*(np.add.reduceat(value[members], begins) / votes for value in values), votes)
+    which, places = expand_ranges(starts, starts + votes)
+    begins = np.cumsum(votes) - votes
+    return (*(np.add.reduceat(value[order[places]], begins) / votes for value in values), votes)
 
 
-def _fullest(votes: np.ndarray, regions: np.ndarray | None, count: int) -> np.ndarray:
-    """The ``count`` fullest cells of each region, fullest first."""
-    if regions is None and len(votes) > count:
-        least = np.partition(votes, len(votes) - count)[len(votes) - count]
-        order = np.flatnonzero(votes >= least)
-        return order[np.argsort(-votes[order], kind="stable")[:count]]
-    order = np.argsort(-votes, kind="stable")
-    if regions is None:
-        return order
-    by_region = order[np.argsort(regions[order], kind="stable")]
-    starts = np.flatnonzero(np.concatenate([[True], np.diff(regions[by_region]) != 0]))
-    place = np.arange(len(by_region)) - np.repeat(starts, np.diff(np.append(starts, len(by_region))))
-    kept = np.zeros(len(votes), bool)
-    kept[by_region[place < count]] = True
-    return order[kept[order]]
+def _in_full_cells(key: np.ndarray, count: int) -> np.ndarray:
+    """Ascending places (H,) of keys among which those of the ``count`` fullest cells surely are, all of them.
+
+    Nearly all of millions of poses lie alone in their cells. Cells are counted in groups, which takes no sorting: what
+    is in a group of few poses is in a cell of few.
+    """
+    everything = np.arange(len(key))
+    if len(key) < _SORTED_AT_ONCE:
+        return everything
+    bits = min(len(key).bit_length() + 2, _GROUP_BITS)
+    group = (key.view(np.uint64) * _SPREADING >> np.uint64(64 - bits)).view(np.int64)
+    sizes = np.bincount(group, minlength=1 << bits)
+    groups_of = np.bincount(sizes)
+    # Down from the largest groups, until so many cells are as full as the least of them.
+    for least in range(len(groups_of) - 1, 1, -1):
+        if groups_of[least:].sum() < count:
+            continue
+        found = np.flatnonzero(sizes[group] >= least)
+        if (np.unique(key[found], return_counts=True)[1] >= least).sum() >= count:
+            return found
+    return everything
+
+
+def _fullest(votes: np.ndarray, count: int) -> np.ndarray:
+    """The ``count`` fullest cells, fullest first."""
+    if len(votes) <= count:
+        return np.argsort(-votes, kind="stable")
+    least = np.partition(votes, len(votes) - count)[len(votes) - count]
+    order = np.flatnonzero(votes >= least)
+    return order[np.argsort(-votes[order], kind="stable")[:count]]

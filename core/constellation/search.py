@@ -5,11 +5,14 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ..geometry.pose import Pose
 from ..localization import Prior
 from .hypotheses import QueryTriangles, Seeds, SeenLandmarks, find_seeds
+from .index import ConstellationIndex
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -23,27 +26,46 @@ from .verification import (
 )
 
 
-def rounds(triangles: QueryTriangles, settings: ConstellationSettings) -> list[tuple[QueryTriangles, int | None]]:
-    """The triangles in three rounds with their caps: a few from all over the image, then all, then without a cap."""
+class Round(NamedTuple):
+    """How far one round of a search looks: these triangles, the cap on their hits, and poses of each lattice."""
+
+    triangles: QueryTriangles
+    cap: int | None
+    seeds: int
+
+    def mirrored(self) -> Round:
+        """As far for the mirrored image."""
+        return self._replace(triangles=self.triangles.mirrored())
+
+
+def rounds(triangles: QueryTriangles, index: ConstellationIndex) -> list[Round]:
+    """A few triangles from all over the image, then all with caps that rise, then all without a cap.
+
+    By chance a map of more landmarks has more places that look like the image, of which more are tried where the first
+    rounds brought nothing.
+    """
+    settings = index.settings
     step = max(-(-len(triangles) // settings.first_triangles), 1)
-    caps = settings.maximum_hits
-    return [(triangles.every(step), caps[0]), (triangles, caps[1]), (triangles, None)]
+    more = round(settings.seeds * max(len(index) / settings.landmarks_of_few_seeds, 1.0) ** 0.5)
+    first, second, *others = settings.maximum_hits
+    quick = [Round(triangles.every(step), first, settings.seeds), Round(triangles, second, settings.seeds)]
+    return quick + [Round(triangles, cap, more) for cap in (*others, None)]
 
 
 def search(
-    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
+    verifier: Verifier, query: SeenLandmarks, reach: Round, prior: Prior | None
 ) -> tuple[list[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
-    found, seeds = level_poses(verifier, query, triangles, prior, cap)
+    found, seeds = level_poses(verifier, query, reach, prior)
     return tilted_poses(verifier, query, found, seeds), seeds.capped
 
 
 def level_poses(
-    verifier: Verifier, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None, cap: int | None
+    verifier: Verifier, query: SeenLandmarks, reach: Round, prior: Prior | None
 ) -> tuple[list[PoseEvidence], Seeds]:
     """The best few poses of a level camera at different places, best first; and the clusters they come from."""
     settings = verifier.index.settings
-    seeds = find_seeds(verifier.index, query, triangles, prior, cap)
+    seeds = find_seeds(verifier.index, query, reach.triangles, prior, reach.cap, reach.seeds)
     found: list[PoseEvidence] = []
     if not len(seeds.centers):
         return found, seeds

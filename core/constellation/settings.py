@@ -45,8 +45,8 @@ class ConstellationSettings:
         area_tolerance: Tolerance of ln(area / |AB|²): edges off by a pixel or two [reasoning].
         first_triangles: Triangles of the first search; all are used only if it brings no fix [by hand, for the time;
             constellation trials, north].
-        maximum_hits: Triangles of the index looked at in the first and in the second search, rarest first. Bounds the
-            time at 10⁶ objects [by hand, for the time; catalogue sizes].
+        maximum_hits: Triangles of the index looked at in one search after the other, rarest first; then all of them.
+            Bounds the time at 10⁶ objects [by hand, for the time; catalogue sizes].
         cell_of_image: Cells in which poses are gathered: share of the image's diagonal on the ground [by hand;
             constellation trials, north].
         cell_of_turn: The same for heading, radians, and ln pixel size [by hand; constellation trials, north].
@@ -116,8 +116,8 @@ class ConstellationSettings:
         largest_error: A fix must have a 95 % ellipse within this share of the image's diagonal. Of 218 fixes with 8–12
             objects in view the larger ones are two right ones and two that are 13 and 18 m off [Liechtenstein, north,
             few objects; constellation trials, north].
-        landmarks_of_a_region: Of a search without a cap, in every region of so many landmarks as many poses are kept as
-            of a whole map otherwise: the size of the map that the constellation was made on [reasoning; catalogue
+        landmarks_of_few_seeds: Of a map of more landmarks more ``seeds`` are tried after the second search, with the
+            root of how many times more: the size of the map that the constellation was made on [by hand; catalogue
             sizes].
         confidence_offset: ln of the odds that a place is right whose lead in log odds is 0 [Liechtenstein, north;
             probability].
@@ -161,7 +161,7 @@ class ConstellationSettings:
     place_tolerance_maximum: float = 0.06
     area_tolerance: float = 0.4
     first_triangles: int = 400
-    maximum_hits: tuple[int, int] = (400_000, 1_500_000)
+    maximum_hits: tuple[int, ...] = (400_000, 1_500_000, 6_000_000)
     cell_of_image: float = 0.04
     cell_of_turn: float = 0.1
     seeds: int = 32
@@ -199,7 +199,7 @@ class ConstellationSettings:
     repeated: float = 0.15
     repeat_reach: float = 0.5
     largest_error: float = 0.01
-    landmarks_of_a_region: int = 10_000
+    landmarks_of_few_seeds: int = 10_000
     confidence_offset: float = -3.3
     confidence_slope: float = 0.76
     confidence_scale: float = 60.0

@@ -22,10 +22,10 @@ from ..landmarks.landmarks import Landmarks
 from ..localization import IMAGE_PARTS, LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
-from .hypotheses import QueryTriangles, SeenLandmarks, query_triangles
+from .hypotheses import SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
 from .parts import Agreement, Side, empty_side, uneven_side
-from .search import level_poses, rounds, search, tilted_poses, with_repeats
+from .search import Round, level_poses, rounds, search, tilted_poses, with_repeats
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -124,33 +124,28 @@ def _search_for(
     blind = None if prior is None else replace(prior, heading_deg=None)
     searched = _Searched([], [], False, errors)
     triangles = query_triangles(query, settings)
-    for some, cap in rounds(triangles, settings):
-        if cap is None and not searched.capped:
+    for number, reach in enumerate(rounds(triangles, index)):
+        if number > 1 and not searched.capped:
             break
-        found, capped = search(verifier, query, some, prior, cap)
+        found, capped = search(verifier, query, reach, prior)
         searched = replace(searched, found=found, decoys=[], capped=capped)
         if not found or found[0].log_odds <= 0:
             continue
         searched = replace(searched, found=with_repeats(verifier, query, found))
-        is_last = cap is None or some is triangles and not capped
+        is_last = reach.cap is None or reach.triangles is triangles and not capped
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
-            searched = replace(searched, decoys=_decoys(verifier, query, some, blind, cap, searched))
+            searched = replace(searched, decoys=_decoys(verifier, query, reach, blind, searched))
             if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
                 break
     return searched
 
 
-def _decoys(  # noqa: PLR0913 - a search as the image's, and what that found
-    verifier: Verifier,
-    query: SeenLandmarks,
-    triangles: QueryTriangles,
-    prior: Prior | None,
-    cap: int | None,
-    searched: _Searched,
+def _decoys(
+    verifier: Verifier, query: SeenLandmarks, reach: Round, prior: Prior | None, searched: _Searched
 ) -> list[PoseEvidence]:
     """The best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
     mirrored, settings = query.mirrored(), verifier.index.settings
-    level, seeds = level_poses(verifier, mirrored, triangles.mirrored(), prior, cap)
+    level, seeds = level_poses(verifier, mirrored, reach.mirrored(), prior)
     opponents = replace(searched, decoys=level).opponents(verifier.index)
     strongest = opponents.strongest + settings.tilted_slack
     if risk_against(opponents, strongest, settings) <= LEAST_RISK:
@@ -250,13 +245,13 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
     telling = telling_objects(query, settings.largest_objects)
     others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
     others = others.select(np.flatnonzero(side.holds(others.points)))
-    thorough = replace(settings, seeds=settings.side_seeds, verified=settings.side_verified, rough_share=0.0)
+    thorough = replace(settings, verified=settings.side_verified, rough_share=0.0)
     there = replace(verifier, index=replace(index, settings=thorough), side=side)
-    triangles, cap = query_triangles(others, settings), settings.maximum_hits[1]
+    reach = Round(query_triangles(others, settings), settings.maximum_hits[1], settings.side_seeds)
     size, ratio = abs(best.pose.turn), settings.side_pixel_sizes
     same_camera = Prior(pixel_size_range=(size / ratio, size * ratio))
     for prior, least in ((same_camera, settings.side_log_odds), (None, settings.minimum_log_odds)):
-        found, seeds = level_poses(there, others, triangles, prior, cap)
+        found, seeds = level_poses(there, others, reach, prior)
         if found and (found[0].log_odds > 0 or not best.pose.is_level):
             found = tilted_poses(there, others, found, seeds)
         if found and found[0].log_odds >= least:

@@ -9,6 +9,7 @@ import tempfile
 
 from osgeo import gdal, ogr
 
+from ..sqlite_copy import copy_whole
 from . import schema
 from .connection import require_unchanged_since, snapshot
 
@@ -32,7 +33,7 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
     with snapshot(path) as source, contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
         require_unchanged_since(path, state_when_read)
         source.rollback()
-        source.backup(copy)
+        copy_whole(source, copy)
         require_unchanged_since(path, state_when_read)
         _remove_foreign(copy)
     # Anew: what was removed from the schema is still known to the connection that removed it.

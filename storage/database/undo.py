@@ -10,6 +10,7 @@ from pathlib import Path
 
 from ...core.errors import DatabaseError
 from ..files import Batch
+from ..sqlite_copy import copy_whole
 
 _BEFORE = "_before_update"
 
@@ -43,7 +44,7 @@ def replace_keeping(path: str, updated: str) -> None:
         kept, fresh = batch.file(file_before(path)), batch.file(path)
         with snapshot(path) as source, contextlib.closing(sqlite3.connect(kept)) as copy:
             source.rollback()
-            source.backup(copy)
+            copy_whole(source, copy)
         shutil.copyfile(updated, fresh)
         batch.commit()
     os.remove(updated)

@@ -5,12 +5,13 @@ The script calls ``start(session)``; what the session returns, or the error that
 
 import json
 import os
+import sys
 import time
 import traceback
 from pathlib import Path
 
 import qgis.utils
-from qgis.core import QgsProject, QgsSettings
+from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QCoreApplication, QTimer
 from qgis.PyQt.QtWidgets import QDialogButtonBox, QDockWidget
 
@@ -33,8 +34,17 @@ def wait_until(condition, what: str) -> None:
     end = time.monotonic() + LIMIT_S
     while not condition():
         if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not come within {LIMIT_S} s")
+            raise RuntimeError(f"{what} did not come within {LIMIT_S} s\n{_what_stands_still()}")
         settle(0.05)
+
+
+def _what_stands_still() -> str:
+    """Python errors, tasks with their status, and where each thread of Python is."""
+    tasks = [
+        f"task {task.description()!r}: status {int(task.status())}" for task in QgsApplication.taskManager().tasks()
+    ]
+    threads = ["".join(traceback.format_stack(frame)) for frame in sys._current_frames().values()]
+    return "\n\n".join([*messages, *tasks, *threads])
 
 
 def dock():

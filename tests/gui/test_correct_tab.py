@@ -86,6 +86,19 @@ def test_other_layers_may_be_removed(tab, add_layer):
     assert tab.progress.text() == "0 of 2 done" and tab.progress.isTextVisible()
 
 
+def test_what_is_left_out_of_the_lists_is_forgotten_with_its_layer(tab, add_layer):
+    """Else a new layer that comes to lie where the old one lay in memory would be left out in its stead."""
+    from qgis.core import QgsProject, QgsVectorLayer
+
+    # Neither places nor an annotation, and both at once.
+    cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "cover", "memory")
+    QgsProject.instance().addMapLayer(cover)
+    issues = add_layer("issues")
+    wait_until(lambda: tab.layer.exceptedLayerList() and tab.updating.annotation.exceptedLayerList(), "the lists")
+    QgsProject.instance().removeMapLayers([cover.id(), issues.id()])
+    assert (tab.layer.exceptedLayerList(), tab.updating.annotation.exceptedLayerList()) == ([], [])
+
+
 def test_a_speck_is_shown_with_the_ground_around_it(tab, iface, add_layer):
     tab.layer.setLayer(add_layer("issues"))
     tab.places.selectRow(0)

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from semref.core.constellation import hypotheses
 from semref.core.constellation.hypotheses import _poses, find_seeds, query_triangles
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.geometry.pose import fit_similarity
@@ -73,6 +74,20 @@ def test_a_cap_leaves_hits_out_and_says_so(index, cut):
     everything = find_seeds(index, query, triangles, prior, 10**7)
     few = find_seeds(index, query, triangles, prior, 300)
     assert few.capped and few.votes.sum() < everything.votes.sum()
+
+
+@pytest.mark.parametrize("spread", [30, 300, 3_000_000])
+def test_of_very_many_poses_the_fullest_cells_are_the_same_as_when_all_are_sorted(monkeypatch, spread):
+    rng = np.random.default_rng(4)
+    # Few cells, most of them full; many, of which some are; so many that hardly any holds two poses.
+    cells = [rng.integers(-spread, spread, 30_000).astype(float) for _ in range(2)]
+    values = rng.normal(size=30_000) + 1j * rng.normal(size=30_000), np.arange(30_000) * (1 + 0j)
+    counted = hypotheses._cell_means(cells, values, 40)
+    monkeypatch.setattr(hypotheses, "_SORTED_AT_ONCE", 10**9)
+    everything = hypotheses._cell_means(cells, values, 40)
+    assert len(counted[0]) == 40
+    for one, other in zip(counted, everything):
+        np.testing.assert_array_equal(one, other)
 
 
 def test_objects_that_are_cut_or_of_unknown_class_make_no_triangles(cut):

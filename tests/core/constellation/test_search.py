@@ -1,5 +1,6 @@
 """The constellation's choices between poses: which are one place, which of them stays; on a made catalogue."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -111,15 +112,25 @@ def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_b
     assert found[-1] is clearly and len(found) == 2
 
 
-def test_the_first_search_takes_triangles_from_all_over_the_image(cut):
+def test_the_first_search_takes_triangles_from_all_over_the_image(cut, index):
     triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
-    (some, cap), (every, all_cap), (uncapped, no_cap) = search.rounds(triangles, CONSTELLATION)
-    assert every is uncapped is triangles and (cap, all_cap, no_cap) == (*CONSTELLATION.maximum_hits, None)
+    first, *others = search.rounds(triangles, index)
+    assert all(reach.triangles is triangles for reach in others)
+    assert [first.cap, *(reach.cap for reach in others)] == [*CONSTELLATION.maximum_hits, None]
     step = -(-len(triangles) // CONSTELLATION.first_triangles)
-    assert step > 1 and len(some) <= CONSTELLATION.first_triangles
-    np.testing.assert_array_equal(some.members, triangles.members[::step])
+    assert step > 1 and len(first.triangles) <= CONSTELLATION.first_triangles
+    np.testing.assert_array_equal(first.triangles.members, triangles.members[::step])
     few = triangles.every(len(triangles) // 100)
-    assert len(search.rounds(few, CONSTELLATION)[0][0]) == len(few)
+    assert len(search.rounds(few, index)[0].triangles) == len(few)
+
+
+def test_of_a_larger_map_more_poses_are_tried_where_the_first_searches_brought_nothing(cut, index):
+    triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
+    assert {reach.seeds for reach in search.rounds(triangles, index)} == {CONSTELLATION.seeds}
+    large = replace(CONSTELLATION, landmarks_of_few_seeds=len(index) // 9)
+    seeds = [reach.seeds for reach in search.rounds(triangles, replace(index, settings=large))]
+    assert seeds[:2] == [CONSTELLATION.seeds] * 2
+    assert seeds[2:] == [pytest.approx(3 * CONSTELLATION.seeds, rel=0.02)] * 2
 
 
 def test_too_few_objects_are_told_with_how_many_more_the_catalogue_needs(index):

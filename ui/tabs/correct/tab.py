@@ -160,14 +160,21 @@ class CorrectTab(QWidget):
             self.layer.setLayer(found[-1])
 
     def _list_layers(self) -> None:
-        layers = QgsProject.instance().mapLayers().values()
+        layers = list(QgsProject.instance().mapLayers().values())
+        self._leave_out(layers)
+        self.updating.list_layers(layers)
+
+    def _leave_out(self, layers: list) -> None:
         self.layer.setExceptedLayerList([layer for layer in layers if not is_places(layer)])
-        self.updating.list_layers()
 
     def _leave_removed(self, ids: list[str]) -> None:
         """Else the box would go on to some other layer, without telling."""
         if self._layer is not None and self._layer.id() in ids:
             self.layer.setLayer(None)
+        # A new layer may come to lie where one lay that is gone, and would be left out in its stead.
+        left = [layer for layer in QgsProject.instance().mapLayers().values() if layer.id() not in ids]
+        self._leave_out(left)
+        self.updating.leave_out(left)
 
     def _choose_rows(self, setting: str, on: bool) -> None:
         QgsSettings().setValue(setting, on)

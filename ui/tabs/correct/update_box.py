@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
+from collections.abc import Iterable
+
+from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject, QgsVectorLayer
 from qgis.gui import QgsCollapsibleGroupBox, QgsFieldComboBox, QgsMapLayerComboBox
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
@@ -58,7 +60,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
             layout.addRow(widget)
         name_fold(self)
         self._connect()
-        self.list_layers()
+        self.list_layers(QgsProject.instance().mapLayers().values())
         self.show_running(False)
 
     def _connect(self) -> None:
@@ -72,10 +74,13 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self._database = path
         self._show_ready()
 
-    def list_layers(self) -> None:
-        """Leaves out what no annotation is: places, and the layers of databases."""
-        layers = QgsProject.instance().mapLayers().values()
+    def leave_out(self, layers: Iterable[QgsMapLayer]) -> None:
+        """Offers no places, nor the layers of databases; ``layers``: all there are."""
         self.annotation.setExceptedLayerList([layer for layer in layers if is_places(layer) or database_file(layer)])
+
+    def list_layers(self, layers: Iterable[QgsMapLayer]) -> None:
+        """Offers annotations, and chooses one."""
+        self.leave_out(layers)
         if self.annotation.currentLayer() is None:
             self._choose_annotation()
         # The box goes to another layer without a word when the one that it showed is left out.
