@@ -204,14 +204,15 @@ def _poses(
     """
     members = index.members(hits)
     if not index.keys_tell_classes:
-        same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
-        members, source = members[same], source[same]
+        alike = [index.ranks[of] == query.ranks[triple[source, k]] for k, of in enumerate(members)]
+        same = np.logical_and.reduce(alike)
+        members, source = [of[same] for of in members], source[same]
     # Least squares of three points each, the same as ``fit_similarity``: what only the image tells once a triangle.
     corners = query.points[triple]
     middles = corners.mean(axis=1)
     away = corners - middles[:, None]
     away = away.conj() / np.maximum((away.real**2 + away.imag**2).sum(axis=1), 1e-300)[:, None]
-    a, b, c = (index.points[members[:, k]] for k in range(3))
+    a, b, c = (index.points.take(of) for of in members)
     middles, turns = middles[source], away[source, 1] * (b - a) + away[source, 2] * (c - a)
     return (a + b + c) / 3 - turns * middles, turns, middles
 

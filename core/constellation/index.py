@@ -86,14 +86,17 @@ class ConstellationIndex:
         """How many objects the catalogue has."""
         return len(self.points)
 
-    def members(self, triangles: np.ndarray) -> np.ndarray:
-        """(H, 3) catalogue objects A, B, C of triangles (H,) given by their number in ``triangles``."""
-        corners = _corner_places(self.neighbors.shape[1])
-        anchors, corner = np.divmod(self.triangles[triangles].astype(np.int64), len(corners))
-        places = corners[corner]
+    def members(self, triangles: np.ndarray) -> list[np.ndarray]:
+        """(H,) catalogue objects A, the same of B and of C, of triangles (H,) given by their number in ``triangles``."""
+        count, places = self.neighbors.shape[1], _corner_places(self.neighbors.shape[1])
+        codes, near = self.triangles.take(triangles), self.neighbors.ravel()
+        anchors = codes // len(places)
+        corner = codes - anchors * len(places)
+        anchors = anchors.astype(np.int64)
+        first = anchors * count
+        corners = (places[:, k].take(corner) for k in range(3))
         # The neighbors of anchor n begin at n K; an anchor is told by −1.
-        near = self.neighbors.ravel()[np.maximum(places, 0) + (anchors * self.neighbors.shape[1])[:, None]]
-        return np.where(places < 0, anchors[:, None], near)
+        return [np.where(of < 0, anchors, near.take(first + np.maximum(of, 0))) for of in corners]
 
     @property
     def keys_tell_classes(self) -> bool:
@@ -319,11 +322,12 @@ def like_triangles(
     reach = tolerances / FINE_UNIT + 0.5
     low = np.clip(np.ceil(wanted - reach), 0, FINE_STEPS).astype(np.uint8)
     high = np.clip(np.floor(wanted + reach), 0, FINE_STEPS).astype(np.uint8)
-    values, left = index.fine.ravel(), np.arange(len(hits))
+    values, left, first = index.fine.ravel(), np.arange(len(hits)), hits * len(CELLS)
     for column in range(len(CELLS)):
-        value = values[hits * len(CELLS) + column]
-        agree = np.flatnonzero((value >= low[:, column].copy()[source]) & (value <= high[:, column].copy()[source]))
-        hits, source, left = hits[agree], source[agree], left[agree]
+        # Below the lowest they wrap around and are larger than any span.
+        above = values.take(first + column) - low[:, column].copy().take(source)
+        agree = np.flatnonzero(above <= (high - low)[:, column].copy().take(source))
+        first, source, left = first.take(agree), source.take(agree), left.take(agree)
     return left
 
 

@@ -5,6 +5,7 @@ Told in docs/method.md#constellation.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +19,6 @@ from .verification import (
     PoseEvidence,
     Verifier,
     gained_by_tilt,
-    median,
     rough_scores,
     telling_objects,
     verify,
@@ -66,59 +66,110 @@ def level_poses(
     """The best few poses of a level camera at different places, best first; and the clusters they come from."""
     settings = verifier.index.settings
     seeds = find_seeds(verifier.index, query, reach.triangles, prior, reach.cap, reach.seeds)
-    found: list[PoseEvidence] = []
+    found = Found(query, settings)
     if not len(seeds.centers):
-        return found, seeds
+        return [], seeds
     gates = [gate * query.diagonal for gate in settings.rough_gates]
     rough = query.select(telling_objects(query, settings.rough_objects))
     centers, turns, scores = rough_scores(verifier.index, rough, seeds.centers, seeds.turns, gates)
     telling = query.select(telling_objects(query, settings.largest_objects))
-    tried: list[Pose] = []
+    tried: list[np.ndarray] = []
     best = 0.0
     for number in np.argsort(-scores, kind="stable"):
         pose = Pose(complex(centers[number]), complex(turns[number]))
-        if any(_distance(query, pose, other) < 2.0 * abs(pose.turn) for other in tried):
+        on_map = pose.on_map(query.points)
+        if tried and (_distances(on_map, tried) < 2.0 * abs(pose.turn)).any():
             continue
         if tried and scores[number] < settings.rough_share * best:
             break
         best = max(best, float(scores[number]))
-        tried.append(pose)
-        _add(query, found, verify(verifier, telling, pose), settings)
+        tried.append(on_map)
+        found.add(verify(verifier, telling, pose))
         if len(telling.points) <= settings.few_objects:
             # The rough fit of few objects may have settled on wrong matches.
             seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            _add(query, found, verify(verifier, telling, seed), settings)
+            found.add(verify(verifier, telling, seed))
         if len(tried) == settings.verified:
             break
-    return _best_first(found), seeds
+    return found.best_first, seeds
 
 
 def tilted_poses(
     verifier: Verifier, query: SeenLandmarks, level: list[PoseEvidence], seeds: Seeds
 ) -> list[PoseEvidence]:
     """The best few poses with those of a camera that may be tilted, best first."""
-    settings, found = verifier.index.settings, list(level)
-    if not found:
-        return found
-    strongest, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
+    settings = verifier.index.settings
+    if not level:
+        return []
+    strongest, telling = level[0], query.select(telling_objects(query, settings.largest_objects))
     if _is_level(verifier, telling, strongest):
-        return found
+        return level
+    found = Found(query, settings, level)
     if strongest.log_odds > 0:
         focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
         tilted = verify_tilted(verifier, telling, strongest.pose, focus)
-        _add(query, found, tilted, settings)
+        found.add(tilted)
         if _is_as_good(tilted, strongest, settings):
-            return _best_first(found)
+            return found.best_first
     if not _agrees(strongest, settings):
         for number in range(min(settings.tilted_verified, len(seeds.centers))):
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            evidence = verify_tilted(verifier, telling, pose, complex(seeds.focuses[number]))
-            _add(query, found, evidence, settings)
-    return _best_first(found)
+            found.add(verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
+    return found.best_first
 
 
-def _best_first(found: list[PoseEvidence]) -> list[PoseEvidence]:
-    return sorted(found, key=lambda evidence: -evidence.log_odds)
+class Found:
+    """Poses of an image at different places: of those at one place the best stays.
+
+    Attributes:
+        poses: In the order in which they came.
+    """
+
+    def __init__(
+        self, query: SeenLandmarks, settings: ConstellationSettings, poses: Sequence[PoseEvidence] = ()
+    ) -> None:
+        self._query, self._settings = query, settings
+        self.poses = list(poses)
+        self._on_map = [evidence.pose.on_map(query.points) for evidence in poses]
+
+    @property
+    def best_first(self) -> list[PoseEvidence]:
+        """The poses, those of most log odds first."""
+        return sorted(self.poses, key=lambda evidence: -evidence.log_odds)
+
+    def knows(self, evidence: PoseEvidence) -> bool:
+        """Whether there is a pose at its place."""
+        return bool(self._at_its_place(evidence, evidence.pose.on_map(self._query.points)).any())
+
+    def add(self, evidence: PoseEvidence) -> None:
+        """Takes it in unless a better one is at its place; a tilted one must be clearly better."""
+        on_map = evidence.pose.on_map(self._query.points)
+        same = self._at_its_place(evidence, on_map)
+        better = evidence.log_odds - (0 if evidence.pose.is_level else self._settings.tilted_margin)
+        if all(better > self.poses[number].log_odds for number in np.flatnonzero(same)):
+            others = np.flatnonzero(~same)
+            self.poses = [*(self.poses[number] for number in others), evidence]
+            self._on_map = [*(self._on_map[number] for number in others), on_map]
+
+    def _at_its_place(self, evidence: PoseEvidence, on_map: np.ndarray) -> np.ndarray:
+        """(k,) bool: poses that put the image's objects on the same spots, as far as their noise tells."""
+        if not self.poses:
+            return np.zeros(0, bool)
+        settings = self._settings
+        noise = np.maximum([other.noise for other in self.poses], evidence.noise)
+        size = abs(evidence.pose.turn)
+        reach = np.maximum(settings.same_place_in_noise * noise, 2.0 * size)
+        of_tilt = settings.same_tilted_place * self._query.diagonal * size
+        is_tilted = [not (evidence.pose.is_level and other.pose.is_level) for other in self.poses]
+        reach = np.where(is_tilted, np.maximum(reach, of_tilt), reach)
+        return _distances(on_map, self._on_map) < reach
+
+
+def _distances(on_map: np.ndarray, others: list[np.ndarray]) -> np.ndarray:
+    """(k,) median distance on the map between an image's objects (n,) and the same at each of k other poses."""
+    ordered = np.sort(np.abs(np.array(others) - on_map), axis=1)
+    count = ordered.shape[1]
+    return (ordered[:, (count - 1) // 2] + ordered[:, count // 2]) / 2
 
 
 def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence) -> bool:
@@ -149,26 +200,16 @@ def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
     return evidence.log_odds >= settings.minimum_log_odds and exact and share > settings.tilted_share
 
 
-def _add(
-    query: SeenLandmarks, found: list[PoseEvidence], evidence: PoseEvidence, settings: ConstellationSettings
-) -> None:
-    """Adds a pose; of those at one place the best stays, a tilted one only if it is clearly better."""
-    same = [other for other in found if same_place(query, evidence, other, settings)]
-    better = evidence.log_odds - (0 if evidence.pose.is_level else settings.tilted_margin)
-    if all(better > other.log_odds for other in same):
-        found[:] = [other for other in found if not any(other is one for one in same)] + [evidence]
-
-
 def with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
     settings = verifier.index.settings
     best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
-    all_found = list(found)
+    known = Found(query, settings, found)
     for step in repeats(verifier, query, best):
         moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
-        if not any(same_place(query, moved, other, settings) for other in all_found):
-            all_found.append(moved)
-    return _best_first(all_found)
+        if not known.knows(moved):
+            known.add(moved)
+    return known.best_first
 
 
 def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
@@ -177,7 +218,7 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
     if len(points) < settings.minimum_objects:
         return []
-    noise = median(evidence.deviations)
+    noise = evidence.noise
     steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
     longest = settings.repeat_reach * np.ptp(points.real)
     steps = steps[(np.abs(steps) > settings.same_place_in_noise * noise) & (np.abs(steps) < longest)]
@@ -185,17 +226,3 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
     _, first, counts = np.unique(cells, return_index=True, return_counts=True)
     order = np.argsort(-counts, kind="stable")[: settings.verified]
     return [complex(steps[first[k]]) for k in order if counts[k] >= settings.repeated * len(points)]
-
-
-def same_place(query: SeenLandmarks, one: PoseEvidence, other: PoseEvidence, settings: ConstellationSettings) -> bool:
-    """Whether two poses put the image's objects on the same spots, as far as their noise tells."""
-    noise = max((median(e.deviations) if len(e.deviations) else 0.0) for e in (one, other))
-    reach = max(settings.same_place_in_noise * noise, 2.0 * abs(one.pose.turn))
-    if not (one.pose.is_level and other.pose.is_level):
-        reach = max(reach, settings.same_tilted_place * query.diagonal * abs(one.pose.turn))
-    return _distance(query, one.pose, other.pose) < reach
-
-
-def _distance(query: SeenLandmarks, pose: Pose, other: Pose) -> float:
-    """Median distance on the map between an image's objects at two poses."""
-    return median(np.abs(pose.on_map(query.points) - other.on_map(query.points)))

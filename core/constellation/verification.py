@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -43,6 +44,11 @@ class PoseEvidence:
     noise_factor: float
     expected: np.ndarray
     possible: np.ndarray
+
+    @cached_property
+    def noise(self) -> float:
+        """Median σ of the matches, map units; 0 without any."""
+        return median(self.deviations) if len(self.deviations) else 0.0
 
     @property
     def missing(self) -> int:

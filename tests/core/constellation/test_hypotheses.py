@@ -38,7 +38,7 @@ def test_no_cluster_is_told_twice(index, cut):
 def test_poses_are_the_fits_of_triangles_whose_classes_agree(index, cut):
     query = cut(*TRUE).query
     triple, hits = query_triangles(query, CONSTELLATION).members[:3], np.arange(900)
-    members, source = index.members(hits), hits % 3
+    members, source = np.column_stack(index.members(hits)), hits % 3
     same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
     assert 0 < same.sum() < len(hits) and index.keys_tell_classes
     # With ten classes triangles of several ones share a key.

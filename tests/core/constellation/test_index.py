@@ -20,7 +20,7 @@ REACH = np.full((40, 5), 0.02)
 def asked(index):
     """40 of the index's own triangles: their numbers in it, their five numbers and their labels."""
     chosen = np.random.default_rng(5).choice(len(index.triangles), 40, replace=False)
-    members = index.members(chosen)
+    members = np.column_stack(index.members(chosen))
     return chosen, describe_triangles(index.points[members], index.log_areas[members]), index.ranks[members]
 
 
@@ -57,7 +57,7 @@ def test_objects_cut_by_the_edge_make_no_triangles(catalogue):
     cut = np.arange(len(catalogue.classes)) % 3 == 0
     landmarks = MapLandmarks(catalogue.positions, catalogue.classes, catalogue.areas_m2, cut)
     index = build_index(landmarks, 1.0)
-    members = index.members(np.arange(len(index.triangles)))
+    members = np.column_stack(index.members(np.arange(len(index.triangles))))
     assert len(members) > 1000 and not cut[members].any()
 
 

@@ -87,29 +87,34 @@ def test_a_tilted_pose_needs_no_other_trial_where_the_camera_is_level_or_it_expl
 
 def test_poses_are_at_one_place_within_their_noise(cut):
     query = cut(*SEEN).query
+
+    def is_one_place(one, other):
+        return search.Found(query, CONSTELLATION, [other]).knows(one)
+
     for deviation, reach in ((1.0, 5.0), (0.1, 2.0)):
         one = evidence_at(LEVEL, deviation=deviation)
         for step, same in ((reach - 0.1, True), (reach + 0.1, False)):
             other = evidence_at(Pose(LEVEL.center + step, LEVEL.turn), deviation=deviation)
-            assert search.same_place(query, one, other, CONSTELLATION) == same
-            assert search.same_place(query, other, one, CONSTELLATION) == same
+            assert is_one_place(one, other) == same
+            assert is_one_place(other, one) == same
     beside = evidence_at(Pose(TILTED.center + 30, TILTED.turn, TILTED.stretch))
-    assert search.same_place(query, evidence_at(LEVEL), beside, CONSTELLATION)
+    assert is_one_place(evidence_at(LEVEL), beside)
 
 
 def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_better(cut):
     query = cut(*SEEN).query
     far = evidence_at(Pose(LEVEL.center + 500, LEVEL.turn), 40.0)
     level, better = evidence_at(LEVEL, 100.0), evidence_at(LEVEL, 101.0)
-    found = []
+    found = search.Found(query, CONSTELLATION)
     for one, left in ((level, [level]), (far, [level, far]), (better, [far, better]), (level, [far, better])):
-        search._add(query, found, one, CONSTELLATION)
-        assert [id(pose) for pose in found] == [id(pose) for pose in left]
+        found.add(one)
+        assert [id(pose) for pose in found.poses] == [id(pose) for pose in left]
+    assert [id(pose) for pose in found.best_first] == [id(better), id(far)]
     hardly, clearly = (evidence_at(TILTED, 101.0 + CONSTELLATION.tilted_margin + more) for more in (0, 0.1))
-    search._add(query, found, hardly, CONSTELLATION)
-    assert found[-1] is better
-    search._add(query, found, clearly, CONSTELLATION)
-    assert found[-1] is clearly and len(found) == 2
+    found.add(hardly)
+    assert found.poses[-1] is better
+    found.add(clearly)
+    assert found.poses[-1] is clearly and len(found.poses) == 2
 
 
 def test_the_first_search_takes_triangles_from_all_over_the_image(cut, index):
