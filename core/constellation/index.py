@@ -87,7 +87,7 @@ class ConstellationIndex:
         return len(self.points)
 
     def members(self, triangles: np.ndarray) -> list[np.ndarray]:
-        """(H,) catalogue objects A, the same of B and of C, of triangles (H,) given by their number in ``triangles``."""
+        """(H,) catalogue objects A, of B and of C, of triangles (H,) given by their number in ``triangles``."""
         count, places = self.neighbors.shape[1], _corner_places(self.neighbors.shape[1])
         codes, near = self.triangles.take(triangles), self.neighbors.ravel()
         anchors = codes // len(places)

@@ -210,6 +210,11 @@ class MapPyramid:
         return float((level.evidence[known] ** 2).sum(axis=1).mean()) if known.any() else 0.0
 
     @property
+    def bytes(self) -> int:
+        """What labels and evidence take in memory."""
+        return self.labels.nbytes + sum(level.evidence.nbytes + level.known.nbytes for level in self._stored)
+
+    @property
     def quiet(self) -> float:
         """Energy a pixel that is added to the map's own in a score."""
         return self.settings.quiet_energy * self.energy

@@ -57,8 +57,10 @@ def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence 
     return None
 
 
-def search_space(pyramid: MapPyramid, prior: Prior) -> SearchSpace:
+def search_space(pyramid: MapPyramid, prior: Prior, step: float = 1.0) -> SearchSpace:
     """All turns (or those of the prior), its pixel sizes in even ratios, and the part of the map to search.
+
+    ``step``: how far turns and pixel sizes are apart, in the settings' steps.
 
     Raises:
         ValueError: The prior has no range of pixel sizes.
@@ -67,14 +69,15 @@ def search_space(pyramid: MapPyramid, prior: Prior) -> SearchSpace:
     if prior.pixel_size_range is None:
         raise ValueError("Without a range of pixel sizes nothing can be searched.")
     low, high = np.log(prior.pixel_size_range[0]), np.log(prior.pixel_size_range[1])
-    count = max(1, int(np.ceil((high - low) / np.log(settings.scale_step) - 1e-9)))
+    count = max(1, int(np.ceil((high - low) / (step * np.log(settings.scale_step)) - 1e-9)))
     sizes = np.exp(low + (np.arange(count) + 0.5) * (high - low) / count)
+    turn_deg = step * settings.turn_step_deg
     if prior.heading_deg is None or prior.heading_range_deg >= 180:
-        headings = np.arange(0.0, 360.0 - 1e-9, settings.turn_step_deg)
+        headings = np.arange(0.0, 360.0 - 1e-9, turn_deg)
     else:
         first = prior.heading_deg - prior.heading_range_deg
         span = (prior.heading_deg + prior.heading_range_deg - first) % 360.0
-        turns = max(1, int(np.ceil(span / settings.turn_step_deg - 1e-9)))
+        turns = max(1, int(np.ceil(span / turn_deg - 1e-9)))
         headings = (first + (np.arange(turns) + 0.5) * span / turns) % 360.0
     width, height = pyramid.size_m
     box = (0.0, 0.0, width, height)
@@ -130,23 +133,28 @@ class ChanceLevels:
         return float(np.tanh(max(moved, 0.0)))
 
 
-def chance_levels(peaks: np.ndarray, pixel_sizes_m: np.ndarray, settings: CorrelationSettings) -> ChanceLevels:
-    """Chance's level from the peaks of the first look, (N, 5) best first: of each pixel size the median of a few.
+def chance_levels(
+    peaks: np.ndarray, pixel_sizes_m: np.ndarray, settings: CorrelationSettings, are_chosen: bool = False
+) -> ChanceLevels:
+    """Chance's level from the peaks of a look, (N, 5) best first: of each pixel size the median of a few.
 
-    All 0 where a pixel size has too few peaks to tell, as within a small radius.
+    All 0 where a pixel size has too few peaks to tell, as within a small radius; unless the peaks ``are_chosen`` of all
+    sizes together, when its neighbors tell.
     """
     first, last = settings.chance_peaks
-    levels = []
-    for size_m in pixel_sizes_m:
-        scores = peaks[peaks[:, 4] == size_m, 0][first:last]
-        if len(scores) < last - first:
-            return ChanceLevels(np.log(pixel_sizes_m), np.zeros(len(pixel_sizes_m)))
-        levels.append(float(np.median(np.arctanh(np.clip(scores, 0.0, 0.999)))))
-    return ChanceLevels(np.log(pixel_sizes_m), np.array(levels))
+    nearest = np.abs(np.log(peaks[:, 4, None] / pixel_sizes_m)).argmin(axis=1)
+    told = []
+    for number, size_m in enumerate(pixel_sizes_m):
+        scores = peaks[nearest == number, 0][first:last]
+        if len(scores) == last - first:
+            told.append((np.log(size_m), float(np.median(np.arctanh(np.clip(scores, 0.0, 0.999))))))
+    if not told or len(told) < len(pixel_sizes_m) and not are_chosen:
+        return ChanceLevels(np.log(pixel_sizes_m), np.zeros(len(pixel_sizes_m)))
+    return ChanceLevels(*np.array(told).T)
 
 
 def best_places(
-    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, count: int
+    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, count: int, wide: SearchSpace | None = None
 ) -> tuple[list[ScoredPose], ChanceLevels]:
     """The best poses, refined at the decision's pixels, farthest above chance first, no two at the same place.
 
@@ -155,22 +163,54 @@ def best_places(
         pyramid: Of the map.
         space: What is searched.
         count: Places of the first look that are refined.
+        wide: The same in larger steps, for a look at larger pixels that chooses the places of the first one; None where
+            that compares all.
     """
     settings, quiet = pyramid.settings, pyramid.quiet
-    coarse = reduced_image(image, settings.coarse_edge)
-    peaks = search(coarse, pyramid, space)
-    chance = chance_levels(peaks, space.pixel_sizes_m, settings)
-    poses = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
+    if wide is None:
+        peaks = search(reduced_image(image, settings.coarse_edge), pyramid, space)
+    else:
+        peaks = _wide_peaks(image, pyramid, wide, count / settings.candidates)
+    chance = chance_levels(peaks, space.pixel_sizes_m, settings, wide is not None)
+    poses = _poses_of(peaks)
     # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.
-    for edge, kept, share in (
-        (settings.coarse_edge, count, 0.5),
-        (settings.middle_edge, settings.middle_candidates, 0.5),
-        (settings.decision_edge, settings.finalists, 0.5),
+    for edge, kept in (
+        (settings.coarse_edge, count),
+        (settings.middle_edge, settings.middle_candidates),
+        (settings.decision_edge, settings.finalists),
     ):
         level = reduced_image(image, edge)
-        starts = distinct(_above_chance(poses, chance), image, share * settings.apart, kept)
-        poses = [pose for pose in refine_many(level, pyramid, starts, quiet, 3) if _is_in(pose, space)]
+        starts = distinct(_above_chance(poses, chance), image, _HALF * settings.apart, kept)
+        poses = [pose for pose in refine_many(level, pyramid, starts, quiet, _STEPS) if _is_in(pose, space)]
     return distinct(_above_chance(poses, chance), image, settings.apart, settings.finalists), chance
+
+
+def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, share: float) -> np.ndarray:
+    """Rows like those of ``search``, (N, 5) best first, of the places that a look at larger pixels chooses.
+
+    ``share``: of the places that are refined.
+    """
+    settings = pyramid.settings
+    peaks = search(reduced_image(image, settings.wide_edge), pyramid, wide)
+    for edge, count in zip((settings.wide_edge, settings.coarse_edge), settings.wide_candidates):
+        chance = chance_levels(peaks, wide.pixel_sizes_m, settings, edge != settings.wide_edge)
+        poses = _above_chance(_poses_of(peaks), chance)
+        if edge != settings.wide_edge:
+            poses = distinct(poses, image, _HALF * settings.apart, round(share * count))
+        starts = poses[: round(share * count)]
+        moved = refine_many(reduced_image(image, edge), pyramid, starts, pyramid.quiet, _STEPS)
+        found = [(p.score, p.x, p.y, p.heading_deg, p.pixel_size_m) for p in moved if _is_in(p, wide)]
+        peaks = np.array(found, np.float64).reshape(-1, 5)
+        peaks = peaks[np.argsort(-peaks[:, 0], kind="stable")]
+    return peaks
+
+
+_STEPS, _HALF = 3, 0.5
+"""Of a refinement; of the distance at which places are told apart in the end."""
+
+
+def _poses_of(peaks: np.ndarray) -> list[ScoredPose]:
+    return [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
 
 
 def _is_in(pose: ScoredPose, space: SearchSpace) -> bool:

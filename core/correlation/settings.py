@@ -24,6 +24,13 @@ class CorrelationSettings:
             class everywhere, or nearly, fits every place of that class [reasoning].
         most_comparisons: Places × turns × scales of the first look; 300 km² with images of 1,280 m take 1.9e7 and less
             than a second [by hand, for the time; correlation times].
+        most_at_once: Up to so many every place is compared at ``coarse_edge``; of a larger map at ``wide_edge`` first:
+            from some 6,000 km² on with images of 1,280 m [by hand, for the time; large maps].
+        wide_edge: Edge of the image at the look before the first one on such maps [by hand; large maps].
+        wide_step: Turns and ratios of pixel sizes of that look, in those of the first one; what comes of it starts
+            nearer to the optimum than half a turn of it [by hand; large maps].
+        wide_candidates: Places of that look that are refined at its own pixels, and at those of the first look [by
+            hand; large maps].
         coarse_edge: Edge of the image (root of its area) at the first look, coarse pixels: of 80 m for 1,280 m. 20
             found no more and took twice as long [by hand; footprint trials].
         turn_step_deg: Step of the headings, degrees: moves the middle of the image's edges by one coarse pixel either
@@ -96,6 +103,10 @@ class CorrelationSettings:
     least_labeled: float = 0.3
     least_energy: float = 0.02
     most_comparisons: float = 4e9
+    most_at_once: float = 4e8
+    wide_edge: int = 8
+    wide_step: float = 1.5
+    wide_candidates: tuple[int, int] = (8192, 1024)
     coarse_edge: int = 16
     turn_step_deg: float = 14.4
     scale_step: float = 1.2

@@ -78,13 +78,17 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     missing = missing_information(coarse, pyramid)
     if missing:
         return _no_match(missing)
-    space = search_space(pyramid, prior)
-    if comparisons(space, coarse) > settings.most_comparisons:
+    space, wide = search_space(pyramid, prior), None
+    looks = comparisons(space, coarse)
+    if looks > settings.most_at_once:
+        wide = search_space(pyramid, prior, settings.wide_step)
+        looks = comparisons(wide, reduced_image(image, settings.wide_edge))
+    if looks > settings.most_comparisons:
         return _no_match(Sentence("localization.too_little_ground"))
-    poses, chance = best_places(image, pyramid, space, settings.candidates)
+    poses, chance = best_places(image, pyramid, space, settings.candidates, wide)
     if not poses:
         return _no_match(Sentence("localization.nothing_under_image"))
-    poses, peaks = _weighed(image, pyramid, space, poses, chance)
+    poses, peaks = _weighed(image, pyramid, (space, wide), poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
     decided = reduced_image(image, settings.decision_edge)
     is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
@@ -102,13 +106,19 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
 
 
 def _weighed(
-    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, poses: Sequence[ScoredPose], chance: ChanceLevels
+    image: EvidenceLevel,
+    pyramid: MapPyramid,
+    spaces: tuple[SearchSpace, SearchSpace | None],
+    poses: Sequence[ScoredPose],
+    chance: ChanceLevels,
 ) -> tuple[list[ScoredPose], CorrelationPeaks]:
     """The places by score and detail, the best first, and what the verdict needs to know of them."""
     settings = pyramid.settings
     best_size = poses[0].pixel_size_m
     # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
-    mirrored, _ = best_places(mirrored_level(image), pyramid, near_size(space, best_size, settings), settings.decoys)
+    space, wide = spaces
+    near, wide = near_size(space, best_size, settings), None if wide is None else near_size(wide, best_size, settings)
+    mirrored, _ = best_places(mirrored_level(image), pyramid, near, settings.decoys, wide)
     scores = [chance.moved(pose.score, pose.pixel_size_m, best_size) for pose in poses]
     decoys = [pose.score for pose in mirrored]
     level = reduced_image(image, settings.decision_edge)

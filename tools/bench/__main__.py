@@ -47,6 +47,7 @@ NAMES = (
     "catalogue_sizes",
     "astroalign",
     "correlation",
+    "large_maps",
     "automatic",
     "footprints",
     "attitude",

@@ -73,6 +73,15 @@ def test_chance_is_the_median_of_good_peaks_and_none_where_there_are_too_few(pat
     assert (chance_levels(peaks[:24], np.array([1.0, 1.2]), settings).levels == 0).all()
 
 
+def test_of_chosen_peaks_the_sizes_that_have_enough_tell_for_the_others(patch_pyramid):
+    settings, sizes = patch_pyramid.settings, np.array([0.8, 1.0, 1.2])
+    # Refined ones have sizes of their own.
+    peaks = np.array([(np.tanh(0.3), 0.0, 0.0, 0.0, size) for size in (*[1.03] * 20, *[1.21] * 5)])
+    chance = chance_levels(peaks, sizes, settings, are_chosen=True)
+    assert chance.at(sizes) == pytest.approx([0.3] * 3)
+    assert (chance_levels(peaks[:5], sizes, settings, are_chosen=True).levels == 0).all()
+
+
 def test_decoys_are_looked_for_at_the_sizes_next_to_the_best(patch_pyramid):
     space = search_space(patch_pyramid, Prior(pixel_size_range=(0.5, 2.0)))
     sizes = near_size(space, 1.0, patch_pyramid.settings).pixel_sizes_m

@@ -7,6 +7,7 @@ import pytest
 from made_patches import FRAME, ORIGIN, PRIOR, error_m, made_map, spoiled, view
 
 from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
+from semref.core.correlation.places import comparisons, image_evidence, reduced_image, search_space
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import agreement_at, localize
 from semref.core.errors import LabelMapError
@@ -149,6 +150,38 @@ def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid):
     assert np.hypot(*np.subtract(first.best.position, other.best.position)) < 0.1
     assert abs(first.peaks.score - other.peaks.score) < 0.001
     assert abs(first.peaks.mirror - other.peaks.mirror) < 0.03
+
+
+@pytest.fixture(scope="module")
+def large(pyramid):
+    """As if the map were so large that a look at larger pixels chooses the places."""
+    return MapPyramid(pyramid.labels, pyramid.frame, replace(CORRELATION, most_at_once=0))
+
+
+@pytest.mark.parametrize("center, heading, pixel", [((1500, 700), 123, 0.9), ((1203.7, 905.2), 287, 1.2)])
+def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, large, center, heading, pixel):
+    image = spoiled(view(labels, center, heading, pixel), replace(MODEST, patch_size=40).in_pixels(pixel), 5)
+    all_places, chosen = (localize(image, one, PRIOR) for one in (pyramid, large))
+    assert (all_places.status, chosen.status) == ("fix", "fix")
+    assert np.hypot(*np.subtract(all_places.best.position, chosen.best.position)) < 0.5
+    # Lead and opponents are found by other ways, but tell about the same.
+    assert chosen.peaks.score == pytest.approx(all_places.peaks.score, abs=0.005)
+    assert chosen.peaks.mirror == pytest.approx(all_places.peaks.mirror, abs=0.1)
+
+
+def test_a_look_at_larger_pixels_finds_no_mirrored_image(labels, large):
+    assert localize(view(labels, (1500, 700), 40, 1.0)[:, ::-1], large, PRIOR).status != "fix"
+
+
+def test_a_look_at_larger_pixels_is_counted_by_its_own_places(labels, pyramid):
+    image, prior = view(labels, (1300, 1000), 40, 1.0), Prior(pixel_size_range=(0.8, 1.25))
+    coarse = reduced_image(image_evidence(image, pyramid), CORRELATION.coarse_edge)
+    most = comparisons(search_space(pyramid, prior), coarse) / 2
+    for at_once, is_found in ((0, True), (2 * most + 1, False)):
+        settings = replace(CORRELATION, most_at_once=at_once, most_comparisons=most)
+        found = localize(image, MapPyramid(pyramid.labels, pyramid.frame, settings), prior)
+        assert found.is_fix == is_found
+        assert is_found or found.reason.code == "localization.too_little_ground"
 
 
 def test_a_fix_tells_how_exactly_position_heading_and_pixel_size_are_known(labels, pyramid):
