@@ -16,7 +16,7 @@ from .settings import ConstellationSettings
 from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
 
 PORTION = 400_000
-"""Triangles of the index looked at together; bounds the memory of a search without a cap."""
+"""Triangles of the index looked at together; bounds the memory of a search of many."""
 
 _SORTED_AT_ONCE = 20_000
 """So many poses are sorted sooner than counted."""
@@ -141,7 +141,7 @@ def find_seeds(  # noqa: PLR0913 - the map, the image, what is known, and how fa
     query: SeenLandmarks,
     triangles: QueryTriangles,
     prior: Prior | None,
-    cap: int | None,
+    cap: int,
     count: int | None = None,
 ) -> Seeds:
     """The most voted poses of an image.
@@ -151,22 +151,19 @@ def find_seeds(  # noqa: PLR0913 - the map, the image, what is known, and how fa
         query: The image's objects.
         triangles: All or some of its triangles.
         prior: What is known beforehand.
-        cap: Triangles of the index looked at, at most, those of the rarest first; where they are more, only those where
-            the prior has the image are counted. Without a cap all are, a portion at a time.
+        cap: Triangles of the index looked at, at most, those of the rarest first, a portion at a time; where they are
+            more, only those where the prior has the image are counted.
         count: Poses of each of two lattices of cells; as many as the index's settings say without it.
     """
     triple, numbers, place = triangles.members, triangles.numbers, triangles.tolerances
     settings = index.settings
     reach = np.column_stack([place, place, *[np.full(len(place), settings.area_tolerance)] * 3])
     which, first, last = key_ranges(index, numbers, query.ranks[triple], reach)
-    near, capped = None, False
-    if cap is not None:
-        if (last - first).sum() > cap:
-            near = _triangles_near(index, query, prior)
-            if near is not None:
-                # From here on stretches of ``near`` instead of stretches of the index.
-                first, last = np.searchsorted(near, first), np.searchsorted(near, last)
-        which, first, last, capped = _rarest(which, first, last, len(triple), cap)
+    near = _triangles_near(index, query, prior) if (last - first).sum() > cap else None
+    if near is not None:
+        # From here on stretches of ``near`` instead of stretches of the index.
+        first, last = np.searchsorted(near, first), np.searchsorted(near, last)
+    which, first, last, capped = _rarest(which, first, last, len(triple), cap)
     found = []
     for portion in _portions(last - first, PORTION):
         stretch, hits = expand_ranges(first[portion], last[portion])

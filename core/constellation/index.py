@@ -55,7 +55,7 @@ class ConstellationIndex:
         minimum_area_m2: Smallest of the catalogue.
         neighbors: (N, K) int32, nearest larger objects, −1 where there are no more.
         keys: (T,) uint32, ascending.
-        triangles: (T,) int32, (anchor · P + pair) · 6 + order, P pairs of neighbors.
+        triangles: (T,) int32, (anchor · P + pair) · 6 + order, P pairs of neighbors; int64 from 23 million objects on.
         fine: (T, 5) uint8, the five numbers in steps of 1 / 255 of their range.
         matcher: Finds the nearest object of a class.
         area_densities: (C, B) density of ln area in AREA_BINS.
@@ -175,11 +175,16 @@ def part_shapes(count: int, settings: ConstellationSettings) -> dict[str, tuple[
     return {
         "neighbors": ("<i4", (count, settings.neighbors)),
         "keys": ("<u4", (None,)),
-        "triangles": ("<i4", (None,)),
+        "triangles": (_kind_of_codes(count, settings), (None,)),
         "fine": ("|u1", (None, len(CELLS))),
         "densities": ("<f8", (count,)),
         "by_easting": ("<i8", (count,)),
     }
+
+
+def _kind_of_codes(count: int, settings: ConstellationSettings) -> str:
+    codes = count * len(neighbor_pairs(settings.neighbors)) * len(ORDERS)
+    return "<i4" if codes <= np.iinfo(np.int32).max else "<i8"
 
 
 def index_of_parts(
@@ -342,7 +347,8 @@ def _all_triangles(
     neighbors[usable] = np.where(near >= 0, usable[near].astype(np.int32) if len(usable) else near, -1)
     pairs = neighbor_pairs(neighbor_count)
     count = int(ranks.max()) + 1 if len(ranks) else 0
-    parts = [_NO_TRIANGLES]
+    kind = _kind_of_codes(len(points), settings)
+    parts = [(np.empty(0, np.uint32), np.empty(0, kind), np.empty((0, len(CELLS)), np.uint8))]
     for chunk, mask in _chunks(usable, exists):
         rows, pair = np.nonzero(mask)
         anchors = chunk[rows]
@@ -354,7 +360,7 @@ def _all_triangles(
         numbers = describe_triangles(points[triple], log_areas[triple])
         keys = cell_keys(ranks[triple], count, quantized(numbers))
         codes = (anchors[large] * len(pairs) + pair[large]) * len(ORDERS) + order[large]
-        parts.append((keys, codes.astype(np.int32), np.rint(fine_values(numbers)).astype(np.uint8)))
+        parts.append((keys, codes.astype(kind), np.rint(fine_values(numbers)).astype(np.uint8)))
     keys, codes, fine = (np.concatenate([part[i] for part in parts]) for i in range(3))
     return neighbors, keys, codes, fine
 
@@ -370,6 +376,3 @@ def _corner_places(neighbor_count: int) -> np.ndarray:
 def _chunks(usable: np.ndarray, exists: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     for first in range(0, len(usable), BUILD_CHUNK):
         yield usable[first : first + BUILD_CHUNK], exists[first : first + BUILD_CHUNK]
-
-
-_NO_TRIANGLES = (np.empty(0, np.uint32), np.empty(0, np.int32), np.empty((0, len(CELLS)), np.uint8))

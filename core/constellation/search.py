@@ -30,7 +30,7 @@ class Round(NamedTuple):
     """How far one round of a search looks: these triangles, the cap on their hits, and poses of each lattice."""
 
     triangles: QueryTriangles
-    cap: int | None
+    cap: int
     seeds: int
 
     def mirrored(self) -> Round:
@@ -39,7 +39,7 @@ class Round(NamedTuple):
 
 
 def rounds(triangles: QueryTriangles, index: ConstellationIndex) -> list[Round]:
-    """A few triangles from all over the image, then all with caps that rise, then all without a cap.
+    """A few triangles from all over the image, then all with caps that rise.
 
     By chance a map of more landmarks has more places that look like the image, of which more are tried where the first
     rounds brought nothing.
@@ -49,7 +49,7 @@ def rounds(triangles: QueryTriangles, index: ConstellationIndex) -> list[Round]:
     more = round(settings.seeds * max(len(index) / settings.landmarks_of_few_seeds, 1.0) ** 0.5)
     first, second, *others = settings.maximum_hits
     quick = [Round(triangles.every(step), first, settings.seeds), Round(triangles, second, settings.seeds)]
-    return quick + [Round(triangles, cap, more) for cap in (*others, None)]
+    return quick + [Round(triangles, cap, more) for cap in others]
 
 
 def search(

@@ -45,8 +45,9 @@ class ConstellationSettings:
         area_tolerance: Tolerance of ln(area / |AB|²): edges off by a pixel or two [reasoning].
         first_triangles: Triangles of the first search; all are used only if it brings no fix [by hand, for the time;
             constellation trials, north].
-        maximum_hits: Triangles of the index looked at in one search after the other, rarest first; then all of them.
-            Bounds the time at 10⁶ objects [by hand, for the time; catalogue sizes].
+        maximum_hits: Triangles of the index looked at in one search after the other, rarest first. Bounds time and
+            memory; the last is more than all that are like an image's at 10⁶ objects [by hand, for the time; catalogue
+            sizes].
         cell_of_image: Cells in which poses are gathered: share of the image's diagonal on the ground [by hand;
             constellation trials, north].
         cell_of_turn: The same for heading, radians, and ln pixel size [by hand; constellation trials, north].
@@ -161,7 +162,7 @@ class ConstellationSettings:
     place_tolerance_maximum: float = 0.06
     area_tolerance: float = 0.4
     first_triangles: int = 400
-    maximum_hits: tuple[int, ...] = (400_000, 1_500_000, 6_000_000)
+    maximum_hits: tuple[int, ...] = (400_000, 1_500_000, 6_000_000, 40_000_000)
     cell_of_image: float = 0.04
     cell_of_turn: float = 0.1
     seeds: int = 32

@@ -124,7 +124,8 @@ def _search_for(
     blind = None if prior is None else replace(prior, heading_deg=None)
     searched = _Searched([], [], False, errors)
     triangles = query_triangles(query, settings)
-    for number, reach in enumerate(rounds(triangles, index)):
+    looks = rounds(triangles, index)
+    for number, reach in enumerate(looks):
         if number > 1 and not searched.capped:
             break
         found, capped = search(verifier, query, reach, prior)
@@ -132,7 +133,7 @@ def _search_for(
         if not found or found[0].log_odds <= 0:
             continue
         searched = replace(searched, found=with_repeats(verifier, query, found))
-        is_last = reach.cap is None or reach.triangles is triangles and not capped
+        is_last = reach is looks[-1] or reach.triangles is triangles and not capped
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
             searched = replace(searched, decoys=_decoys(verifier, query, reach, blind, searched))
             if risk_of_best(searched.opponents(index), settings) <= allowed_risk:

@@ -106,7 +106,7 @@ class CorrelationSettings:
     most_at_once: float = 4e8
     wide_edge: int = 8
     wide_step: float = 1.5
-    wide_candidates: tuple[int, int] = (8192, 1024)
+    wide_candidates: tuple[int, int] = (4096, 512)
     coarse_edge: int = 16
     turn_step_deg: float = 14.4
     scale_step: float = 1.2

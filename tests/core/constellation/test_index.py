@@ -9,8 +9,10 @@ from semref.core.constellation.index import (
     full_area,
     key_ranges,
     like_triangles,
+    part_shapes,
 )
-from semref.core.constellation.triangles import describe_triangles
+from semref.core.constellation.settings import CONSTELLATION
+from semref.core.constellation.triangles import ORDERS, describe_triangles, neighbor_pairs
 from semref.core.database.model import MapLandmarks
 
 REACH = np.full((40, 5), 0.02)
@@ -59,6 +61,15 @@ def test_objects_cut_by_the_edge_make_no_triangles(catalogue):
     index = build_index(landmarks, 1.0)
     members = np.column_stack(index.members(np.arange(len(index.triangles))))
     assert len(members) > 1000 and not cut[members].any()
+
+
+@pytest.mark.parametrize("count", [10_000, 23_000_000, 24_000_000, 60_000_000])
+def test_the_code_of_the_last_triangle_fits_its_kind_whatever_the_number_of_landmarks(count):
+    kind = np.dtype(part_shapes(count, CONSTELLATION)["triangles"][0])
+    last = count * len(neighbor_pairs(CONSTELLATION.neighbors)) * len(ORDERS) - 1
+    assert last <= np.iinfo(kind).max
+    # Half the memory where that is enough.
+    assert (kind == np.int32) == (last <= np.iinfo(np.int32).max)
 
 
 def test_classes_have_their_places_and_unknown_ones_none(index):
