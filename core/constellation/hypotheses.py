@@ -171,7 +171,7 @@ def find_seeds(  # noqa: PLR0913 - the map, the image, what is known, and how fa
         agree = like_triangles(index, hits, source, numbers, reach)
         found.append(_poses(index, query, triple, source[agree], hits[agree]))
     centers, turns, focuses = (np.concatenate(parts) for parts in zip(*found)) if found else [np.empty(0, complex)] * 3
-    kept = _allowed(index, centers, turns, prior)
+    kept = allowed_poses(index, centers, turns, prior)
     poses = centers[kept], turns[kept], focuses[kept]
     return _clusters(poses, query.diagonal, settings, capped, count or settings.seeds)
 
@@ -238,7 +238,7 @@ def _rarest(
     return which[kept], first[kept], last[kept], not bool(allowed.all())
 
 
-def _allowed(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, prior: Prior | None) -> np.ndarray:
+def allowed_poses(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, prior: Prior | None) -> np.ndarray:
     """(H,) bool: poses that the prior does not exclude."""
     size = np.abs(turns)
     kept = size > 0

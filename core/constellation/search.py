@@ -12,7 +12,7 @@ import numpy as np
 
 from ..geometry.pose import Pose
 from ..localization import Prior
-from .hypotheses import QueryTriangles, Seeds, SeenLandmarks, find_seeds
+from .hypotheses import QueryTriangles, Seeds, SeenLandmarks, allowed_poses, find_seeds
 from .index import ConstellationIndex
 from .settings import ConstellationSettings
 from .verification import (
@@ -202,10 +202,30 @@ def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
 
 def with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
     """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
+    return _with_moved(verifier, query, found, repeats(verifier, query, found[0]))
+
+
+def with_copies(
+    verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence], prior: Prior | None
+) -> list[PoseEvidence]:
+    """The poses found, and the best one moved to where the map around looks the same, best first.
+
+    An image may have no triangle in common with its place, but by chance one with a copy of that, of two estates built
+    by one plan.
+    """
+    steps = copies(verifier, query, found[0])
+    turns = np.full(len(steps), found[0].pose.turn)
+    kept = allowed_poses(verifier.index, found[0].pose.center + np.array(steps, complex), turns, prior)
+    return _with_moved(verifier, query, found, [step for step, is_kept in zip(steps, kept) if is_kept])
+
+
+def _with_moved(
+    verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence], steps: list[complex]
+) -> list[PoseEvidence]:
     settings = verifier.index.settings
     best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
     known = Found(query, settings, found)
-    for step in repeats(verifier, query, best):
+    for step in steps:
         moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
         if not known.knows(moved):
             known.add(moved)
@@ -226,3 +246,32 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
     _, first, counts = np.unique(cells, return_index=True, return_counts=True)
     order = np.argsort(-counts, kind="stable")[: settings.verified]
     return [complex(steps[first[k]]) for k in order if counts[k] >= settings.repeated * len(points)]
+
+
+def copies(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
+    """Steps at which enough of the matched objects have one of their class and area, most frequent first."""
+    index, settings = verifier.index, verifier.index.settings
+    if len(evidence.objects) < settings.minimum_objects:
+        return []
+    largest = np.argsort(-index.log_areas[evidence.objects], kind="stable")[: settings.few_objects]
+    matched = evidence.objects[largest]
+    points = index.points[matched]
+    reach = settings.copy_reach * query.diagonal * abs(evidence.pose.turn)
+    corner = complex(reach, reach)
+    low, high = complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
+    around = index.within(low - corner, high + corner)
+    alike = index.ranks[matched][:, None] == index.ranks[around]
+    areas = index.log_areas[matched][:, None] - index.log_areas[around]
+    alike &= np.abs(areas) < settings.copy_area_in_noise * settings.area_deviation
+    which, other = np.nonzero(alike)
+    steps = index.points[around[other]] - points[which]
+    cell = settings.same_place_in_noise * evidence.noise
+    steps = steps[np.abs(steps) > cell]
+    if not len(steps):
+        return []
+    columns, rows = (np.rint(part / cell).astype(np.int64) for part in (steps.real, steps.imag))
+    cells = (columns - columns.min()) * (np.ptp(rows) + 1) + rows - rows.min()
+    counts = np.bincount(cells)
+    enough = np.flatnonzero(counts >= max(settings.repeated * len(points), 1))
+    most = enough[np.argsort(-counts[enough], kind="stable")[: settings.verified]]
+    return [complex(steps[cells == number].mean()) for number in most]

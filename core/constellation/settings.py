@@ -114,6 +114,10 @@ class ConstellationSettings:
         repeated: A step is tried as a repeat of the map when it leads this share of the objects to another of their
             class … [by hand; constellation trials, north]
         repeat_reach: … and is at most this share of their extent long [by hand; constellation trials, north].
+        copy_reach: So far around a place that would be a fix other ground is sought that looks the same, diagonals of
+            the image: two estates built by one plan lie beside each other [reasoning; real tiles].
+        copy_area_in_noise: Objects of such ground have the areas of each other within so many ``area_deviation``
+            [reasoning; real tiles].
         largest_error: A fix must have a 95 % ellipse within this share of the image's diagonal. Of 218 fixes with 8–12
             objects in view the larger ones are two right ones and two that are 13 and 18 m off [Liechtenstein, north,
             few objects; constellation trials, north].
@@ -199,6 +203,8 @@ class ConstellationSettings:
     same_place_in_noise: float = 5.0
     repeated: float = 0.15
     repeat_reach: float = 0.5
+    copy_reach: float = 1.0
+    copy_area_in_noise: float = 3.0
     largest_error: float = 0.01
     landmarks_of_few_seeds: int = 10_000
     confidence_offset: float = -3.3

@@ -25,7 +25,7 @@ from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdi
 from .hypotheses import SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
 from .parts import Agreement, Side, empty_side, uneven_side
-from .search import Round, level_poses, rounds, search, tilted_poses, with_repeats
+from .search import Round, level_poses, rounds, search, tilted_poses, with_copies, with_repeats
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -137,6 +137,7 @@ def _search_for(
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
             searched = replace(searched, decoys=_decoys(verifier, query, reach, blind, searched))
             if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
+                searched = replace(searched, found=with_copies(verifier, query, searched.found, prior))
                 break
     return searched
 

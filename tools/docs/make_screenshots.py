@@ -4,6 +4,7 @@
     .venv/bin/python tools/docs/make_screenshots.py dark first_fix        # only these
     .venv/bin/python tools/docs/make_screenshots.py films                 # the two that move
     .venv/bin/python tools/docs/make_screenshots.py --language fr --output DIR   # all tabs in a language, to look at
+    .venv/bin/python tools/docs/make_screenshots.py options --language de --output DIR   # or a scene
 
 Each session starts QGIS with a fresh profile and the packaged plugin. Needs what tools/setup.sh installs and, for
 Chinese, a font with its characters.
@@ -95,7 +96,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=IMAGES)
     parser.add_argument("--samples", type=Path, help="folder to keep the sample projects in, one a language")
     parser.add_argument("--models", default="", help="folder of the models that are listed beside the one that ships")
-    parser.add_argument("--language", action="append", default=[], help="all tabs of the dock in this language instead")
+    parser.add_argument("--language", action="append", default=[], help="the scenes, or all tabs of the dock, in it")
     arguments = parser.parse_args()
     variants = chosen(arguments.only, arguments.language)
     say_what_is_missing(variants)
@@ -135,13 +136,14 @@ def sample_folder(samples: Path, language: str) -> Path:
 
 
 def chosen(only: list[str], languages: list[str]) -> list[Variant]:
-    if languages:
-        return [Variant((("all_tabs", f"_{language}"),), language=language) for language in languages]
-    if not only:
-        return list(VARIANTS.values())
     unknown = set(only) - set(VARIANTS) - set(LIGHT) - set(FILMS)
     if unknown:
         sys.exit(f"There is no {', '.join(sorted(unknown))}; there are {', '.join((*VARIANTS, *LIGHT, *FILMS))}.")
+    if languages:
+        wanted = [name for name in only if name in LIGHT] or ["all_tabs"]
+        return [Variant(tuple((name, f"_{one}") for name in wanted), language=one) for one in languages]
+    if not only:
+        return list(VARIANTS.values())
     variants = [VARIANTS[name] for name in only if name in VARIANTS]
     scenes = tuple((name, "") for name in only if name in (*LIGHT, *FILMS))
     return [*variants, Variant(scenes)] if scenes else variants

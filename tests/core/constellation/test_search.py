@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from semref.core.constellation import search, solver
+from semref.core.constellation import search, solver, verification
 from semref.core.constellation.hypotheses import query_triangles
 from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
@@ -115,6 +115,56 @@ def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_b
     assert found.poses[-1] is better
     found.add(clearly)
     assert found.poses[-1] is clearly and len(found.poses) == 2
+
+
+@pytest.fixture(scope="module")
+def built_twice(catalogue):
+    """An index of the catalogue and, 900 m east, most of its middle once more, with other ground around it."""
+    rng = np.random.default_rng(6)
+    away = catalogue.positions - catalogue.positions.mean(axis=0)
+    again = (np.abs(away).max(axis=1) < 450) & (rng.uniform(size=len(away)) < 0.8)
+    moved = catalogue.positions[again] + STEP + rng.normal(0, 1.5, (again.sum(), 2))
+    others = catalogue.positions[~again] + STEP + rng.normal(0, 60, ((~again).sum(), 2))
+    positions = np.concatenate([catalogue.positions, moved, others])
+    classes = np.concatenate([catalogue.classes, catalogue.classes[again], catalogue.classes[~again]])
+    areas = np.concatenate([catalogue.areas_m2, catalogue.areas_m2[again], catalogue.areas_m2[~again]])
+    return build_index(MapLandmarks(positions, classes, areas, np.zeros(len(positions), bool)), 1.0)
+
+
+STEP = (900.0, 40.0)
+
+
+def at_the_copy(built_twice, index, cut):
+    """An image of the catalogue's middle, how it lies, and the evidence for the copy of its place."""
+    made = cut(1000.0, 1000.0, 30.0, 1.0)
+    here = made.pose.center + index.origin - built_twice.origin
+    verifier = verification.Verifier(built_twice, EDGE, EDGE, 60.0)
+    telling = made.query.select(verification.telling_objects(made.query, CONSTELLATION.largest_objects))
+    copy = verification.verify(verifier, telling, Pose(here + complex(*STEP), made.pose.turn))
+    return made.query, verifier, here, copy
+
+
+def test_before_a_place_is_a_fix_ground_around_that_looks_the_same_is_tried(built_twice, index, cut):
+    query, verifier, here, copy = at_the_copy(built_twice, index, cut)
+    assert copy.log_odds > 100 and len(copy.matched) > 20
+    best, other = search.with_copies(verifier, query, [copy], None)[:2]
+    assert abs(best.pose.center - here) < 0.5 and other is copy
+    assert best.log_odds > copy.log_odds + 20
+
+
+def test_ground_that_a_prior_excludes_is_not_tried(built_twice, index, cut):
+    query, verifier, here, copy = at_the_copy(built_twice, index, cut)
+    there = copy.pose.center + built_twice.origin
+    prior = Prior(position=(there.real, there.imag), radius=300.0)
+    assert search.with_copies(verifier, query, [copy], prior) == [copy]
+
+
+def test_ground_that_lies_nowhere_else_has_no_copies(index, cut):
+    made = cut(1000.0, 1000.0, 30.0, 1.0)
+    verifier = verification.Verifier(index, EDGE, EDGE, 60.0)
+    evidence = verification.verify(verifier, made.query, made.pose)
+    assert len(evidence.matched) > 20
+    assert search.copies(verifier, made.query, evidence) == []
 
 
 def test_the_first_search_takes_triangles_from_all_over_the_image(cut, index):
