@@ -2420,6 +2420,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Maske</translation>
   </message>
   <message>
+   <source>Mask of the layer to try</source>
+   <translation>Maske des Layers zum Ausprobieren</translation>
+  </message>
+  <message>
    <source>Matches</source>
    <translation>Zuordnungen</translation>
   </message>
@@ -3142,6 +3146,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
    <translation>Polygone, in denen alles liegt, was geändert wurde, etwa die korrigierten Stellen: nur die Blöcke von 512 × 512 Pixeln, die sie berühren, werden angesehen, und Änderungen anderswo werden übersehen, bis ohne diese Angabe aktualisiert wird. Ohne Angabe wird die ganze Karte mit der Datenbank verglichen, was länger dauert.</translation>
+  </message>
+  <message>
+   <source>Polygons: ground outside of them has no label. Without an extent, what lies around them is tried.</source>
+   <translation>Polygone: Boden außerhalb von ihnen hat keine Klasse. Ohne Ausschnitt wird ausprobiert, was um sie herum liegt.</translation>
   </message>
   <message>
    <source>Polygons: ground outside of them is not looked at and has no label.</source>

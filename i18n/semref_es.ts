@@ -2420,6 +2420,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Máscara</translation>
   </message>
   <message>
+   <source>Mask of the layer to try</source>
+   <translation>Máscara de la capa de prueba</translation>
+  </message>
+  <message>
    <source>Matches</source>
    <translation>Correspondencias</translation>
   </message>
@@ -3142,6 +3146,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
    <translation>Polígonos que contienen todo lo que se modificó, por ejemplo los lugares corregidos: solo se examinan los bloques de 512 × 512 píxeles que tocan, y los cambios en otros lugares pasan inadvertidos hasta una actualización sin este parámetro. Sin ellos se compara todo el mapa con la base de datos, lo que tarda más.</translation>
+  </message>
+  <message>
+   <source>Polygons: ground outside of them has no label. Without an extent, what lies around them is tried.</source>
+   <translation>Polígonos: el terreno fuera de ellos no tiene clase. Sin extensión se prueba lo que los rodea.</translation>
   </message>
   <message>
    <source>Polygons: ground outside of them is not looked at and has no label.</source>

@@ -2420,6 +2420,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Masque</translation>
   </message>
   <message>
+   <source>Mask of the layer to try</source>
+   <translation>Masque de la couche à essayer</translation>
+  </message>
+  <message>
    <source>Matches</source>
    <translation>Correspondances</translation>
   </message>
@@ -3142,6 +3146,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
    <translation>Polygones contenant tout ce qui a été modifié, par exemple les lieux corrigés : seuls les blocs de 512 × 512 pixels qu’ils touchent sont examinés, et les modifications ailleurs sont manquées jusqu’à une mise à jour sans ce paramètre. Sans lui, toute la carte est comparée à la base de données, ce qui prend plus de temps.</translation>
+  </message>
+  <message>
+   <source>Polygons: ground outside of them has no label. Without an extent, what lies around them is tried.</source>
+   <translation>Polygones : le terrain en dehors n’a pas de classe. Sans étendue, c’est ce qui les entoure qui est essayé.</translation>
   </message>
   <message>
    <source>Polygons: ground outside of them is not looked at and has no label.</source>

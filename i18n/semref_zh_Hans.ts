@@ -2420,6 +2420,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>掩膜</translation>
   </message>
   <message>
+   <source>Mask of the layer to try</source>
+   <translation>要尝试的图层的掩膜</translation>
+  </message>
+  <message>
    <source>Matches</source>
    <translation>匹配</translation>
   </message>
@@ -3142,6 +3146,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Polygons that hold everything that was changed, such as the places that were corrected: only the blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until an update without this. If left out, the whole map is compared with the database, which takes longer.</source>
    <translation>包含所有更改内容的多边形，例如已更正的地点：只查看它们触及的 512 × 512 像元的块，其他地方的更改会被遗漏，直到进行一次不带此项的更新。若留空，则将整幅地图与数据库比较，耗时更长。</translation>
+  </message>
+  <message>
+   <source>Polygons: ground outside of them has no label. Without an extent, what lies around them is tried.</source>
+   <translation>多边形：其外的地面没有类别。未给出范围时，尝试其周围的部分。</translation>
   </message>
   <message>
    <source>Polygons: ground outside of them is not looked at and has no label.</source>

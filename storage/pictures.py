@@ -9,11 +9,13 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
+from ..core.labels.image_source import PixelMask
 from .gdal_errors import close, gdal_failures
 from .rasters import open_raster
 from .written_raster import TILED, WrittenRaster
 
 JPEG_QUALITY = 85
+_ROWS_AT_ONCE = 256
 
 
 def write_png(path: Path, bands: np.ndarray) -> None:
@@ -38,6 +40,39 @@ def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> No
         close(gdal.Translate(target, open_raster(source), **options))
     if failures:
         raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
+
+
+def keep_only(path: str, wanted: PixelMask) -> None:
+    """Leaves a GeoTIFF no data outside a mask, as a mask of its own; what had none before still has none.
+
+    Raises:
+        LabelMapError: It can't be written.
+    """
+    with gdal_failures() as failures:
+        gdal.SetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES")
+        try:
+            _write_mask(gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_UPDATE), wanted)
+        finally:
+            gdal.SetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", None)
+    if failures:
+        raise LabelMapError("storage.unwritable", path=path, reason=failures[0])
+
+
+def _write_mask(dataset: gdal.Dataset | None, wanted: PixelMask) -> None:
+    if dataset is None:
+        return
+    width, height = dataset.RasterXSize, dataset.RasterYSize
+    band = dataset.GetRasterBand(1)
+    had_data = None if band.GetMaskFlags() & gdal.GMF_ALL_VALID else band.GetMaskBand().ReadAsArray() > 0
+    dataset.CreateMaskBand(gdal.GMF_PER_DATASET)
+    mask = dataset.GetRasterBand(1).GetMaskBand()
+    for row in range(0, height, _ROWS_AT_ONCE):
+        rows = min(_ROWS_AT_ONCE, height - row)
+        kept = wanted.read(0, row, width, rows)
+        kept = kept if had_data is None else kept & had_data[row : row + rows]
+        mask.WriteArray(kept.astype(np.uint8) * 255, 0, row)
+    del band, mask
+    close(dataset)
 
 
 class ColorPicture(WrittenRaster):

@@ -13,6 +13,7 @@ from osgeo import gdal
 from ..core.errors import ClassTableError, LabelMapError, ParameterError
 from ..core.flight.table import MOST_BYTES, bytes_of
 from ..core.labels.class_table import (
+    UNLABELED,
     ClassTable,
     LandCoverClass,
     chosen_colors,
@@ -307,7 +308,8 @@ def class_table_of_values(counts: np.ndarray) -> ClassTable:
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     """A query image's labels (H, W) uint8: single-band values, or three and more bands decoded by color.
 
-    Colors are decoded by the table's HSV ranges if it has any, else by nearest color. Raises LabelMapError.
+    Colors are decoded by the table's HSV ranges if it has any, else by nearest color. What a mask in the file leaves
+    out has no label. Raises LabelMapError.
     """
     dataset = open_raster(path)
     width, height = dataset.RasterXSize, dataset.RasterYSize
@@ -320,8 +322,12 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
             most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
         )
     if dataset.RasterCount == 1:
-        return GdalLabels(path).read(0, 0, width, height)
-    return decode_colors(read_bgr(dataset, path, 0, height), table)
+        labels = GdalLabels(path).read(0, 0, width, height)
+    else:
+        labels = decode_colors(read_bgr(dataset, path, 0, height), table)
+    if dataset.GetRasterBand(1).GetMaskFlags() == gdal.GMF_PER_DATASET:
+        labels[dataset.GetRasterBand(1).GetMaskBand().ReadAsArray() == 0] = UNLABELED
+    return labels
 
 
 def stated_biases(path: str) -> str | None:

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ...core.errors import ParameterError
+from ..compat import SOURCE_POLYGON
 from ..framework import offers, priors
 from ..framework.base import Declared, cancelable, check_canceled
 from ..framework.declarations import (
@@ -17,6 +18,7 @@ from ..framework.declarations import (
     PointOutput,
     PolygonOutput,
     RasterLayer,
+    VectorSource,
 )
 from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
@@ -41,7 +43,8 @@ class LocalizeImages(LocalizeAlgorithm):
 
     ALTERNATIVES = "ALTERNATIVES"
     LAYER = "LAYER"
-    EXTENT = "EXTENT"
+    EXTENT = offers.EXTENT
+    MASK = offers.MASK
 
     def title(self) -> str:
         return tr("Localize images")
@@ -107,6 +110,14 @@ class LocalizeImages(LocalizeAlgorithm):
                 optional=True,
                 advanced=True,
             ),
+            VectorSource(
+                self.MASK,
+                tr("Mask of the layer to try"),
+                tr("Polygons: ground outside of them has no label. Without an extent, what lies around them is tried."),
+                optional=True,
+                advanced=True,
+                kinds=(SOURCE_POLYGON,),
+            ),
         )
 
     def _output_parameters(self) -> tuple[Declared, ...]:
@@ -143,7 +154,10 @@ class LocalizeImages(LocalizeAlgorithm):
         require_scheduler(values, (self.LAYER, self.LABELS))
 
     def read_layers(self, values: Values) -> None:
-        self._layer = PhotoSource(values, self.LAYER, self.EXTENT) if values.has(self.LAYER) else None
+        from ..exchange.areas import drawn_area
+
+        area = drawn_area(values.source(self.MASK)) if values.has(self.LAYER) else None
+        self._layer = PhotoSource(values, self.LAYER, self.EXTENT, area) if values.has(self.LAYER) else None
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.geometry.camera import Camera

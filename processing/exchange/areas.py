@@ -78,6 +78,16 @@ def area_rings(
     return [np.array([(point.x(), point.y()) for point in ring]) for ring in rings]
 
 
+def area_extent(
+    area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
+) -> QgsRectangle:
+    """The box around an area in another CRS. Raises ParameterError."""
+    box = QgsRectangle()
+    for geometry in _moved(area, crs, context, "exchange.mask_crs"):
+        box.combineExtentWith(geometry.boundingBox())
+    return box
+
+
 def area_mask(
     area: DrawnArea,
     crs: QgsCoordinateReferenceSystem,

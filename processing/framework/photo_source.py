@@ -102,13 +102,28 @@ class PhotoSource:
         from ...storage.pictures import copy_part
 
         if self._file is None:
-            return self._drawn(resolution_m, feedback)[0]
-        if not self._values.has(self._extent_key):
+            path, crs = self._drawn(resolution_m, feedback)
+        elif self._area is None and not self._values.has(self._extent_key):
             return self._file.path
-        window = self._window(GdalImage(self._file.path), self._file.crs)
-        path = QgsProcessingUtils.generateTempFilename(f"{_stem(self._file.path)}.tif")
-        copy_part(self._file.path, path, window)
+        else:
+            window = self._window(GdalImage(self._file.path), self._file.crs)
+            path, crs = QgsProcessingUtils.generateTempFilename(f"{_stem(self._file.path)}.tif"), self._file.crs
+            copy_part(self._file.path, path, window)
+        if self._area is not None:
+            self._leave_out(path, crs)
         return path
+
+    def _leave_out(self, path: str, crs: QgsCoordinateReferenceSystem) -> None:
+        """What lies outside of the area, of a file that was made."""
+        from ...storage.images import GdalImage
+        from ...storage.pictures import keep_only
+        from ..exchange.areas import area_mask
+
+        file = GdalImage(path)
+        if file.geotransform is None:
+            raise ParameterError("exchange.mask_without_place")
+        mask = area_mask(self._area, crs, file.geotransform, file.shape_hw, self._values.transform_context)
+        keep_only(path, mask)
 
     def _drawn(
         self, resolution_m: float | None, feedback: QgsProcessingFeedback
@@ -162,11 +177,16 @@ class PhotoSource:
         return Photo(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
 
     def _window(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[int, int, int, int]:
-        """(first column, first row, width, height) of what the extent touches. Raises ImageError."""
+        """(first column, first row, width, height) of what the extent touches, or the area. Raises ImageError."""
         name, transform = self._file.path, file.geotransform
         if transform is None or transform[2] or transform[4] or not crs.isValid():
             raise ImageError("exchange.extent_without_place", image=name)
-        wanted = self._values.extent(self._extent_key, crs)
+        if self._values.has(self._extent_key):
+            wanted = self._values.extent(self._extent_key, crs)
+        else:
+            from ..exchange.areas import area_extent
+
+            wanted = area_extent(self._area, crs, self._values.transform_context)
         x0, dx, _, y0, _, dy = transform
         height, width = file.shape_hw
         columns = sorted(((wanted.xMinimum() - x0) / dx, (wanted.xMaximum() - x0) / dx))

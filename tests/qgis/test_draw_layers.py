@@ -7,7 +7,7 @@ import time
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, scattered_objects, write_raster
+from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_layer, write_raster
 from made_models import metadata, painted, write_model
 from osgeo import gdal, ogr, osr
 from qgis.core import (
@@ -170,15 +170,50 @@ def database(build_area):
     return build_area(AREA, ["unlabeled", "building", "water", "bare_land"], 300, 150)
 
 
-@pytest.mark.parametrize("kind", ["tiles", "file"])
-def test_a_place_framed_on_a_layer_is_localized_as_an_image(run_algorithm, database, tiles, tmp_path, kind):
-    if kind == "tiles":
-        layer = tiles(ground=area_at)
-        network = str(write_model(tmp_path / "m.onnx", metadata=metadata(resolution=100, class_names=KNOWN)))
-        more = {"LAYER": layer, "MODEL": network}
-    else:
+@pytest.fixture
+def framed(tiles, tmp_path):
+    """LAYER, and the MODEL that it needs, of a map of tiles or of a file of labels."""
+
+    def of(kind):
+        if kind == "tiles":
+            network = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=100, class_names=KNOWN))
+            return {"LAYER": tiles(ground=area_at), "MODEL": str(network)}
         names = ["unlabeled", "building", "water", "bare_land"]
-        more = {"LAYER": str(write_raster(tmp_path / "map.tif", AREA, names=names))}
+        return {"LAYER": str(write_raster(tmp_path / "map.tif", AREA, names=names))}
+
+    return of
+
+
+@pytest.mark.parametrize("kind", ["tiles", "file"])
+def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, database, framed, tmp_path, kind):
+    corners = [(300, 500), (500, 340), (700, 500), (500, 740), (300, 500)]
+    ring = ", ".join(f"{WEST + x} {NORTH - y}" for x, y in corners)
+    mask = str(write_layer(tmp_path / "mask.gpkg", [(f"POLYGON (({ring}))", "a")]))
+    outputs = {"OUTPUT": str(tmp_path / "p.gpkg"), "LABELS": str(tmp_path / "labels")}
+    result = run_algorithm(
+        "semref:localizeimages", {"DATABASE": database, "METHOD": 2, "MASK": mask, **framed(kind), **outputs}
+    )
+    positions = ogr.Open(result["OUTPUT"])
+    (row,) = (feature.items() for feature in positions.GetLayer(0))
+    # The middle of what lies around the polygon.
+    assert (row["x"], row["y"]) == pytest.approx((WEST + 500, NORTH - 540), abs=2)
+    (made,) = (tmp_path / "labels").glob("*.tif")
+    labels = read_pixels(made)
+    assert labels.shape == (400, 400)
+    down, right = np.mgrid[:400, :400] + 0.5
+    edges = [(b[0] - a[0], b[1] - a[1], a) for a, b in zip(corners, corners[1:])]
+    away = [(dx * (down + 340 - a[1]) - dy * (right + 300 - a[0])) / np.hypot(dx, dy) for dx, dy, a in edges]
+    inside = np.min(away, axis=0)
+    assert not labels[inside < -1].any()
+    # The network of the tiles knows no ground without a class.
+    seen = AREA[340:740, 300:700]
+    shown = (inside > 1) & (seen > 0)
+    assert (labels[shown] == seen[shown]).mean() > 0.9
+
+
+@pytest.mark.parametrize("kind", ["tiles", "file"])
+def test_a_place_framed_on_a_layer_is_localized_as_an_image(run_algorithm, database, framed, tmp_path, kind):
+    more = framed(kind)
     extent = f"{WEST + 300},{WEST + 650},{NORTH - 700},{NORTH - 350} [EPSG:32632]"
     given = {"DATABASE": database, "METHOD": 2, "EXTENT": extent, "OUTPUT": str(tmp_path / "p.gpkg"), **more}
     result = run_algorithm("semref:localizeimages", given)
