@@ -270,8 +270,7 @@ def copies(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> 
     if not len(steps):
         return []
     columns, rows = (np.rint(part / cell).astype(np.int64) for part in (steps.real, steps.imag))
-    cells = (columns - columns.min()) * (np.ptp(rows) + 1) + rows - rows.min()
-    counts = np.bincount(cells)
-    enough = np.flatnonzero(counts >= max(settings.repeated * len(points), 1))
+    _, cells, counts = np.unique(columns * (np.ptp(rows) + 1) + rows, return_inverse=True, return_counts=True)
+    enough = np.flatnonzero(counts >= settings.repeated * len(points))
     most = enough[np.argsort(-counts[enough], kind="stable")[: settings.verified]]
     return [complex(steps[cells == number].mean()) for number in most]
