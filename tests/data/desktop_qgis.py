@@ -18,6 +18,10 @@ TIMEOUT_S = 1500
 """Of a whole walk, on a machine that does much else."""
 
 
+OUTPUT_SHOWN = 4000
+"""Characters of QGIS's output that a failure shows."""
+
+
 def run_desktop(
     home: Path, display: str, script: Path, variables: dict[str, str], before: tuple[str, ...] = ()
 ) -> dict:
@@ -54,7 +58,7 @@ def run_desktop(
     said = output.read_text(encoding="utf-8", errors="replace")
     assert result.exists(), f"desktop QGIS (exit status {status}) wrote no result; it said:\n{said}"
     seen = json.loads(result.read_text(encoding="utf-8"))
-    assert "error" not in seen, seen["error"]
+    assert "error" not in seen, f"{seen['error']}\nThe end of what QGIS said:\n{said[-OUTPUT_SHOWN:]}"
     return {**seen, "exit_status": status, "output": said}
 
 

@@ -9,7 +9,7 @@ from qgis.core import (
     QgsProcessingFeedback,
     QgsProject,
 )
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ...processing.translation import tr
 
@@ -68,8 +68,12 @@ class AlgorithmRun(QObject):
         # The task uses both to its end, which may come after this object's.
         self._feedback.setParent(self._task)
         self._feedback.context = self._context
-        self._task.executed.connect(self._finish)
-        QgsApplication.taskManager().addTask(self._task)
+        if self._task.isCanceled():
+            # It could not be prepared. Such a task never starts, and never says so.
+            QTimer.singleShot(0, self._end_unprepared)
+        else:
+            self._task.executed.connect(self._finish)
+            QgsApplication.taskManager().addTask(self._task)
         return True
 
     def cancel(self) -> None:
@@ -85,6 +89,10 @@ class AlgorithmRun(QObject):
         task = self._task
         self.cancel()
         task.waitForFinished(UNLOAD_WAIT_MS)
+
+    def _end_unprepared(self) -> None:
+        if self._task is not None:
+            self._finish(False, {})
 
     def _finish(self, succeeded: bool, results: dict) -> None:
         context, error = self._context, self._feedback.last_error

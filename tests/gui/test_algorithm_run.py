@@ -1,0 +1,60 @@
+"""One algorithm in the background ends with exactly one signal, whatever becomes of it."""
+
+from __future__ import annotations
+
+import pytest
+from dock_area import settle, wait_until
+
+ALGORITHM = "semref:rasterizeannotation"
+
+
+@pytest.fixture
+def run(qgis_app):
+    """An AlgorithmRun with what it said: (signal, what came with it)."""
+    from qgis.PyQt.QtCore import QObject
+
+    from semref.ui.running.algorithm_run import AlgorithmRun
+
+    parent = QObject()
+    made, ends = AlgorithmRun(parent), []
+    for name in ("done", "failed", "broke", "canceled"):
+        getattr(made, name).connect(lambda *told, name=name: ends.append((name, *told)))
+    made.ends = ends
+    yield made
+    made.abandon()
+    parent.deleteLater()
+
+
+@pytest.fixture
+def broken(monkeypatch):
+    """Rasterize annotation with a fault of its own before its work begins."""
+    from semref.processing.algorithms.rasterize_annotation import RasterizeAnnotation
+
+    def read_layers(self, values):
+        raise RuntimeError("a fault in preparing")
+
+    monkeypatch.setattr(RasterizeAnnotation, "read_layers", read_layers)
+
+
+def test_a_fault_while_it_is_prepared_is_told_and_ends_the_run(run, broken):
+    assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
+    wait_until(lambda: not run.running, "the end")
+    settle()
+    ((name, report),) = run.ends
+    assert name == "broke" and "a fault in preparing" in report
+
+
+def test_a_run_that_was_canceled_before_its_fault_was_told_is_canceled(run, broken):
+    assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
+    run.cancel()
+    wait_until(lambda: not run.running, "the end")
+    settle()
+    assert run.ends == [("canceled",)]
+
+
+def test_parameters_that_are_missing_are_told(run):
+    assert run.start_algorithm(ALGORITHM, {}, "Rasterizing")
+    wait_until(lambda: not run.running, "the end")
+    settle()
+    ((name, sentence),) = run.ends
+    assert name == "failed" and sentence
