@@ -116,6 +116,19 @@ def test_an_update_is_undone_by_one_button(dock, box, annotation, database):
     assert sorted(p.name for p in Path(database).parent.glob("area*.gpkg")) == ["area.gpkg"]
 
 
+def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_told(dock, box, database, monkeypatch):
+    from semref.ui.running import correction_run
+
+    told = []
+    dock.content.correct.run.broke.connect(told.append)
+    monkeypatch.setattr(correction_run.CorrectionRun, "_update", lambda self, rasterized: rasterized["nothing"])
+    before = Path(database).read_bytes()
+    press(dock, box)
+    assert len(told) == 1 and "KeyError" in told[0]
+    assert box.button.text() == "Rasterize and update the database"
+    assert Path(database).read_bytes() == before
+
+
 def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, iface, box, annotation, database):
     from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import traceback
 from dataclasses import dataclass
 
 from qgis.core import QgsProcessingUtils, QgsProject, QgsVectorLayer
@@ -62,9 +63,9 @@ class CorrectionRun(QObject):
         self._first_percent = 0
         self._next = self._rasterize
         self._reader = Reader(self)
-        self._reader.answered.connect(lambda answer: self._next(answer))
+        self._reader.answered.connect(self._go_on)
         self._run = AlgorithmRun(self)
-        self._run.done.connect(lambda results, _context: self._next(results))
+        self._run.done.connect(lambda results, _context: self._go_on(results))
         self._run.said.connect(self.said)
         self._run.logged.connect(self.logged)
         self._run.progressed.connect(self._show_progress)
@@ -102,6 +103,13 @@ class CorrectionRun(QObject):
             self._cancel()
 
     # --- one after the other ---
+
+    def _go_on(self, answer: object) -> None:
+        """The next step; a bug in it ends the run, which would be shown for good else."""
+        try:
+            self._next(answer)
+        except Exception:
+            self._break(traceback.format_exc())
 
     def _rasterize(self, grid: dict) -> None:
         wanted = self._wanted
