@@ -325,9 +325,22 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         labels = GdalLabels(path).read(0, 0, width, height)
     else:
         labels = decode_colors(read_bgr(dataset, path, 0, height), table)
-    if dataset.GetRasterBand(1).GetMaskFlags() == gdal.GMF_PER_DATASET:
-        labels[dataset.GetRasterBand(1).GetMaskBand().ReadAsArray() == 0] = UNLABELED
-    return labels
+    wanted = _own_mask(dataset, path)
+    return labels if wanted is None else np.where(wanted, labels, UNLABELED)
+
+
+def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
+    """(H, W) bool: what a mask in the file keeps; None without one. Raises LabelMapError."""
+    band = dataset.GetRasterBand(1)
+    try:
+        if band.GetMaskFlags() != gdal.GMF_PER_DATASET:
+            return None
+        mask = band.GetMaskBand().ReadAsArray()
+    except RuntimeError as error:
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure(error)) from None
+    if mask is None:
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure())
+    return mask > 0
 
 
 def stated_biases(path: str) -> str | None:
