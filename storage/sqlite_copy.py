@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 import time
 
-_WAIT_S = 3.0
+WAIT_S = 3.0
 """How long a writer may take to finish before a file is said to be in use."""
 
 _BUSY = (5, 6)
@@ -20,7 +20,7 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
     Raises:
         sqlite3.OperationalError: Another program keeps the file locked, or it can't be read.
     """
-    until = time.monotonic() + _WAIT_S
+    until = time.monotonic() + WAIT_S
 
     def give_up_late(status: int, _remaining: int, _total: int) -> None:
         if status in _BUSY and time.monotonic() > until:

@@ -190,19 +190,20 @@ def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, sh
 
     ``share``: of the places that are refined.
     """
-    settings = pyramid.settings
-    peaks = search(reduced_image(image, settings.wide_edge), pyramid, wide)
-    for edge, count in zip((settings.wide_edge, settings.coarse_edge), settings.wide_candidates):
-        chance = chance_levels(peaks, wide.pixel_sizes_m, settings, edge != settings.wide_edge)
-        poses = _above_chance(_poses_of(peaks), chance)
-        if edge != settings.wide_edge:
-            poses = distinct(poses, image, _HALF * settings.apart, round(share * count))
-        starts = poses[: round(share * count)]
+    settings, sizes = pyramid.settings, wide.pixel_sizes_m
+
+    def refined(starts: list[ScoredPose], edge: int) -> np.ndarray:
         moved = refine_many(reduced_image(image, edge), pyramid, starts, pyramid.quiet, _STEPS)
         found = [(p.score, p.x, p.y, p.heading_deg, p.pixel_size_m) for p in moved if _is_in(p, wide)]
         peaks = np.array(found, np.float64).reshape(-1, 5)
-        peaks = peaks[np.argsort(-peaks[:, 0], kind="stable")]
-    return peaks
+        return peaks[np.argsort(-peaks[:, 0], kind="stable")]
+
+    many, few = (round(share * count) for count in settings.wide_candidates)
+    peaks = search(reduced_image(image, settings.wide_edge), pyramid, wide)
+    poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes, settings))
+    peaks = refined(poses[:many], settings.wide_edge)
+    poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes, settings, are_chosen=True))
+    return refined(distinct(poses, image, _HALF * settings.apart, few), settings.coarse_edge)
 
 
 _STEPS, _HALF = 3, 0.5

@@ -179,9 +179,12 @@ class PhotoSource:
     def _window(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[int, int, int, int]:
         """(first column, first row, width, height) of what the extent touches, or the area. Raises ImageError."""
         name, transform = self._file.path, file.geotransform
+        is_extent = self._values.has(self._extent_key)
         if transform is None or transform[2] or transform[4] or not crs.isValid():
+            if not is_extent:
+                raise ParameterError("exchange.mask_without_place")
             raise ImageError("exchange.extent_without_place", image=name)
-        if self._values.has(self._extent_key):
+        if is_extent:
             wanted = self._values.extent(self._extent_key, crs)
         else:
             from ..exchange.areas import area_extent
@@ -193,6 +196,8 @@ class PhotoSource:
         rows = sorted(((wanted.yMinimum() - y0) / dy, (wanted.yMaximum() - y0) / dy))
         (left, right), (top, bottom) = _within(columns, width), _within(rows, height)
         if right <= left or bottom <= top:
+            if not is_extent:
+                raise ParameterError("exchange.mask_outside")
             raise ImageError("exchange.extent_outside_image", image=name)
         return left, top, right - left, bottom - top
 

@@ -12,11 +12,9 @@ from pathlib import Path
 from osgeo import gdal
 
 from ...core.errors import DatabaseError
+from ..sqlite_copy import WAIT_S
 from . import schema
 from .sets import require_no_set
-
-_WAIT_S = 3.0
-"""How long a writer may take to finish before a database is said to be in use."""
 
 _WAL_VERSION = 2
 """Read and write version in the header of a database whose changes wait in a -wal."""
@@ -152,7 +150,7 @@ def _connected(path: str) -> Snapshot:
     else:
         mode = "ro"
     uri = f"{Path(path).resolve().as_uri()}?mode={mode}"
-    connection = sqlite3.connect(uri, uri=True, timeout=_WAIT_S, isolation_level=None, factory=Snapshot)
+    connection = sqlite3.connect(uri, uri=True, timeout=WAIT_S, isolation_level=None, factory=Snapshot)
     connection.state = found
     return connection
 

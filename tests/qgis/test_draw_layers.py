@@ -7,7 +7,7 @@ import time
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_layer, write_raster
+from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from made_models import metadata, painted, write_model
 from osgeo import gdal, ogr, osr
 from qgis.core import (
@@ -209,6 +209,20 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     seen = AREA[340:740, 300:700]
     shown = (inside > 1) & (seen > 0)
     assert (labels[shown] == seen[shown]).mean() > 0.9
+
+
+@pytest.mark.parametrize(
+    ("transform", "column", "sentence"),
+    [((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "No polygon of MASK"), (None, 10, "The image has no place")],
+)
+def test_a_mask_that_lies_on_no_part_of_the_layer_is_told_as_the_mask(
+    run_algorithm, database, tmp_path, transform, column, sentence
+):
+    layer = write_raster(tmp_path / "map.tif", AREA, names=["unlabeled", "building"], transform=transform)
+    mask = str(write_layer(tmp_path / "mask.gpkg", [(square(column, 10, 300), "a")]))
+    given = {"DATABASE": database, "LAYER": str(layer), "MASK": mask, "OUTPUT": str(tmp_path / "p.gpkg")}
+    with pytest.raises(QgsProcessingException, match=sentence):
+        run_algorithm("semref:localizeimages", given)
 
 
 @pytest.mark.parametrize("kind", ["tiles", "file"])

@@ -28,7 +28,6 @@ PLACED = "placed"
 IN_CELL = "in the same cell"
 """Where a cell tells both: ``139/306, 45 % (40–51); 0 wrong``."""
 
-AREAS = "coverage of map correlation"
 NOTE = "line: 95 % interval; a fix may be wrong at most once in 10,000 times, as told"
 
 
