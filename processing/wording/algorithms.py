@@ -7,6 +7,9 @@ SENTENCES = {
     "algorithms.too_few_databases": "DATABASES names {count}; choose two or more to use them as one.",
     "algorithms.no_set_name": "{output} can't be known as a set of databases; give a name that ends in {suffix}.",
     "algorithms.no_images": "IMAGES is empty; choose at least one image, a folder with images, or a LAYER.",
+    "algorithms.part_of_no_layer": (
+        "LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out."
+    ),
     "algorithms.odometry_of_other_images": (
         "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this flight."
     ),

@@ -112,6 +112,16 @@ def test_no_images_at_all_are_refused(refused, images):
     assert "IMAGES" in refused(LOCALIZE, IMAGES=images)
 
 
+@pytest.mark.parametrize(
+    "given", [{"EXTENT": "0,10,0,10 [EPSG:32632]"}, {"MASK": "annotation.gpkg"}, {"EXTENT": "0,9,0,9", "MASK": "m.gpkg"}]
+)
+def test_a_part_of_no_layer_is_refused_by_name(refused, good, given):
+    given = {key: str(good / "annotation.gpkg") if key == "MASK" else value for key, value in given.items()}
+    sentence = refused(LOCALIZE, **given)
+    assert "LAYER" in sentence
+    assert {key for key in ("EXTENT", "MASK") if key in sentence} == set(given)
+
+
 def test_scales_the_wrong_way_round_are_refused(refused):
     assert "(2)" in refused(LOCALIZE, SCALE_MINIMUM=2, SCALE_MAXIMUM=0.5)
 
