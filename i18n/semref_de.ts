@@ -2004,6 +2004,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Art</translation>
   </message>
   <message>
+   <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
+   <translation>LAYER ist leer, daher kann {keys} kein Teil davon sein; wählen Sie einen LAYER oder lassen Sie {keys} weg.</translation>
+  </message>
+  <message>
    <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
    <translation>LEVELS müssen positive Vielfache der Fenstergröße sein, zum Beispiel 1;2.</translation>
   </message>

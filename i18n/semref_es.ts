@@ -2004,6 +2004,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Tipo</translation>
   </message>
   <message>
+   <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
+   <translation>LAYER está vacío, así que {keys} no puede ser una parte; elija una LAYER u omita {keys}.</translation>
+  </message>
+  <message>
    <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
    <translation>LEVELS deben ser múltiplos positivos del tamaño de ventana, por ejemplo 1;2.</translation>
   </message>

@@ -2004,6 +2004,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Type</translation>
   </message>
   <message>
+   <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
+   <translation>LAYER est vide, {keys} ne peut donc pas en être une partie ; choisissez une LAYER ou omettez {keys}.</translation>
+  </message>
+  <message>
    <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
    <translation>LEVELS doit contenir des multiples positifs de la taille de fenêtre, par exemple 1;2.</translation>
   </message>

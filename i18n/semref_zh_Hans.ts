@@ -2004,6 +2004,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>类型</translation>
   </message>
   <message>
+   <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
+   <translation>LAYER 为空，因此 {keys} 不能是它的一部分；请选择 LAYER，或不填 {keys}。</translation>
+  </message>
+  <message>
    <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
    <translation>LEVELS 必须是窗口大小的正倍数，例如 1;2。</translation>
   </message>

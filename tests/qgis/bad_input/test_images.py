@@ -112,14 +112,12 @@ def test_no_images_at_all_are_refused(refused, images):
     assert "IMAGES" in refused(LOCALIZE, IMAGES=images)
 
 
-@pytest.mark.parametrize(
-    "given", [{"EXTENT": "0,10,0,10 [EPSG:32632]"}, {"MASK": "annotation.gpkg"}, {"EXTENT": "0,9,0,9", "MASK": "m.gpkg"}]
-)
-def test_a_part_of_no_layer_is_refused_by_name(refused, good, given):
-    given = {key: str(good / "annotation.gpkg") if key == "MASK" else value for key, value in given.items()}
-    sentence = refused(LOCALIZE, **given)
+@pytest.mark.parametrize("keys", [["EXTENT"], ["MASK"], ["EXTENT", "MASK"]])
+def test_a_part_of_no_layer_is_refused_by_name(refused, good, keys):
+    parts = {"EXTENT": "0,10,0,10 [EPSG:32632]", "MASK": str(good / "annotation.gpkg")}
+    sentence = refused(LOCALIZE, **{key: parts[key] for key in keys})
     assert "LAYER" in sentence
-    assert {key for key in ("EXTENT", "MASK") if key in sentence} == set(given)
+    assert [key for key in parts if key in sentence] == keys
 
 
 def test_scales_the_wrong_way_round_are_refused(refused):
