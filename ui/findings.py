@@ -64,6 +64,8 @@ class Finding:
     track: int | None
     outvoted: bool | None
     camera: str | None
+    jump: bool | None
+    gps_distance: float | None
     crs: QgsCoordinateReferenceSystem
     outline: QgsGeometry | None
     possible: tuple[QgsGeometry, ...] = ()
@@ -84,6 +86,15 @@ class Finding:
     def is_by_flight(self) -> bool:
         """Whether its place is the flight's: no fix of its own agrees."""
         return self.source == BY_FLIGHT
+
+    @property
+    def speaks_against(self) -> str:
+        """What speaks against a fix, in a few words for the user; empty where nothing does. ``reason`` tells it all."""
+        if self.status != Status.FIX:
+            return ""
+        if self.gps_distance is not None:
+            return tr("GPS elsewhere")
+        return tr("out of reach") if self.jump else ""
 
     @property
     def is_by_vector(self) -> bool:
@@ -181,7 +192,11 @@ def odds_text(finding: Finding) -> str:
 
 
 def status_text(finding: Finding) -> str:
-    """An image's status in words; a status this version does not know stands for itself."""
+    """An image's status in words, and what speaks against it; a status this version does not know stands for itself."""
+    return ", ".join(filter(None, (_status_alone(finding), finding.speaks_against)))
+
+
+def _status_alone(finding: Finding) -> str:
     if finding.status == Status.FIX and finding.is_by_flight:
         return tr("By the flight, own fix outvoted") if finding.outvoted else tr("By the flight")
     if finding.status == Status.FIX and not finding.is_verified:

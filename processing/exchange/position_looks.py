@@ -24,7 +24,7 @@ _PAGES = (
     ),
     (
         *("method", "distance", "inliers", "references", "log_odds", "window", "search_capped", "jump"),
-        *("camera", "camera_x", "camera_y"),
+        *("camera", "camera_x", "camera_y", "gps_distance"),
     ),
 )
 """Columns of the form's pages after the first."""

@@ -11,6 +11,7 @@ from ...core.labels.class_table import ClassTable
 from ...core.localization import Localization
 from ...core.sentences import Sentence
 from ..translation import tr
+from ..wording.numbers import shown
 from ..wording.sentences import worded
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ FIELDS = (
     ("sigma_heading", "real"),
     ("sigma_scale", "real"),
     ("camera", "text"),
+    ("gps_distance", "real"),
 )
 FOOTPRINT_FIELDS = (
     ("image", "text"),
@@ -84,7 +86,8 @@ class LocalizedImage:
     """One image and its result; ``error`` instead when it could not be read.
 
     remark: about its leveling; camera: what was read of it; jump: whether it could not have been reached in time, None
-    if that was not checked; far: how far from the database's ground its photo says it was taken, if that is far.
+    if that was not checked; gps_distance_m: how far from the database's ground its photo says it was taken, if that is
+    far.
     """
 
     path: str
@@ -94,7 +97,7 @@ class LocalizedImage:
     remark: str = ""
     jump: bool | None = None
     camera: str = ""
-    far: str = ""
+    gps_distance_m: float | None = None
 
 
 def is_photo(path: str) -> bool:
@@ -189,8 +192,8 @@ def row(item: LocalizedImage) -> dict[str, Any]:
     from ...core.localizer.record import record
 
     told = record(result, worded)
-    if item.far:
-        told["reason"] = " ".join(filter(None, (item.far, told["reason"])))
+    if item.gps_distance_m is not None:
+        told["reason"] = " ".join(filter(None, (far_sentence(item.gps_distance_m), told["reason"])))
     return {
         "image": item.path,
         **told,
@@ -199,7 +202,19 @@ def row(item: LocalizedImage) -> dict[str, Any]:
         "jump": item.jump,
         "search_capped": result.search_capped,
         "camera": item.camera or None,
+        "gps_distance": item.gps_distance_m,
     }
+
+
+def far_sentence(meters: float) -> str:
+    """How far a photo was taken from the database's ground.
+
+    Args:
+        meters: From its border.
+    """
+    kilometers = shown(meters / 1000, ".1f" if meters < 10_000 else ",.0f")
+    text = tr("By its GPS this photo was taken {distance} km from the ground of the database.")
+    return text.format(distance=kilometers)
 
 
 def footprint_rows(item: LocalizedImage) -> list[PlacedRow]:

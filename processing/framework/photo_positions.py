@@ -10,10 +10,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ..translation import tr
-from ..wording.numbers import shown
 from .base import check_canceled
-from .localized_image import LocalizedImage
+from .localized_image import LocalizedImage, far_sentence
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingFeedback
@@ -49,18 +47,7 @@ def with_far_photos(
         place = None if item.result is None else photo_lon_lat(item.path)
         away = None if place is None else meters_from(place, database.parameters.extent, crs, context)
         if away is not None and away > FAR_M:
-            item = replace(item, far=far_sentence(away))
-            feedback.pushWarning(f"{os.path.basename(item.path)}: {item.far}")
+            item = replace(item, gps_distance_m=away)
+            feedback.pushWarning(f"{os.path.basename(item.path)}: {far_sentence(away)}")
         told.append(item)
     return told
-
-
-def far_sentence(meters: float) -> str:
-    """How far a photo was taken from the database's ground.
-
-    Args:
-        meters: From its border.
-    """
-    kilometers = shown(meters / 1000, ".1f" if meters < 10_000 else ",.0f")
-    text = tr("By its GPS this photo was taken {distance} km from the ground of the database.")
-    return text.format(distance=kilometers)

@@ -55,6 +55,7 @@ def _positions() -> dict[str, str]:
         "sigma_heading": tr("Standard deviation of the heading (°)"),
         "sigma_scale": tr("Relative deviation of the scale"),
         "camera": tr("Camera"),
+        "gps_distance": tr("Distance of the photo’s GPS from the database (m)"),
         "time": tr("Time (UTC)"),
         "rank": tr("Rank"),
         "number": tr("Number"),

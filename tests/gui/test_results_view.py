@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, settle
 
@@ -105,6 +107,38 @@ def test_photos_of_a_flight_are_told_apart_where_their_names_do_not_fit(dock, if
     long = [f"DJI_20261122_143201_001{n}_Wide_{n}.JPG" for n in (7, 8)]
     shown = [fitted(name + odds, name, metrics, room).strip() for name in long]
     assert shown[0] != shown[1] and all(one.endswith(f"_{n}{odds}") for n, one in zip((7, 8), shown))
+
+
+@pytest.mark.parametrize(
+    ("doubt", "status"), [({"gps_distance": 42_000.0}, "Fix, GPS elsewhere"), ({"jump": True}, "Fix, out of reach")]
+)
+@pytest.mark.parametrize("width", [320, 800])
+def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, found, doubt, status, width):
+    from qgis.core import QgsApplication
+    from qgis.PyQt.QtCore import Qt
+
+    from semref.ui.tabs.localize.results_model import IMAGE, STATUS, SUMMARY
+
+    table = found.results.table
+    fix = table.selected()
+    assert fix.status == "fix"
+    reason = "By its GPS this photo was taken 42 km from the ground of the database."
+    table.show_findings([fix, replace(fix, reason=reason, **doubt)])
+    as_wide_as(dock, iface, width)
+    marks = [QgsApplication.getThemeIcon(name) for name in ("/mIconSuccess.svg", "/mIconWarning.svg")]
+    for row, mark in enumerate(marks):
+        for column in (IMAGE, SUMMARY):
+            icon = table.model().index(row, column).data(Qt.ItemDataRole.DecorationRole)
+            assert icon.pixmap(16).toImage() == mark.pixmap(16).toImage()
+    statuses = [table.model().index(row, STATUS).data() for row in range(2)]
+    assert statuses == ["Fix", status]
+    # Of two lines the second, whose beginning is never cut off.
+    _, below = table.model().index(1, SUMMARY).data().split("\n")
+    assert below.startswith(f"{status} · 7.6")
+    tip = table.model().index(1, IMAGE).data(Qt.ItemDataRole.ToolTipRole)
+    assert status in tip and reason in tip
+    table.selectRow(1)
+    assert status in found.results.details.toPlainText()
 
 
 def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, iface, found):

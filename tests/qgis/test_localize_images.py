@@ -24,7 +24,7 @@ FIELDS = (
     "method String, reason String, camera_x Real, camera_y Real, jump Integer, "
     "error_95_minor Real, error_95_direction Real, heading_deviation Real, pixel_size_deviation Real, "
     "search_capped Integer, sigma_east Real, sigma_north Real, correlation Real, sigma_heading Real, "
-    "sigma_scale Real, camera String, time DateTime"
+    "sigma_scale Real, camera String, gps_distance Real, time DateTime"
 )
 LABELS = scattered_objects(400, 480, 240, seed=11)
 

@@ -10,7 +10,7 @@ import pytest
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
 from osgeo import gdal, ogr, osr
 
-from semref.processing.framework.photo_positions import far_sentence
+from semref.processing.framework.localized_image import far_sentence
 from semref.storage.photo_position import photo_lon_lat
 
 SIZE = 160
@@ -160,6 +160,8 @@ def test_photos_taken_far_away_say_how_far_beside_their_reason(run_algorithm, da
     reasons = {Path(row["image"]).stem: row["reason"] or "" for row in rows}
     status = {Path(row["image"]).stem: row["status"] for row in rows}
     assert {name for name, reason in reasons.items() if SAID in reason} == {"empty_far", "found_far"}
+    away = {Path(row["image"]).stem: row["gps_distance"] for row in rows if row["gps_distance"] is not None}
+    assert away == {name: pytest.approx(42_000, rel=0.01) for name in ("empty_far", "found_far")}
     for name in ("empty_far", "found_far"):
         assert reasons[name].startswith(f"{SAID} 42 km from the ground of the database.")
         assert f"{name}.png: {SAID} 42 km" in feedback.textLog()

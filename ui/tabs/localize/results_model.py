@@ -87,6 +87,8 @@ def _item(finding: Finding, column: int) -> QStandardItem:
 
 
 def _icon(finding: Finding) -> str:
+    if finding.speaks_against:
+        return _OTHER_ICON
     if finding.status == Status.FIX and finding.is_by_flight:
         return _OTHER_ICON if finding.outvoted else _FLIGHT_ICON
     # A check mark is for what was checked.
@@ -167,8 +169,12 @@ def _summary(finding: Finding) -> str:
     if position and finding.error_95 is not None:
         position = f"{position} ± {number_text(finding.error_95, 1)} m"
     sure = tr("{odds} wrong").format(odds=odds) if odds else ""
-    above = " · ".join(filter(None, (finding.name, status_text(finding), sure)))
-    return f"{above}\n{position or finding.reason or ''}"
+    status, below = status_text(finding), position or finding.reason or ""
+    if finding.speaks_against:
+        # The first line may leave the status to the mark, which can't tell what it is.
+        status, below = "", " · ".join(filter(None, (status, below)))
+    above = " · ".join(filter(None, (finding.name, status, sure)))
+    return f"{above}\n{below}"
 
 
 def _sort_value(finding: Finding, column: int) -> float | str:
