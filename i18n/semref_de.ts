@@ -1040,6 +1040,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Abstand der Bildmitte von der des nächsten Fensters als Anteil der Schrittweite: 0 bis 0 liegt auf den Fenstern, 0 bis 0,5 irgendwo.</translation>
   </message>
   <message>
+   <source>Distance of the photo’s GPS from the database (m)</source>
+   <translation>Abstand des GPS des Fotos von der Datenbank (m)</translation>
+  </message>
+  <message>
    <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
    <translation>Abstand der Topologievektoren; 0 ist volle Übereinstimmung, über 2 gibt es keine</translation>
   </message>
@@ -1562,6 +1566,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter rechts wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>GPS elsewhere</source>
+   <translation>GPS woanders</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -5894,6 +5902,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>only {share} of the flights keep a position</source>
    <translation>nur {share} der Flüge behalten eine Position</translation>
+  </message>
+  <message>
+   <source>out of reach</source>
+   <translation>nicht erreichbar</translation>
   </message>
   <message>
    <source>outside the CRS’s area</source>

@@ -1040,6 +1040,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Distancia del centro de una imagen al de la ventana más cercana, como parte del paso: 0 a 0 está sobre las ventanas, 0 a 0,5 en cualquier lugar.</translation>
   </message>
   <message>
+   <source>Distance of the photo’s GPS from the database (m)</source>
+   <translation>Distancia del GPS de la foto a la base de datos (m)</translation>
+  </message>
+  <message>
    <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
    <translation>Distancia de los vectores topológicos; 0 es una coincidencia perfecta, por encima de 2 no la hay</translation>
   </message>
@@ -1562,6 +1566,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la derecha el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>GPS elsewhere</source>
+   <translation>GPS en otro lugar</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -5894,6 +5902,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>only {share} of the flights keep a position</source>
    <translation>solo {share} de los vuelos conservan una posición</translation>
+  </message>
+  <message>
+   <source>out of reach</source>
+   <translation>fuera de alcance</translation>
   </message>
   <message>
    <source>outside the CRS’s area</source>

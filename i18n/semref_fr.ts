@@ -1040,6 +1040,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Distance entre le centre d’une image et celui de la fenêtre la plus proche, en part du pas : 0 à 0 se trouve sur les fenêtres, 0 à 0,5 n’importe où.</translation>
   </message>
   <message>
+   <source>Distance of the photo’s GPS from the database (m)</source>
+   <translation>Distance du GPS de la photo à la base (m)</translation>
+  </message>
+  <message>
    <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
    <translation>Distance des vecteurs topologiques ; 0 est une correspondance parfaite, au-delà de 2 il n’y en a pas</translation>
   </message>
@@ -1562,6 +1566,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à droite, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
+  </message>
+  <message>
+   <source>GPS elsewhere</source>
+   <translation>GPS ailleurs</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -5894,6 +5902,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>only {share} of the flights keep a position</source>
    <translation>seuls {share} des vols gardent une position</translation>
+  </message>
+  <message>
+   <source>out of reach</source>
+   <translation>hors d’atteinte</translation>
   </message>
   <message>
    <source>outside the CRS’s area</source>

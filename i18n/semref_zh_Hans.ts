@@ -1040,6 +1040,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>影像中心到最近窗口中心的距离，以步长的比例表示：0 至 0 表示正好在窗口上，0 至 0.5 表示任意位置。</translation>
   </message>
   <message>
+   <source>Distance of the photo’s GPS from the database (m)</source>
+   <translation>照片 GPS 到数据库的距离（米）</translation>
+  </message>
+  <message>
    <source>Distance of the topology vectors; 0 is a perfect match, above 2 there is none</source>
    <translation>拓扑向量之间的距离；0 为完全匹配，大于 2 则不匹配</translation>
   </message>
@@ -1562,6 +1566,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>{start:.0f} 至 {end:.0f} m：向右平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
+  </message>
+  <message>
+   <source>GPS elsewhere</source>
+   <translation>GPS 在别处</translation>
   </message>
   <message>
    <source>Gaps</source>
@@ -5894,6 +5902,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>only {share} of the flights keep a position</source>
    <translation>只有 {share} 的飞行保持有位置</translation>
+  </message>
+  <message>
+   <source>out of reach</source>
+   <translation>无法及时到达</translation>
   </message>
   <message>
    <source>outside the CRS’s area</source>
