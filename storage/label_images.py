@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
+from osgeo import gdal
 
-from ..core.errors import ImageError
+from ..core.errors import ImageError, LabelMapError
 from ..core.geometry.camera import Camera
 from ..core.labels.class_shares import SeenLabels
-from ..core.labels.class_table import ClassTable
+from ..core.labels.class_table import UNLABELED, ClassTable
+from ..core.labels.color_labels import decode_colors
 from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS
 from ..core.segmentation.class_bias import KEY, KnownBiases, known_biases, read_class_bias
+from .gdal_errors import gdal_failure
 from .images import GdalImage
-from .rasters import read_label_image, stated_biases
+from .label_map_file import CLASS_BIAS_ITEM
+from .rasters import GdalLabels, open_raster
 
 
 class LabelImageReader:
@@ -61,3 +65,73 @@ def opened_photo(path: str) -> GdalImage:
             most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
         )
     return photo
+
+
+def read_label_image(path: str, table: ClassTable) -> np.ndarray:
+    """A query image's labels (H, W) uint8: single-band values, or three and more bands decoded by color.
+
+    Colors are decoded by the table's HSV ranges if it has any, else by nearest color. What a mask in the file leaves
+    out has no label. Raises LabelMapError.
+    """
+    dataset = open_raster(path)
+    width, height = dataset.RasterXSize, dataset.RasterYSize
+    if width * height > MAXIMUM_IMAGE_PIXELS:
+        raise LabelMapError(
+            "labels.image_too_large",
+            path=path,
+            width=width,
+            height=height,
+            most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
+        )
+    if dataset.RasterCount == 1:
+        labels = GdalLabels(path).read(0, 0, width, height)
+    else:
+        labels = decode_colors(read_bgr(dataset, path, 0, height), table)
+    wanted = _own_mask(dataset, path)
+    return labels if wanted is None else np.where(wanted, labels, UNLABELED)
+
+
+def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
+    """(H, W) bool: what a mask in the file keeps; None without one. Raises LabelMapError."""
+    band = dataset.GetRasterBand(1)
+    try:
+        if band.GetMaskFlags() != gdal.GMF_PER_DATASET:
+            return None
+        mask = band.GetMaskBand().ReadAsArray()
+    except RuntimeError as error:
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure(error)) from None
+    if mask is None:
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure())
+    return mask > 0
+
+
+def stated_biases(path: str) -> str | None:
+    """The class_bias that a label map states of the network that made it; None where none did."""
+    return open_raster(path).GetMetadataItem(CLASS_BIAS_ITEM)
+
+
+def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:
+    """Rows of an RGB(A) or paletted image as (rows, W, 3) uint8, blue first; raises LabelMapError for other kinds."""
+    palette = dataset.GetRasterBand(1).GetRasterColorTable()
+    if dataset.RasterCount == 1 and palette is not None:
+        colors = np.zeros((256, 3), np.uint8)
+        for value in range(min(palette.GetCount(), 256)):
+            colors[value] = palette.GetColorEntry(value)[2::-1]
+        return colors[_read_bytes(dataset, 1, path, first_row, rows)]
+    if dataset.RasterCount < 3:
+        raise LabelMapError("storage.no_palette", path=path, bands=dataset.RasterCount)
+    return np.dstack([_read_bytes(dataset, number, path, first_row, rows) for number in (3, 2, 1)])
+
+
+def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, rows: int) -> np.ndarray:
+    band = dataset.GetRasterBand(number)
+    if band.DataType != gdal.GDT_Byte:
+        kind = gdal.GetDataTypeName(band.DataType)
+        raise LabelMapError("labels.color_not_8_bits", path=path, kind=kind)
+    try:
+        data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
+    except RuntimeError as error:
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure(error)) from None
+    if data is None:
+        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure())
+    return data

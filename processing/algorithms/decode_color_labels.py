@@ -69,8 +69,9 @@ class DecodeColorLabels(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.labels.color_labels import decode_by_hsv, decode_by_nearest_color
+        from ...storage.label_images import read_bgr
         from ...storage.label_map_file import LabelMapFile
-        from ...storage.rasters import open_raster, read_bgr
+        from ...storage.rasters import open_raster
 
         table = values.class_table(self.CLASS_TABLE)
         nearest = values.choice(self.METHOD) == self.NEAREST_COLOR

@@ -125,7 +125,8 @@ class DescribeImage(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.localizer.localizer import describe_image
-        from ...storage.rasters import open_raster, read_label_image
+        from ...storage.label_images import read_label_image
+        from ...storage.rasters import open_raster
 
         transform = open_raster(self._layer.path).GetGeoTransform(can_return_null=True) or NO_GEOREFERENCE
         table, fraction_of, length = self._settings(values, transform)

@@ -112,7 +112,7 @@ class ImageInspector:
         )
 
     def _labels(self, query: ImageQuery, database: ReferenceDatabase) -> np.ndarray:
-        from ...storage.rasters import read_label_image
+        from ...storage.label_images import read_label_image
 
         if query.labels or not query.model:
             return read_label_image(query.labels or query.image, database.class_table)

@@ -279,7 +279,7 @@ FORMATS = {
 @pytest.mark.parametrize("name", list(FORMATS))
 def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
     from semref.core.labels.image_files import read_label_image
-    from semref.storage.rasters import read_label_image as read_with_gdal
+    from semref.storage.label_images import read_label_image as read_with_gdal
 
     path = paletted(tmp_path / f"labels.{name}", LABELS, FORMATS[name][0], FORMATS[name][1])
     assert cv2.imread(path, cv2.IMREAD_UNCHANGED).ndim == 3

@@ -51,7 +51,8 @@ def host():
 def doors():
     from semref.core.labels.class_table import class_table_from_values
     from semref.storage.images import GdalImage
-    from semref.storage.rasters import GdalLabels, open_raster, read_label_image
+    from semref.storage.label_images import read_label_image
+    from semref.storage.rasters import GdalLabels, open_raster
 
     return (
         lambda path: GdalImage(path).read(0, 0, 80, 80),

@@ -13,7 +13,7 @@ from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
 
 from semref.core.segmentation.onnx_file import with_metadata
-from semref.storage.rasters import stated_biases
+from semref.storage.label_images import stated_biases
 
 LOCALIZE = "semref:localizeimages"
 SIZE = 160

@@ -239,7 +239,7 @@ def label_maps(world: World) -> Tools:
 
 
 def label_images(world: World) -> Tools:
-    from semref.storage.rasters import read_label_image
+    from semref.storage.label_images import read_label_image
 
     places, table = _places(world), _classes()
 
