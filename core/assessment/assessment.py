@@ -14,7 +14,7 @@ from typing import cast
 import cv2
 import numpy as np
 
-from ..constellation.verification import center_noise
+from ..constellation.matching import center_noise
 from ..database.model import ReferenceDatabase
 from ..evaluation.trial import Query, Trial
 from ..geometry.error_settings import NETWORK_SPREAD

@@ -73,25 +73,45 @@ def level_poses(
     rough = query.select(telling_objects(query, settings.rough_objects))
     centers, turns, scores = rough_scores(verifier.index, rough, seeds.centers, seeds.turns, gates)
     telling = query.select(telling_objects(query, settings.largest_objects))
+    poses: list[Pose] = []
+    for number in _worth_a_trial(query, centers, turns, scores, settings):
+        poses.append(Pose(complex(centers[number]), complex(turns[number])))
+        seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
+        if len(telling.points) <= settings.few_objects and seed != poses[-1]:
+            # The rough fit of few objects may have settled on wrong matches.
+            poses.append(seed)
+    for evidence in verify(verifier, telling, poses):
+        found.add(evidence)
+    return found.best_first, seeds
+
+
+def _worth_a_trial(
+    query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, scores: np.ndarray, settings: ConstellationSettings
+) -> list[int]:
+    """The roughly fitted poses that are verified, best first: of those at one place the best, none far below the best.
+
+    Args:
+        query: The image's objects.
+        centers: (S,) complex, map units from the index's origin.
+        turns: (S,) complex, heading and pixel size.
+        scores: (S,) of the rough fits.
+        settings: How many, and how far below.
+    """
+    chosen: list[int] = []
     tried: list[np.ndarray] = []
     best = 0.0
-    for number in np.argsort(-scores, kind="stable"):
-        pose = Pose(complex(centers[number]), complex(turns[number]))
-        on_map = pose.on_map(query.points)
-        if tried and (_distances(on_map, tried) < 2.0 * abs(pose.turn)).any():
+    for number in np.argsort(-scores, kind="stable").tolist():
+        on_map = centers[number] + turns[number] * query.points
+        if tried and (_distances(on_map, tried) < 2.0 * abs(turns[number])).any():
             continue
         if tried and scores[number] < settings.rough_share * best:
             break
         best = max(best, float(scores[number]))
+        chosen.append(number)
         tried.append(on_map)
-        found.add(verify(verifier, telling, pose))
-        if len(telling.points) <= settings.few_objects:
-            # The rough fit of few objects may have settled on wrong matches.
-            seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-            found.add(verify(verifier, telling, seed))
-        if len(tried) == settings.verified:
+        if len(chosen) == settings.verified:
             break
-    return found.best_first, seeds
+    return chosen
 
 
 def tilted_poses(
@@ -225,8 +245,7 @@ def _with_moved(
     settings = verifier.index.settings
     best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
     known = Found(query, settings, found)
-    for step in steps:
-        moved = verify(verifier, telling, Pose(best.pose.center + step, best.pose.turn))
+    for moved in verify(verifier, telling, [Pose(best.pose.center + step, best.pose.turn) for step in steps]):
         if not known.knows(moved):
             known.add(moved)
     return known.best_first

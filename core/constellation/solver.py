@@ -99,7 +99,7 @@ def matches_at(
         return None
     verifier = Verifier(index, *size_wh, float(full_area(objects.areas_px.min(), 1.0)))
     pose = Pose(complex(*place.position) - index.origin, turn_of(*place.oriented))
-    evidence = verify(verifier, telling, pose)
+    (evidence,) = verify(verifier, telling, [pose])
     if len(evidence.matched):
         focus = complex(telling.points[evidence.matched].mean())
         tilted = verify_tilted(verifier, telling, pose, focus)

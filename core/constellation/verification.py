@@ -14,11 +14,21 @@ import numpy as np
 from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
 from .hypotheses import SeenLandmarks
 from .index import AREA_BIN, AREA_BINS, ConstellationIndex
+from .matching import (
+    Nearest,
+    biweight,
+    center_noise,
+    matched_within,
+    median,
+    nearest_objects,
+    noise_factor,
+    places_on_map,
+)
 from .parts import Side
 from .settings import ConstellationSettings
 
-MEDIAN_OF_RAYLEIGH = 1.1774
-"""Median length of a residual whose two coordinates have a standard deviation of 1."""
+FIRST_NOISE_FACTOR = 2.0
+"""Noise over the assumed one with which matches are first sought, of a pose that is not yet fitted."""
 
 
 @dataclass(frozen=True)
@@ -80,34 +90,6 @@ class Verifier:
     side: Side | None = None
 
 
-@dataclass(frozen=True)
-class Nearest:
-    """Nearest objects of the map to those of an image, of the same class; … stands for as many poses as there are.
-
-    Attributes:
-        distances: (…, n) map units, inf where there is none.
-        objects: (…, n) int64, −1 where there is none.
-        deviations: (…, n) σ of each distance, map units.
-    """
-
-    distances: np.ndarray
-    objects: np.ndarray
-    deviations: np.ndarray
-
-
-def center_noise(
-    log_areas_px: np.ndarray, pixel_size: np.ndarray | float, settings: ConstellationSettings
-) -> np.ndarray:
-    """Assumed σ of centers, map units.
-
-    Args:
-        log_areas_px: (…, n) ln of areas in px².
-        pixel_size: Map units, broadcastable.
-        settings: Of the constellation.
-    """
-    return pixel_size * np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * np.exp(log_areas_px / 2))
-
-
 def match_ratios(
     index: ConstellationIndex, query: SeenLandmarks, nearest: Nearest, log_scale: np.ndarray
 ) -> np.ndarray:
@@ -140,27 +122,31 @@ def gains(ratios: np.ndarray, distractors: float | np.ndarray) -> np.ndarray:
 
 
 def averaged_log_odds(
-    ratios: np.ndarray, matched: np.ndarray, missing: int, assumed: int, settings: ConstellationSettings
-) -> float:
-    """Logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
+    ratios: np.ndarray,
+    matched: np.ndarray,
+    missing: np.ndarray | int,
+    assumed: np.ndarray | int,
+    settings: ConstellationSettings,
+) -> np.ndarray:
+    """(…) logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
 
     How poor an image's labels are is not known beforehand. At the shares that suit it, a poor image keeps evidence that
     one fixed share would take from it, and a good one loses no more than ln of their number.
 
     Args:
-        ratios: (n,) of the objects that could be on the map.
-        matched: (n,) bool, those with a match.
-        missing: Objects of the map that should be seen and aren't.
-        assumed: Matches that may have made the hypothesis; so many times their mean gain is taken off.
+        ratios: (…, n) of the image's objects; 1 for one that is neither for the pose nor against it.
+        matched: (…, n) bool, those with a match.
+        missing: (…) objects of the map that should be seen and aren't.
+        assumed: (…) matches that may have made the hypothesis; so many times their mean gain is taken off.
         settings: The shares.
     """
-    gained = gains(ratios, np.array(settings.distractors)[:, None])
-    means = np.maximum(gained[:, matched].mean(axis=1), 0) if matched.any() else 0.0
-    of_image = gained.sum(axis=1) - assumed * means
-    of_map = missing * np.log1p(-np.array(settings.visibility))
-    terms = of_image[:, None] + of_map
-    largest = terms.max()
-    return float(largest + np.log(np.exp(terms - largest).mean()))
+    distractors, unseen = np.array(settings.distractors), np.log1p(-np.array(settings.visibility))
+    gained = gains(ratios, distractors.reshape(-1, *[1] * ratios.ndim))
+    counts = np.maximum(matched.sum(axis=-1), 1)
+    of_image = gained.sum(axis=-1) - assumed * np.maximum((gained * matched).sum(axis=-1) / counts, 0)
+    terms = of_image[:, None] + missing * unseen.reshape(-1, *[1] * (ratios.ndim - 1))
+    largest = terms.max(axis=(0, 1))
+    return largest + np.log(np.exp(terms - largest).mean(axis=(0, 1)))
 
 
 def _normal(x: np.ndarray, deviation: float) -> np.ndarray:
@@ -207,15 +193,15 @@ def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
     return np.sort(usable[np.argsort(-query.log_areas[usable], kind="stable")[:count]])
 
 
-def verify(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> PoseEvidence:
-    """Refines the pose of a level camera by match and fit, then weighs it.
+def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> list[PoseEvidence]:
+    """Refines poses of a level camera by match and fit, each on its own but all at once, then weighs them.
 
     Args:
         verifier: Catalogue and image.
         query: The image's ``telling_objects``.
-        pose: A first one.
+        poses: First ones.
     """
-    return _refined(verifier, query, pose, 2.0)
+    return _refined(verifier, query, poses, tilted=False)
 
 
 def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
@@ -230,11 +216,11 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
     settings = verifier.index.settings
     gate = settings.growing_gate * query.diagonal
     for reach in settings.growing_reach:
-        nearest = _nearest(verifier.index, query, pose)
-        distances, objects, deviations = nearest.distances, nearest.objects, nearest.deviations
-        near = (np.abs(query.points - focus) <= reach * query.diagonal) & _one_to_one(distances, objects)
-        ends = gate * abs(pose.turn) + settings.gate_in_noise * deviations
-        kept = np.flatnonzero(near & (distances <= ends))
+        nearest = nearest_objects(verifier.index, query, [pose])
+        ends = gate * abs(pose.turn) + settings.gate_in_noise * nearest.deviations
+        (matched,), (distances,), (ends,) = matched_within(nearest, ends), nearest.distances, ends
+        (objects,), (deviations,) = nearest.objects, nearest.deviations
+        kept = np.flatnonzero(matched & (np.abs(query.points - focus) <= reach * query.diagonal))
         if len(kept) < settings.minimum_matches:
             break
         loose = deviations[kept] / np.maximum(biweight(distances[kept], ends[kept]), 0.05) ** 0.5
@@ -242,7 +228,7 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
         if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
             break
         pose = fitted
-    return _refined(verifier, query, pose, 2.0, tilted=True)
+    return _refined(verifier, query, [pose], tilted=True)[0]
 
 
 def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> float:
@@ -268,56 +254,63 @@ def _surprise(variance: float, least: float) -> float:
     return float(np.log(noise) + variance / noise)
 
 
-def _refined(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float, tilted: bool = False) -> PoseEvidence:
-    """Match and fit until both agree; then the evidence."""
-    settings = verifier.index.settings
+def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], tilted: bool) -> list[PoseEvidence]:
+    """Match and fit until both agree; then the evidence. A pose that loses its matches stays as it was."""
+    index, settings = verifier.index, verifier.index.settings
+    if not poses:
+        return []
+    poses, factors = list(poses), np.full(len(poses), FIRST_NOISE_FACTOR)
+    moving = np.arange(len(poses))
     for number in range(settings.refinements):
-        nearest = _nearest(verifier.index, query, pose)
-        distances, objects, deviations = nearest.distances, nearest.objects, nearest.deviations
-        ends = settings.gate_in_noise * factor * deviations
-        kept = np.flatnonzero(_one_to_one(distances, objects) & (distances <= ends))
-        if len(kept) < settings.minimum_matches:
+        nearest = nearest_objects(index, query, [poses[k] for k in moving])
+        factor = factors[moving, None]
+        ends = settings.gate_in_noise * factor * nearest.deviations
+        kept = matched_within(nearest, ends)
+        enough = kept.sum(axis=1) >= settings.minimum_matches
+        moving, kept, ends, factor, nearest = (
+            moving[enough],
+            kept[enough],
+            ends[enough],
+            factor[enough],
+            nearest[enough],
+        )
+        if not len(moving):
             break
-        image, on_map, weights = query.points[kept], verifier.index.points[objects[kept]], 1 / deviations[kept] ** 2
+        weights = 1 / nearest.deviations**2
         if number < settings.robust_refinements:
-            weights *= np.maximum(biweight(distances[kept], ends[kept]), 1e-6)
+            weights *= np.maximum(biweight(nearest.distances, ends), 1e-6)
         else:
-            weights *= huber(distances[kept], factor * deviations[kept])
-        if tilted:
-            fitted = fit_tilted(image, on_map, weights**-0.5, pose, query.diagonal)
-        else:
-            fitted = Pose(*(complex(value) for value in fit_similarity(image, on_map, weights)))
-        if not 0.7 < abs(fitted.turn / pose.turn) < 1.4:
+            weights *= huber(nearest.distances, factor * nearest.deviations)
+        on_map = index.points[nearest.objects]
+        before = [poses[k] for k in moving]
+        fit = _fitted_tilted if tilted else _fitted
+        fitted = fit(query, on_map, np.where(kept, weights, 0.0), before)
+        ratios = np.array([abs(after.turn / pose.turn) for after, pose in zip(fitted, before)])
+        alike = (ratios > 0.7) & (ratios < 1.4)
+        moving, kept, nearest, on_map = moving[alike], kept[alike], nearest[alike], on_map[alike]
+        if not len(moving):
             break
-        pose = fitted
-        residuals = np.abs(pose.on_map(image) - on_map) / deviations[kept]
-        factor = noise_factor(residuals, 8 if tilted else 4, settings)
-    return weigh(verifier, query, pose, factor)
+        fitted = [fitted[k] for k in np.flatnonzero(alike)]
+        for k, pose in zip(moving, fitted):
+            poses[k] = pose
+        residuals = np.abs(places_on_map(query, fitted) - on_map) / nearest.deviations
+        factors[moving] = noise_factor(np.where(kept, residuals, np.inf), 8 if tilted else 4, settings)
+    return weigh_all(verifier, query, poses, factors)
 
 
-def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSettings) -> float:
-    """σ of matches over the assumed one.
-
-    From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
-    true ones are smaller by 2 n / (2 n − fitted). Few residuals tell little, so the assumption counts as well.
-
-    Args:
-        residuals: (n,) lengths over the assumed σ.
-        fitted: Numbers of the pose.
-        settings: Of the constellation.
-    """
-    count = len(residuals)
-    measured = (median(residuals) / MEDIAN_OF_RAYLEIGH) ** 2 * 2 * count / max(2 * count - fitted, 1)
-    assumed = settings.assumed_matches
-    factor = float(np.sqrt((count * measured + assumed) / (count + assumed)))
-    least, most = settings.noise_factors
-    return min(max(factor, least), most)
+def _fitted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
+    """Poses of level cameras by least squares, on matches (S, n) with weights, 0 for none; ``poses`` are not used."""
+    fitted = fit_similarity(query.points[None], on_map, weights)
+    return [Pose(complex(center), complex(turn)) for center, turn in zip(*fitted)]
 
 
-def median(values: np.ndarray) -> float:
-    """Median of a few values, (n,) with n ≥ 1; NumPy's takes ten times as long to come to the same."""
-    ordered = np.sort(values)
-    return float(ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2]) / 2
+def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
+    """The same for cameras that may be tilted, beginning at ``poses``."""
+    fitted = []
+    for pose, points, weight in zip(poses, on_map, weights):
+        kept = np.flatnonzero(weight)
+        fitted.append(fit_tilted(query.points[kept], points[kept], weight[kept] ** -0.5, pose, query.diagonal))
+    return fitted
 
 
 def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -> PoseEvidence:
@@ -329,25 +322,39 @@ def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -
         pose: Where the image may lie.
         factor: How much of the assumed noise there is.
     """
+    return weigh_all(verifier, query, [pose], np.array([factor]))[0]
+
+
+def weigh_all(
+    verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], factors: np.ndarray
+) -> list[PoseEvidence]:
+    """The evidence for each of S poses, with its factor (S,) of the assumed noise, as ``weigh`` has it."""
     index, settings = verifier.index, verifier.index.settings
-    log_sizes = np.log(pose.pixel_sizes(query.points))
-    nearest = _nearest(index, query, pose)
-    distances, deviations = nearest.distances, factor * nearest.deviations
-    objects = np.where(_one_to_one(distances, nearest.objects), nearest.objects, -1)
-    ratios = match_ratios(index, query, Nearest(distances, objects, deviations), log_sizes)
+    log_sizes = np.log([pose.pixel_sizes(query.points) for pose in poses])
+    nearest = nearest_objects(index, query, poses)
+    deviations = factors[:, None] * nearest.deviations
+    is_matched = matched_within(nearest, settings.gate_in_noise * deviations)
+    objects = np.where(is_matched, nearest.objects, -1)
+    ratios = match_ratios(index, query, Nearest(nearest.distances, objects, deviations), log_sizes)
     # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
     # for it, a pose at which hardly anything is large enough would have nothing against it.
     smallest = np.log(max(index.minimum_area_m2, 1e-12)) - settings.smaller_in_noise * settings.area_deviation
     could_be = query.log_areas + 2 * log_sizes >= smallest
-    is_matched = could_be & (objects >= 0) & (distances <= settings.gate_in_noise * deviations)
-    matched, expected = np.flatnonzero(is_matched), expected_objects(verifier, query, pose)
-    missing = len(expected) - len(np.intersect1d(expected, objects[matched], assume_unique=True))
-    makers = settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted
-    log_odds = averaged_log_odds(ratios[could_be], is_matched[could_be], missing, makers, settings)
-    # Matches that draw a camera to a tilt that no camera has are no evidence for it.
-    log_odds -= pose.tilt_surprise(query.diagonal)
-    possible = np.flatnonzero(could_be)
-    return PoseEvidence(pose, log_odds, matched, objects[matched], deviations[matched], factor, expected, possible)
+    is_matched &= could_be
+    expected = [expected_objects(verifier, query, pose) for pose in poses]
+    missing = np.array(
+        [len(some) - np.isin(of[has], some).sum() for some, of, has in zip(expected, objects, is_matched)]
+    )
+    makers = [settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted for pose in poses]
+    log_odds = averaged_log_odds(np.where(could_be, ratios, 1.0), is_matched, missing, np.array(makers), settings)
+    found = []
+    for k, pose in enumerate(poses):
+        matched = np.flatnonzero(is_matched[k])
+        # Matches that draw a camera to a tilt that no camera has are no evidence for it.
+        odds = float(log_odds[k]) - pose.tilt_surprise(query.diagonal)
+        of_map, noise, possible = objects[k, matched], deviations[k, matched], np.flatnonzero(could_be[k])
+        found.append(PoseEvidence(pose, odds, matched, of_map, noise, float(factors[k]), expected[k], possible))
+    return found
 
 
 def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:
@@ -368,23 +375,3 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     if len(query.points) >= settings.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))
     return found[seen & (log_areas_px > smallest + settings.area_deviation)]
-
-
-def _nearest(index: ConstellationIndex, query: SeenLandmarks, pose: Pose) -> Nearest:
-    """What is nearest to the image's objects at a pose, (n,) each, with the assumed deviations."""
-    distances, objects = index.matcher.match(pose.on_map(query.points)[None], query.ranks)
-    noise = center_noise(query.log_areas, abs(pose.turn), index.settings)
-    return Nearest(distances[0].astype(np.float64), objects[0], noise)
-
-
-def _one_to_one(distances: np.ndarray, objects: np.ndarray) -> np.ndarray:
-    """(n,) bool: the nearest of the image's objects that share one of the map's."""
-    order = np.lexsort((distances, objects))
-    best = np.zeros(len(objects), bool)
-    best[order[np.concatenate([[True], np.diff(objects[order]) != 0])[: len(order)]]] = True
-    return best & (objects >= 0)
-
-
-def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
-    """Tukey's biweight: (n,) weights, 1 at distance 0, falling smoothly to 0 at the end."""
-    return np.maximum(1 - (distances / ends) ** 2, 0) ** 2

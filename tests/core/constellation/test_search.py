@@ -140,7 +140,7 @@ def at_the_copy(built_twice, index, cut):
     here = made.pose.center + index.origin - built_twice.origin
     verifier = verification.Verifier(built_twice, EDGE, EDGE, 60.0)
     telling = made.query.select(verification.telling_objects(made.query, CONSTELLATION.largest_objects))
-    copy = verification.verify(verifier, telling, Pose(here + complex(*STEP), made.pose.turn))
+    (copy,) = verification.verify(verifier, telling, [Pose(here + complex(*STEP), made.pose.turn)])
     return made.query, verifier, here, copy
 
 
@@ -162,7 +162,7 @@ def test_ground_that_a_prior_excludes_is_not_tried(built_twice, index, cut):
 def test_ground_that_lies_nowhere_else_has_no_copies(index, cut):
     made = cut(1000.0, 1000.0, 30.0, 1.0)
     verifier = verification.Verifier(index, EDGE, EDGE, 60.0)
-    evidence = verification.verify(verifier, made.query, made.pose)
+    (evidence,) = verification.verify(verifier, made.query, [made.pose])
     assert len(evidence.matched) > 20
     assert search.copies(verifier, made.query, evidence) == []
 

@@ -8,19 +8,15 @@ import pytest
 
 from semref.core.constellation.hypotheses import SeenLandmarks
 from semref.core.constellation.index import AREA_BINS
+from semref.core.constellation.matching import Nearest, center_noise, noise_factor
 from semref.core.constellation.parts import Side
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.verification import (
-    Nearest,
     Verifier,
     averaged_log_odds,
-    biweight,
-    center_noise,
     expected_objects,
     gained_by_tilt,
     match_ratios,
-    median,
-    noise_factor,
     rough_scores,
     telling_objects,
     verify,
@@ -58,9 +54,54 @@ def test_any_other_pose_has_negative_log_odds(verifier, made, off, turn):
 
 def test_a_pose_a_little_off_is_moved_to_the_true_one(verifier, made):
     near = Pose(made.pose.center + 1.5 - 1j, made.pose.turn * np.exp(0.003j))
-    found = verify(verifier, made.query, near).pose
+    found = verify(verifier, made.query, [near])[0].pose
     assert abs(found.center - made.pose.center) < 0.01
     assert abs(found.turn / made.pose.turn - 1) < 1e-4
+
+
+def test_poses_verified_together_have_the_evidence_that_each_has_alone(index, verifier, made):
+    """True, near, far and impossible ones; some of them lose their matches rounds before the others."""
+    rng = np.random.default_rng(11)
+    query = noisy(made, index, made.pose)
+    off = np.r_[0, 3 - 2j, rng.uniform(-400, 400, 20) + 1j * rng.uniform(-400, 400, 20), 1e5]
+    turned = np.r_[1, 1.005 * np.exp(0.004j), rng.uniform(0.7, 1.4, 20) * np.exp(1j * rng.uniform(-3, 3, 20)), 1]
+    poses = [Pose(complex(made.pose.center + a), complex(made.pose.turn * b)) for a, b in zip(off, turned)]
+    together = verify(verifier, query, poses)
+    assert len(together) == len(poses) and verify(verifier, query, []) == []
+    for pose, found in zip(poses, together):
+        (alone,) = verify(verifier, query, [pose])
+        assert found.log_odds == pytest.approx(alone.log_odds, rel=1e-9, abs=1e-9)
+        assert np.abs(found.pose.on_map(query.points) - alone.pose.on_map(query.points)).max() < 1e-6
+        assert found.noise_factor == pytest.approx(alone.noise_factor, rel=1e-9)
+        for name in ("matched", "objects", "expected", "possible"):
+            np.testing.assert_array_equal(getattr(found, name), getattr(alone, name))
+        np.testing.assert_allclose(found.deviations, alone.deviations, rtol=1e-9)
+        assert found.missing == alone.missing
+    assert together[0].log_odds > 100 > 0 > max(found.log_odds for found in together[2:])
+    # The far ones were moved, or stay where they were; none of them is at another's place.
+    assert together[-1].pose == poses[-1] and len({found.pose for found in together}) > 15
+
+
+def test_evidence_of_several_poses_is_averaged_for_each(index):
+    rng = np.random.default_rng(5)
+    ratios = np.exp(rng.normal(0, 3, (4, 30)))
+    matched = ratios > 1
+    matched[2] = False
+    missing = np.array([0, 3, 7, 30])
+    together = averaged_log_odds(ratios, matched, missing, np.array([3, 5, 3, 5]), CONSTELLATION)
+    for number, makers in enumerate((3, 5, 3, 5)):
+        terms = []
+        for share in CONSTELLATION.distractors:
+            gained = np.log(share + (1 - share) * ratios[number])
+            mean = max(gained[matched[number]].mean(), 0) if matched[number].any() else 0
+            for seen in CONSTELLATION.visibility:
+                terms.append(gained.sum() - makers * mean + missing[number] * np.log(1 - seen))
+        assert together[number] == pytest.approx(np.logaddexp.reduce(terms) - np.log(len(terms)))
+    # An object whose ratio is 1 changes nothing.
+    more = np.column_stack([ratios, np.ones(4)]), np.column_stack([matched, np.zeros(4, bool)])
+    np.testing.assert_allclose(
+        averaged_log_odds(*more, missing, 3, CONSTELLATION)[[0, 2]], together[[0, 2]], rtol=1e-12
+    )
 
 
 def test_objects_of_the_map_that_the_image_lacks_are_counted_and_lower_the_odds(verifier, made):
@@ -68,32 +109,6 @@ def test_objects_of_the_map_that_the_image_lacks_are_counted_and_lower_the_odds(
     everything, fewer = (weigh(verifier, query, made.pose, 1.0) for query in (made.query, all_but_ten))
     assert 5 <= fewer.missing <= 10
     assert fewer.log_odds < everything.log_odds
-
-
-def test_a_match_weighs_less_the_nearer_it_is_to_the_gate():
-    assert biweight(np.array([0.0, 2.0, 4.0, 9.0]), np.full(4, 4.0)).tolist() == [1.0, 0.5625, 0.0, 0.0]
-
-
-@pytest.mark.parametrize("count", [5, 12, 200])
-def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
-    rng = np.random.default_rng(count)
-    factors = []
-    for _ in range(300):
-        image = rng.uniform(-600, 600, count) + 1j * rng.uniform(-600, 600, count)
-        on_map = image + rng.normal(size=count) + 1j * rng.normal(size=count)
-        center, turn = fit_similarity(image, on_map, np.ones(count))
-        factors.append(noise_factor(np.abs(center + turn * image - on_map), 4, CONSTELLATION) ** 2)
-    assert np.mean(factors) == pytest.approx(1, abs=0.08)
-
-
-@pytest.mark.parametrize("count", [1, 2, 7, 60])
-def test_the_median_of_few_values_is_numpys(count):
-    values = np.random.default_rng(count).normal(size=count)
-    assert median(values) == np.median(values)
-
-
-def test_a_few_exact_matches_do_not_make_the_noise_vanish():
-    assert noise_factor(np.zeros(4), 4, CONSTELLATION) > 0.7 > noise_factor(np.zeros(40), 4, CONSTELLATION)
 
 
 def test_a_match_speaks_for_a_pose_by_its_distance_its_size_and_how_rare_both_are():
@@ -174,7 +189,7 @@ def test_a_tilted_camera_is_verified_from_where_its_pose_holds(index, verifier, 
     query = SeenLandmarks(
         seen[objects], index.ranks[objects], log_areas, np.ones(len(objects), bool), made.query.diagonal
     )
-    level, found = verify(verifier, query, made.pose), verify_tilted(verifier, query, made.pose, 0j)
+    level, found = verify(verifier, query, [made.pose])[0], verify_tilted(verifier, query, made.pose, 0j)
     assert found.log_odds > level.log_odds + 50 and len(found.matched) == len(objects)
     np.testing.assert_array_equal(found.objects, objects[found.matched])
     assert np.abs(found.pose.on_map(query.points) - index.points[objects]).max() < 0.5
@@ -192,14 +207,9 @@ def test_matches_of_a_level_camera_gain_little_by_tilt_and_those_of_a_tilted_one
             seen = tilted.in_image(index.points[made.objects])
             points = seen + rng.normal(0, 1, len(seen)) + 1j * rng.normal(0, 1, len(seen))
             query = replace(made.query, points=points)
-            gained[slope].append(gained_by_tilt(verifier, query, verify(verifier, query, made.pose)))
+            gained[slope].append(gained_by_tilt(verifier, query, *verify(verifier, query, [made.pose])))
     assert 1 < np.mean(gained[0.0]) < 4 and max(gained[0.0]) < 12
     assert min(gained[2e-5]) > 6
-
-
-def test_noise_is_that_of_pixels_and_of_the_size_together():
-    noise = center_noise(np.log([100.0, 400.0]), 2.0, CONSTELLATION)
-    assert noise == pytest.approx(2.0 * np.hypot(0.7, [1.0, 2.0]))
 
 
 def test_of_objects_that_share_one_of_the_map_the_nearest_alone_is_its_match(verifier, index, made):
@@ -228,7 +238,7 @@ TILT = {"stretch": 0.008 - 0.004j, "slope": 1.5e-4 + 1e-4j}
 @pytest.mark.parametrize(("tilt", "numbers"), [({}, 4), (TILT, 8)], ids=["level", "tilted"])
 def test_a_verified_pose_is_the_fit_of_its_matches_by_hubers_weights(index, verifier, made, tilt, numbers):
     query = noisy(made, index, replace(made.pose, **tilt))
-    found = verify_tilted(verifier, query, made.pose, 0j) if tilt else verify(verifier, query, made.pose)
+    found = verify_tilted(verifier, query, made.pose, 0j) if tilt else verify(verifier, query, [made.pose])[0]
     assert len(found.matched) == len(made.objects)
     image, on_map = query.points[found.matched], index.points[found.objects]
     assumed = center_noise(query.log_areas[found.matched], abs(found.pose.turn), CONSTELLATION)
