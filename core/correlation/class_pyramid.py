@@ -165,49 +165,95 @@ def mirrored_level(level: EvidenceLevel) -> EvidenceLevel:
     return EvidenceLevel(flipped, np.ascontiguousarray(level.known[:, ::-1]), level.pixel)
 
 
+PyramidParts = dict[str, np.ndarray]
+"""Arrays of a pyramid by name."""
+
+
+def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts:
+    """What of a pyramid takes time to make, by name; ``part_shapes`` tells their kinds.
+
+    Args:
+        labels_hw: (H, W) uint8, a map's overview.
+        rarity_exponent: As of CorrelationSettings.
+    """
+    values = np.unique(labels_hw)
+    values = values[values != UNLABELED]
+    # Whole blocks only: the rest of the last one counts as unlabeled.
+    block = STORED_REDUCTION
+    height, width = labels_hw.shape
+    padded = cv2.copyMakeBorder(labels_hw, 0, -height % block, 0, -width % block, cv2.BORDER_CONSTANT, value=0)
+    fractions = class_fractions(padded, values, (padded.shape[1] // block, padded.shape[0] // block))
+    space = class_space(_halved(_halved(fractions)), values, rarity_exponent)
+    parts = {"values": space.values, "usual": space.usual, "projection": space.projection}
+    levels: list[tuple[np.ndarray, np.ndarray]] = []
+    while space.channels and min(fractions.shape[:2]) >= 1:
+        levels.append(evidence_of(fractions, space))
+        if min(fractions.shape[:2]) < 2:
+            break
+        fractions = _halved(fractions)
+    for number, (evidence, known) in enumerate(levels):
+        parts |= {f"evidence_{number}": evidence, f"known_{number}": known}
+    parts["energy"] = np.array([_mean_energy(*levels[min(1, len(levels) - 1)]) if levels else 0.0])
+    return parts
+
+
+def _mean_energy(evidence: np.ndarray, known: np.ndarray) -> float:
+    """Mean over the labeled map of the squared evidence, summed over channels."""
+    labeled = known > 0.5
+    return float((evidence[labeled] ** 2).sum(axis=1).mean()) if labeled.any() else 0.0
+
+
+def part_shapes(shape_hw: tuple[int, int], classes: int, channels: int) -> dict[str, tuple[str, tuple[int, ...]]]:
+    """Kind and shape of each part of the pyramid of an overview of that shape, of so many classes and channels."""
+    shapes: dict[str, tuple[str, tuple[int, ...]]] = {
+        "values": ("|u1", (classes,)),
+        "usual": ("<f8", (classes,)),
+        "projection": ("<f4", (channels, classes)),
+        "energy": ("<f8", (1,)),
+    }
+    height, width = (-(-edge // STORED_REDUCTION) for edge in shape_hw)
+    number = 0
+    while channels and min(height, width) >= 1:
+        shapes[f"evidence_{number}"] = ("<f4", (height, width, channels))
+        shapes[f"known_{number}"] = ("<f4", (height, width))
+        if min(height, width) < 2:
+            break
+        height, width, number = -(-height // 2), -(-width // 2), number + 1
+    return shapes
+
+
 class MapPyramid:
     """A map's evidence at pixels of 1, 2, 4, … overview pixels; prepared once a database, used for every query.
 
-    Levels from STORED_REDUCTION on are held in memory (C·4 bytes a pixel, a quarter fewer pixels each); finer ones are
-    computed for the crop that is asked for.
+    Levels from STORED_REDUCTION on are made beforehand (C·4 bytes a pixel, a quarter fewer pixels each), and held in
+    memory or mapped from a file (``stored``); finer ones are computed for the crop that is asked for.
     """
 
-    def __init__(self, overview_hw: np.ndarray, frame: MapFrame, settings: CorrelationSettings = CORRELATION) -> None:
+    def __init__(
+        self,
+        overview_hw: np.ndarray,
+        frame: MapFrame,
+        settings: CorrelationSettings = CORRELATION,
+        parts: PyramidParts | None = None,
+    ) -> None:
         """Prepares an overview.
 
         Args:
             overview_hw: (H, W) uint8 labels.
             frame: Where its pixels lie.
             settings: It is made with, and every search in it uses.
+            parts: Of ``pyramid_parts`` of this overview; None: they are made.
         """
         self.labels = np.ascontiguousarray(overview_hw)
         self.frame = frame
         self.settings = settings
-        values = np.unique(self.labels)
-        values = values[values != UNLABELED]
-        # Whole blocks only: the rest of the last one counts as unlabeled.
-        block = STORED_REDUCTION
-        height, width = self.labels.shape
-        padded = cv2.copyMakeBorder(self.labels, 0, -height % block, 0, -width % block, cv2.BORDER_CONSTANT, value=0)
-        fractions = class_fractions(padded, values, (padded.shape[1] // block, padded.shape[0] // block))
-        self.space = class_space(_halved(_halved(fractions)), values, settings.rarity_exponent)
+        parts = pyramid_parts(self.labels, settings.rarity_exponent) if parts is None else parts
+        self.space = ClassSpace(parts["values"], parts["usual"], parts["projection"])
+        self.energy = float(parts["energy"][0])
         self._stored: list[EvidenceLevel] = []
-        while self.space.channels and min(fractions.shape[:2]) >= 1:
-            evidence, known = evidence_of(fractions, self.space)
+        while (evidence := parts.get(f"evidence_{len(self._stored)}")) is not None:
             pixel = self.frame.pixel_size * STORED_REDUCTION * 2 ** len(self._stored)
-            self._stored.append(EvidenceLevel(evidence, known, (pixel, pixel)))
-            if min(fractions.shape[:2]) < 2:
-                break
-            fractions = _halved(fractions)
-        self.energy = self._mean_energy()
-
-    def _mean_energy(self) -> float:
-        """Mean over the labeled map of the squared evidence, summed over channels."""
-        if not self._stored:
-            return 0.0
-        level = self._stored[min(1, len(self._stored) - 1)]
-        known = level.known > 0.5
-        return float((level.evidence[known] ** 2).sum(axis=1).mean()) if known.any() else 0.0
+            self._stored.append(EvidenceLevel(evidence, parts[f"known_{len(self._stored)}"], (pixel, pixel)))
 
     @property
     def bytes(self) -> int:

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterable
-
 import numpy as np
 
 from ..labels.class_table import ClassTable
@@ -81,13 +78,3 @@ def _require_on_map(places_xy: np.ndarray, what: str, parameters: BuildParameter
 def _require(holds: np.ndarray, otherwise: str) -> None:
     if not holds.all():
         raise ValueError(otherwise)
-
-
-def digest(columns: Iterable[np.ndarray | bytes]) -> str:
-    """SHA-256 of columns of a table, one after the other, each with its length before it."""
-    found = hashlib.sha256()
-    for column in columns:
-        data = column if isinstance(column, bytes) else np.ascontiguousarray(column).tobytes()
-        found.update(len(data).to_bytes(8, "little"))
-        found.update(data)
-    return found.hexdigest()

@@ -12,8 +12,10 @@ from ..constellation.solver import localize as solve
 from ..constellation.solver import matches_at
 from ..constellation.stored import stored_index
 from ..correlation.class_pyramid import MapPyramid
+from ..correlation.settings import CORRELATION
 from ..correlation.solver import agreement_at, part_against
 from ..correlation.solver import localize as correlate
+from ..correlation.stored import stored_pyramid
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
 from ..geometry.error_settings import ClassBias, SharedErrors
@@ -217,7 +219,7 @@ class Localizer:
 
     @property
     def pyramid(self) -> MapPyramid:
-        """The overview as map correlation searches it; made at the first use.
+        """The overview as map correlation searches it: opened where it is kept, else made; seconds at 10⁴ km².
 
         Raises:
             DatabaseError: The database was read without its overview.
@@ -226,7 +228,9 @@ class Localizer:
             database = self._database
             if database.overview is None:
                 raise DatabaseError("database.read_without_overview")
-            self._pyramid = MapPyramid(database.overview, database.parameters.overview_frame, self.settings.correlation)
+            settings, frame = self.settings.correlation, database.parameters.overview_frame
+            kept_by = database.source if settings == CORRELATION else None
+            self._pyramid = stored_pyramid(database.overview, frame, settings, kept_by)
         return self._pyramid
 
     def localize_by_map_correlation(

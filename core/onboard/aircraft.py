@@ -8,6 +8,7 @@ AIRCRAFT_ROOMS = (
     "values.py",
     "sentences",
     "geometry",
+    "kept",
     "labels",
     "landmarks",
     "windows",

@@ -16,11 +16,12 @@ from typing import TypeVar
 import numpy as np
 from osgeo import gdal, osr
 
-from ...core.database.checks import digest, require_sound
+from ...core.database.checks import require_sound
 from ...core.database.joined import joined_database, joined_overview, joined_parameters
 from ...core.database.model import MapLandmarks, ReferenceDatabase, Windows, first_pixels_of
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
+from ...core.kept.digests import digest
 from ...core.labels.class_table import MAXIMUM_VALUE, class_table_from_csv
 from ...core.values import read_json, short_text
 from ..gdal_errors import gdal_failure, gdal_failures

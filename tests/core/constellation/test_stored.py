@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 
 from semref.core.constellation import stored
-from semref.core.constellation.index import build_index, index_parts
+from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
-from semref.core.constellation.stored import index_path, key_of, read_parts, stored_index, write_parts
+from semref.core.constellation.stored import index_path, stored_index
 from semref.core.database.model import MapLandmarks
 
 COUNT = 900
-SECRET = bytes(range(32))
 
 
 def landmarks(seed=0):
@@ -95,99 +93,3 @@ def test_few_landmarks_and_those_of_no_file_are_not_kept(database, monkeypatch):
     monkeypatch.setattr(stored, "FEWEST", COUNT + 1)
     opened(database, landmarks())
     assert not index_path(database).exists()
-
-
-def written(path, references=None):
-    references = references or landmarks()
-    key = key_of(references, 1.0, CONSTELLATION)
-    assert write_parts(path, key, SECRET, index_parts(references, 1.0, CONSTELLATION))
-    return key
-
-
-def test_one_that_another_user_or_a_stranger_made_is_not_read(tmp_path):
-    key = written(tmp_path / "a.semref-index")
-    assert read_parts(tmp_path / "a.semref-index", key, SECRET) is not None
-    assert read_parts(tmp_path / "a.semref-index", key, SECRET[::-1]) is None
-
-
-def test_a_damaged_one_is_not_read_wherever_it_is_damaged(tmp_path):
-    path = tmp_path / "a.semref-index"
-    key, rng = written(path), np.random.default_rng(3)
-    whole = path.read_bytes()
-    header = int.from_bytes(whole[16:20], "little") + 52
-    places = {*range(0, header, 7), *rng.integers(header, len(whole), 60).tolist()}
-    padding = {n for n in places if whole[n] == 0 and n >= header}
-    for place in sorted(places - padding):
-        path.write_bytes(whole[:place] + bytes([whole[place] ^ 4]) + whole[place + 1 :])
-        assert read_parts(path, key, SECRET) is None, place
-    for length in (0, 1, 15, 16, 51, 52, 300, header, len(whole) // 2, len(whole) - 1):
-        path.write_bytes(whole[:length])
-        assert read_parts(path, key, SECRET) is None, length
-    path.write_bytes(whole + b"x")
-    assert read_parts(path, key, SECRET) is None
-
-
-def test_a_damaged_one_is_replaced(database, monkeypatch):
-    references = landmarks()
-    opened(database, references)
-    path = index_path(database)
-    path.write_bytes(path.read_bytes()[:-200])
-    assert_same(opened(database, references), references)
-    never_built(monkeypatch)
-    assert_same(opened(database, references), references)
-
-
-def test_where_nothing_can_be_kept_it_is_built_and_said(database, monkeypatch, caplog):
-    monkeypatch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(PermissionError()))
-    references = landmarks()
-    assert_same(opened(database, references), references)
-    assert list(index_path(database).parent.iterdir()) == []
-    assert len(caplog.records) == 1 and caplog.records[0].details == {"database": database}
-
-
-def test_without_a_place_for_the_secret_nothing_is_read_or_kept(database, monkeypatch, tmp_path):
-    blocked = tmp_path / "file"
-    blocked.write_text("no folder")
-    monkeypatch.setenv("XDG_CACHE_HOME", str(blocked))
-    references = landmarks()
-    assert_same(opened(database, references), references)
-    assert not index_path(database).exists()
-
-
-def test_a_user_without_a_home_has_no_secret_and_still_an_index(database, monkeypatch):
-    for name in ("XDG_CACHE_HOME", "LOCALAPPDATA"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setattr(stored.Path, "home", lambda: (_ for _ in ()).throw(RuntimeError("no home directory")))
-    references = landmarks()
-    assert_same(opened(database, references), references)
-    assert not index_path(database).exists()
-
-
-def test_a_secret_that_was_half_written_is_made_anew(database, monkeypatch, tmp_path):
-    kept = tmp_path / "cache" / "semref" / "index.secret"
-    kept.parent.mkdir(parents=True)
-    kept.write_bytes(b"half")
-    opened(database, landmarks())
-    assert len(kept.read_bytes()) == len(SECRET) and list(kept.parent.iterdir()) == [kept]
-    never_built(monkeypatch)
-    opened(database, landmarks())
-
-
-@pytest.mark.skipif(os.name == "nt", reason="Windows keeps a user's cache by access lists")
-def test_only_the_user_may_read_the_secret_and_the_index(database, tmp_path):
-    opened(database, landmarks())
-    for path in (tmp_path / "cache" / "semref" / "index.secret", index_path(database)):
-        assert path.stat().st_mode & 0o077 == 0, path
-
-
-def test_what_a_killed_writer_left_goes_with_the_next_write(database):
-    """And nothing that is still written, or is another database's."""
-    folder = index_path(database).parent
-    left, written, others = (folder / f".{name}.semref-index.new" for name in ("area.gpkg.a1", "area.gpkg.b2", "b.c3"))
-    for path in (left, written, others):
-        path.write_bytes(b"half")
-    for path in (left, others):
-        os.utime(path, (0, 0))
-    opened(database, landmarks())
-    assert index_path(database).exists()
-    assert sorted(path.name for path in folder.glob(".*.new")) == sorted([written.name, others.name])

@@ -9,7 +9,7 @@ import pytest
 from onboard_blobs import TABLE, build_blobs
 
 from semref.core.database import checks
-from semref.core.database.checks import digest, require_sound
+from semref.core.database.checks import require_sound
 
 
 @pytest.fixture(scope="module")
@@ -67,12 +67,6 @@ def test_a_landmark_that_no_build_makes_is_refused(database, name, value, said):
     landmarks = changed(database.references, name, value)
     with pytest.raises(ValueError, match=f"^{said}$"):
         require_sound(database.windows, landmarks, database.parameters, TABLE)
-
-
-def test_a_digest_tells_where_one_column_ends_and_the_next_begins():
-    assert digest([b"ab", b"c"]) != digest([b"a", b"bc"])
-    column = np.arange(6)
-    assert digest([column]) == digest([column.tobytes()]) == digest([np.repeat(column, 2)[::2]])
 
 
 @pytest.mark.parametrize("what", ["WINDOWS", "LANDMARKS"])

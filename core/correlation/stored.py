@@ -1,0 +1,74 @@
+"""The pyramid of a large database, kept beside it: opened by memory mapping, not made anew at every start.
+
+Told in docs/file-formats.md#kept-beside-a-database.
+"""
+
+from __future__ import annotations
+
+import json
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from ..geometry.frame import MapFrame
+from ..kept.arrays import kept_path, opened_or_made
+from ..kept.digests import digest
+from .class_pyramid import (
+    MAXIMUM_CHANNELS,
+    STORED_REDUCTION,
+    MapPyramid,
+    PyramidParts,
+    part_shapes,
+    pyramid_parts,
+)
+from .settings import CorrelationSettings
+
+SUFFIX = ".semref-pyramid"
+
+VERSION = 1
+"""Raised whenever the same overview gives other evidence, and so another answer."""
+
+FEWEST_PIXELS = 8_000_000
+"""Of an overview below which its pyramid is made in a fraction of a second and not kept."""
+
+
+def pyramid_path(database: str) -> Path:
+    """Where the pyramid of a database lies: beside it."""
+    return kept_path(database, SUFFIX)
+
+
+def key_of(overview_hw: np.ndarray, settings: CorrelationSettings) -> str:
+    """What tells a pyramid from others: SHA-256 of the overview and all that it is made with, hexadecimal."""
+    told = json.dumps([VERSION, STORED_REDUCTION, MAXIMUM_CHANNELS, settings.rarity_exponent, *overview_hw.shape])
+    return digest([told.encode(), overview_hw])
+
+
+def stored_pyramid(
+    overview_hw: np.ndarray, frame: MapFrame, settings: CorrelationSettings, database: str | None
+) -> MapPyramid:
+    """The pyramid of a database's overview: opened where it is kept, else made and, of a large map, kept.
+
+    Args:
+        overview_hw: (H, W) uint8 labels.
+        frame: Where its pixels lie.
+        settings: It is made with, and every search in it uses.
+        database: The file that the overview was read from; None for none, and nothing is kept.
+    """
+    if database is None or overview_hw.size < FEWEST_PIXELS:
+        return MapPyramid(overview_hw, frame, settings)
+    overview_hw = np.ascontiguousarray(overview_hw)
+    make = partial(pyramid_parts, overview_hw, settings.rarity_exponent)
+    fit = partial(_fit, shape_hw=(overview_hw.shape[0], overview_hw.shape[1]))
+    parts = opened_or_made(pyramid_path(database), key_of(overview_hw, settings), make, fit, database)
+    return MapPyramid(overview_hw, frame, settings, parts)
+
+
+def _fit(parts: PyramidParts, shape_hw: tuple[int, int]) -> bool:
+    """Whether the arrays have the shapes and kinds of a pyramid of an overview of that shape."""
+    projection = parts.get("projection")
+    if projection is None or projection.ndim != 2 or len(projection) > MAXIMUM_CHANNELS:
+        return False
+    channels, classes = projection.shape
+    expected = part_shapes(shape_hw, classes, channels)
+    return {name: (array.dtype.str, array.shape) for name, array in parts.items()} == expected
