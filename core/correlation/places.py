@@ -105,6 +105,44 @@ def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
     return float((width * height / pixels_m2).sum() * len(space.headings_deg))
 
 
+def search_spaces(
+    image: EvidenceLevel, pyramid: MapPyramid, prior: Prior
+) -> tuple[SearchSpace, SearchSpace | None] | None:
+    """What is searched, and the same in larger steps where a look at larger pixels chooses what is looked at; or None.
+
+    Args:
+        image: Evidence at the pixels of the first look or finer ones.
+        pyramid: Of the map.
+        prior: With a range of pixel sizes.
+
+    Returns:
+        None where the image shows too little ground for so large a map.
+    """
+    settings, space, wide = pyramid.settings, search_space(pyramid, prior), None
+    looks = comparisons(space, reduced_image(image, settings.coarse_edge))
+    if looks > settings.most_at_once:
+        wide = search_space(pyramid, prior, settings.wide_step)
+        looks = comparisons(wide, reduced_image(image, settings.wide_edge))
+    return None if looks > settings.most_comparisons else (space, wide)
+
+
+def first_peaks(
+    image: EvidenceLevel, pyramid: MapPyramid, spaces: tuple[SearchSpace, SearchSpace | None], share: float
+) -> np.ndarray:
+    """Rows of ``search``, (N, 5) best first, of the first look.
+
+    Args:
+        image: Evidence at the pixels of the first look or finer ones.
+        pyramid: Of the map.
+        spaces: Of ``search_spaces``.
+        share: Of the places that a look at larger pixels chooses, that the first look takes.
+    """
+    space, wide = spaces
+    if wide is None:
+        return search(reduced_image(image, pyramid.settings.coarse_edge), pyramid, space)
+    return _wide_peaks(image, pyramid, wide, share)
+
+
 def edge_m(image: EvidenceLevel, pixel_size_m: float) -> float:
     """Edge on the ground (root of the area) of an image at a pixel size."""
     height, width = _shape(image.known)
@@ -154,23 +192,19 @@ def chance_levels(
 
 
 def best_places(
-    image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace, count: int, wide: SearchSpace | None = None
+    image: EvidenceLevel, pyramid: MapPyramid, spaces: tuple[SearchSpace, SearchSpace | None], count: int
 ) -> tuple[list[ScoredPose], ChanceLevels]:
     """The best poses, refined at the decision's pixels, farthest above chance first, no two at the same place.
 
     Args:
         image: Evidence at the finest pixels that are used.
         pyramid: Of the map.
-        space: What is searched.
+        spaces: What is searched, of ``search_spaces``.
         count: Places of the first look that are refined.
-        wide: The same in larger steps, for a look at larger pixels that chooses the places of the first one; None where
-            that compares all.
     """
     settings, quiet = pyramid.settings, pyramid.quiet
-    if wide is None:
-        peaks = search(reduced_image(image, settings.coarse_edge), pyramid, space)
-    else:
-        peaks = _wide_peaks(image, pyramid, wide, count / settings.candidates)
+    space, wide = spaces
+    peaks = first_peaks(image, pyramid, spaces, count / settings.candidates)
     chance = chance_levels(peaks, space.pixel_sizes_m, settings, wide is not None)
     poses = _poses_of(peaks)
     # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.

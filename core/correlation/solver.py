@@ -30,13 +30,12 @@ from .parts import disagreeing_part
 from .places import (
     ChanceLevels,
     best_places,
-    comparisons,
     finest_pose,
     image_evidence,
     missing_information,
     near_size,
     reduced_image,
-    search_space,
+    search_spaces,
     size_for,
 )
 from .refine import NOT_COMPARABLE, ScoredPose, is_held_by_edge, score_at
@@ -78,17 +77,13 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     missing = missing_information(coarse, pyramid)
     if missing:
         return _no_match(missing)
-    space, wide = search_space(pyramid, prior), None
-    looks = comparisons(space, coarse)
-    if looks > settings.most_at_once:
-        wide = search_space(pyramid, prior, settings.wide_step)
-        looks = comparisons(wide, reduced_image(image, settings.wide_edge))
-    if looks > settings.most_comparisons:
+    spaces = search_spaces(image, pyramid, prior)
+    if spaces is None:
         return _no_match(Sentence("localization.too_little_ground"))
-    poses, chance = best_places(image, pyramid, space, settings.candidates, wide)
+    poses, chance = best_places(image, pyramid, spaces, settings.candidates)
     if not poses:
         return _no_match(Sentence("localization.nothing_under_image"))
-    poses, peaks = _weighed(image, pyramid, (space, wide), poses, chance)
+    poses, peaks = _weighed(image, pyramid, spaces, poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
     decided = reduced_image(image, settings.decision_edge)
     is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
@@ -117,8 +112,8 @@ def _weighed(
     best_size = poses[0].pixel_size_m
     # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
     space, wide = spaces
-    near, wide = near_size(space, best_size, settings), None if wide is None else near_size(wide, best_size, settings)
-    mirrored, _ = best_places(mirrored_level(image), pyramid, near, settings.decoys, wide)
+    near = near_size(space, best_size, settings), None if wide is None else near_size(wide, best_size, settings)
+    mirrored, _ = best_places(mirrored_level(image), pyramid, near, settings.decoys)
     scores = [chance.moved(pose.score, pose.pixel_size_m, best_size) for pose in poses]
     decoys = [pose.score for pose in mirrored]
     level = reduced_image(image, settings.decision_edge)

@@ -14,16 +14,15 @@ import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
 from ..correlation.places import (
-    comparisons,
     distinct,
+    first_peaks,
     image_evidence,
     missing_information,
     reduced_image,
-    search_space,
+    search_spaces,
 )
 from ..correlation.refine import ScoredPose
 from ..correlation.refine_many import refine_many
-from ..correlation.search import search
 from ..localization import Localization, Prior, log_odds_of
 from .settings import FlightSettings
 from .states import state_of
@@ -136,10 +135,10 @@ def best_of(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -> l
     """
     if seen.evidence is None:
         return []
-    space = search_space(pyramid, seen.prior)
-    if comparisons(space, seen.evidence) > pyramid.settings.most_comparisons:
+    spaces = search_spaces(seen.evidence, pyramid, seen.prior)
+    if spaces is None:
         return []
-    peaks = search(seen.evidence, pyramid, space)
+    peaks = first_peaks(seen.evidence, pyramid, spaces, 2 * count / pyramid.settings.candidates)
     starts = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
     starts = distinct(starts, seen.evidence, 0.5 * apart, 2 * count)
     refined = sorted(scored(seen, pyramid, starts), key=lambda pose: -pose.score)

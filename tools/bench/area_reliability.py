@@ -256,11 +256,11 @@ def found_for(ground: Ground, image: Image, prior: Prior | None, kind: str, nois
         return None
     sizes = ground.localizer.pixel_sizes(labels.shape, settings.scales)
     space = places.search_space(pyramid, prior or Prior(pixel_size_range=sizes))
-    poses, chance = places.best_places(seen, pyramid, space, settings.candidates)
+    poses, chance = places.best_places(seen, pyramid, (space, None), settings.candidates)
     if not poses:
         return None
     size = poses[0].pixel_size_m
-    near = places.near_size(space, size, settings)
+    near = places.near_size(space, size, settings), None
     mirrored, _ = places.best_places(mirrored_level(seen), pyramid, near, settings.decoys)
     own = [
         (chance.moved(pose.score, pose.pixel_size_m, size), *_detail_and_exactness(ground, image, seen, pose))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import cv2
@@ -14,10 +14,13 @@ import numpy as np
 from bench import inputs, page
 from bench.correlation import ON_THE_MAP, best_right, country
 from bench.ground import Ground, Image, Wanted
+from semref.core.correlation import stored
 from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import localize
 from semref.core.evaluation.trial import Trial, judge
+from semref.core.flight.evidence import best_of, seen_image
+from semref.core.flight.settings import FLIGHT
 from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Method, Prior
 from semref.core.simulation.noise import MODEST, STRONG, LabelNoise
@@ -55,16 +58,41 @@ COLUMNS = (
     "pyramid, s",
     "MB",
 )
+KEPT_COLUMNS = ("map", "labeled km²", "made, s", "made and kept, s", "opened, s", "times as fast", "file")
+FLIGHT_COLUMNS = ("map", "images", "first look", "right place among them", "s median", "p95")
+AMONG_SHARE = 0.05
+"""Of an image's edge, from its place: a hypothesis nearer than that is drawn to it."""
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
     if run.area.name == "sample":
         return {"large maps": "Not measured: the real data is not here."}
     ground, count = country(run), run.how_many(COUNT, QUICK_COUNT)
-    rows = []
+    rows, kept, flights = [], [], []
     for edge_km in EDGES_KM[: 1 if run.quick else None]:
-        rows += _rows(run, ground, edge_km, count)
-    return {"large maps": f"{_ABOUT.format(half=run.half, count=count)}\n\n{page.table(COLUMNS, rows)}"}
+        name = f"{edge_km} km square"
+        cases = [case for case in CASES if run.wants(f"{name}, {case[0]}")]
+        wants_kept, wants_flights = run.wants(f"{name}, kept"), run.wants(f"{name}, flights")
+        if not (cases or wants_kept or wants_flights):
+            continue
+        labels, frame = amid_other_ground(ground, edge_km)
+        started = time.perf_counter()
+        pyramid = MapPyramid(labels, frame)
+        made = time.perf_counter() - started
+        rows += _rows(ground, edge_km, cases, pyramid, made, count)
+        if wants_flights:
+            flights += _flight_rows(ground, edge_km, pyramid, count)
+        if wants_kept:
+            kept.append([name, f"{_labeled_km2(labels):,.0f}", f"{made:.1f}", *_kept(run, labels, frame)])
+    sections = {}
+    if rows:
+        sections["large maps"] = f"{_ABOUT.format(half=run.half, count=count)}\n\n{page.table(COLUMNS, rows)}"
+    if flights:
+        about = _ABOUT_FLIGHTS.format(half=run.half, count=count)
+        sections["flights over large maps"] = f"{about}\n\n{page.table(FLIGHT_COLUMNS, flights)}"
+    if kept:
+        sections["pyramids opened"] = f"{_ABOUT_KEPT}\n\n{page.table(KEPT_COLUMNS, kept)}"
+    return sections
 
 
 _ABOUT = """\
@@ -76,17 +104,66 @@ Pixel sizes searched: 0.4–2.5 × nominal. “All places”: every one is compa
 Seconds: wall time with two threads. Right: within 2 % of the footprint; any fix of a mirrored image is wrong."""
 
 
-def _rows(run: inputs.Run, ground: Ground, edge_km: int, count: int) -> list[list[str]]:
-    name = f"{edge_km} km square"
-    cases = [case for case in CASES if run.wants(f"{name}, {case[0]}")]
-    if not cases:
-        return []
-    labels, frame = amid_other_ground(ground, edge_km)
-    labeled = np.count_nonzero(labels) * (PIXEL_M / 1000) ** 2
-    started = time.perf_counter()
-    pyramid = MapPyramid(labels, frame)
-    made = time.perf_counter() - started
+_ABOUT_FLIGHTS = """\
+The places that a flight over such a map begins with: the best 200 of an image of the {half}ern half with modest noise,
+by itself. Right: one of them is within 5 % of the image's edge. {count} images a row; wall time with two threads."""
+
+_ABOUT_KEPT = """\
+The pyramid of these maps, kept beside a database: made and written at the first start, from then on opened by memory
+mapping, its overview hashed and its file checked each time; the file was in the system's cache."""
+
+
+def _labeled_km2(labels_hw: np.ndarray) -> float:
+    return np.count_nonzero(labels_hw) * (PIXEL_M / 1000) ** 2
+
+
+def _kept(run: inputs.Run, labels: np.ndarray, frame: MapFrame) -> list[str]:
+    """Seconds to make and keep a pyramid and to open it, and its file's size; the file goes."""
+    run.work.mkdir(parents=True, exist_ok=True)
+    database, seconds = str(run.work / "large_map.gpkg"), []
+    path = stored.pyramid_path(database)
+    path.unlink(missing_ok=True)
+    for _ in range(2):
+        started = time.perf_counter()
+        stored.stored_pyramid(labels, frame, CORRELATION, database)
+        seconds.append(time.perf_counter() - started)
+    size = path.stat().st_size
+    path.unlink()
+    first, again = seconds
+    return [f"{first:.1f}", f"{again:.2f}", f"{first / again:.0f}", page.size(size)]
+
+
+def _flight_rows(ground: Ground, edge_km: int, pyramid: MapPyramid, count: int) -> list[list[str]]:
     rows = []
+    images = _images(ground, MODEST, ON_THE_MAP, count)
+    for look, most in LOOKS.items():
+        if look == "all places" and edge_km > MOST_FOR_ALL_KM:
+            continue
+        pyramid.settings = replace(CORRELATION, most_at_once=most)
+        found = [_begun(ground, pyramid, image) for image in images]
+        shares = [f"{value:.2f}" for value in np.percentile([wall for _, wall in found], [50, 95])]
+        among = page.rate(sum(is_among for is_among, _ in found), count)
+        rows.append([f"{edge_km} km square", "modest noise", look, among, *shares])
+        print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
+    return rows
+
+
+def _begun(ground: Ground, pyramid: MapPyramid, image: Image) -> tuple[bool, float]:
+    """Whether the right place is among those that a flight begins with, and the seconds that finding them took."""
+    sizes = ground.localizer.pixel_sizes(image.view.shape_hw, CORRELATION.scales)
+    started = time.perf_counter()
+    seen = seen_image(image.labels_hw, pyramid, Prior(pixel_size_range=sizes), None, FLIGHT)
+    found = best_of(seen, pyramid, FLIGHT.candidates, FLIGHT.apart)
+    seconds = time.perf_counter() - started
+    x, y = image.view.x - pyramid.frame.origin[0], pyramid.frame.origin[1] - image.view.y
+    near = AMONG_SHARE * seen.edge_px * image.view.pixel_size
+    return any(np.hypot(pose.x - x, pose.y - y) < near for pose in found), seconds
+
+
+def _rows(
+    ground: Ground, edge_km: int, cases: Sequence[tuple], pyramid: MapPyramid, made: float, count: int
+) -> list[list[str]]:
+    labeled, rows = _labeled_km2(pyramid.labels), []
     for title, noise, wanted in cases:
         images, seconds = _images(ground, noise, wanted, count), {}
         for look, most in LOOKS.items():
@@ -95,7 +172,7 @@ def _rows(run: inputs.Run, ground: Ground, edge_km: int, count: int) -> list[lis
             pyramid.settings = replace(CORRELATION, most_at_once=most)
             trials = [_tried(ground, pyramid, image) for image in images]
             seconds[look] = sum(processor for _, _, processor in trials)
-            rows.append(_row(name, labeled, title, look, [trial for trial, _, _ in trials]))
+            rows.append(_row(f"{edge_km} km square", labeled, title, look, [trial for trial, _, _ in trials]))
             rows[-1] += [f"{value:.2f}" for value in np.percentile([wall for _, wall, _ in trials], [50, 95])]
             first = seconds.get("all places")
             rows[-1] += [

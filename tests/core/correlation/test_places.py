@@ -30,7 +30,7 @@ def test_distinct_places_are_kept_apart_and_the_first_of_near_ones_stays():
 def test_the_best_place_is_the_true_one_and_the_others_are_elsewhere(patch_pyramid, image_at):
     image = image_at(703.4, 598.1, 41.0, 1.03, 128)
     prior = Prior((500_700.0, 5_199_400.0), 200.0, 45.0, 20.0, (0.9, 1.15))
-    poses, chance = best_places(image, patch_pyramid, search_space(patch_pyramid, prior), 8)
+    poses, chance = best_places(image, patch_pyramid, (search_space(patch_pyramid, prior), None), 8)
     pose, covariance = finest_pose(image, patch_pyramid, poses[0])
     assert np.hypot(pose.x - 703.4, pose.y - 598.1) < 2
     assert abs(pose.heading_deg - 41) < 0.3 and np.isfinite(covariance).all()
@@ -46,7 +46,7 @@ def test_the_best_place_is_the_true_one_and_the_others_are_elsewhere(patch_pyram
 def test_an_image_of_any_ground_is_found_where_all_sizes_are_searched(patch_pyramid, image_at, pixel_m):
     image = image_at(703.4, 598.1, 41.0, pixel_m, 128)
     space = search_space(patch_pyramid, Prior(pixel_size_range=(0.35, 1.7)))
-    pose = best_places(image, patch_pyramid, space, 64)[0][0]
+    pose = best_places(image, patch_pyramid, (space, None), 64)[0][0]
     assert np.hypot(pose.x - 703.4, pose.y - 598.1) < 10
     assert abs(pose.pixel_size_m / pixel_m - 1) < 0.02
 
@@ -54,7 +54,7 @@ def test_an_image_of_any_ground_is_found_where_all_sizes_are_searched(patch_pyra
 def test_a_pose_is_not_refined_to_a_pixel_size_that_was_not_asked_for(patch_pyramid, image_at):
     image = image_at(703.4, 598.1, 41.0, 0.7, 128)
     space = search_space(patch_pyramid, Prior(pixel_size_range=(1.2, 1.6)))
-    poses, _ = best_places(image, patch_pyramid, space, 64)
+    poses, _ = best_places(image, patch_pyramid, (space, None), 64)
     assert all(1.0 < pose.pixel_size_m < 1.9 for pose in poses)
 
 

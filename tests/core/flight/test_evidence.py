@@ -1,12 +1,16 @@
 """What an image says of its own place and of others."""
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from semref.core.correlation import places
+from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.refine import ScoredPose
+from semref.core.correlation.settings import CORRELATION
 from semref.core.flight.evidence import best_of, random_poses, scored, seen_image, worth
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -39,12 +43,29 @@ def test_an_image_agrees_at_its_place_and_not_at_random_ones(seen, truth, locali
 
 
 def test_the_best_places_have_the_right_one_among_them_and_are_apart(seen, truth, localizer):
-    places = best_of(seen, localizer.pyramid, 20, FEW.apart)
-    away = [np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in places]
+    found = best_of(seen, localizer.pyramid, 20, FEW.apart)
+    away = [np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in found]
     assert min(away) < 25
-    points = np.array([(pose.x, pose.y) for pose in places])
+    points = np.array([(pose.x, pose.y) for pose in found])
     gaps = np.hypot(*(points[:, None] - points).transpose(2, 0, 1))
     assert gaps[~np.eye(len(points), dtype=bool)].min() > 0.9 * FEW.apart * 288
+
+
+def test_on_a_large_map_the_best_places_are_chosen_at_larger_pixels_first(seen, truth, localizer, monkeypatch):
+    whole = localizer.pyramid
+    large = MapPyramid(whole.labels, whole.frame, replace(CORRELATION, most_at_once=0))
+    chosen = []
+    choose = places._wide_peaks
+    monkeypatch.setattr(places, "_wide_peaks", lambda *asked: chosen.append(asked) or choose(*asked))
+    found = best_of(seen, large, 20, FEW.apart)
+    assert len(chosen) == 1
+    assert min(np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in found) < 25
+
+
+def test_on_a_map_that_is_too_large_for_an_image_there_are_no_best_places(seen, localizer):
+    whole = localizer.pyramid
+    large = MapPyramid(whole.labels, whole.frame, replace(CORRELATION, most_at_once=0, most_comparisons=1))
+    assert best_of(seen, large, 20, FEW.apart) == []
 
 
 def test_an_image_of_one_class_says_nothing(localizer, flown):
