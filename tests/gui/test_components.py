@@ -64,6 +64,32 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
     keep_picture(page, "components_page")
 
 
+@pytest.mark.parametrize("width", [640, 760, 1100])
+def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page, width):
+    from qgis.PyQt.QtCore import QCoreApplication, Qt
+
+    page.list.topLevelItem(3).setText(1, "Datenbanken und Klassenkarten mit vielen Prozessen oder Rechnern herstellen")
+    page.list.topLevelItem(1).setText(2, "2.3.1, die nicht getestet wurde")
+    page.resize(width, 600)
+    for _ in range(5):
+        QCoreApplication.processEvents()
+    listed = page.list
+    assert listed.horizontalScrollBar().maximum() == 0 and listed.verticalScrollBar().maximum() == 0
+    assert listed.header().length() <= listed.viewport().width()
+    keep_picture(page, f"components_page_{width}")
+    metrics = listed.fontMetrics()
+    wraps = Qt.TextFlag.TextWordWrap
+    for row in range(listed.topLevelItemCount()):
+        item = listed.topLevelItem(row)
+        for column in range(listed.columnCount()):
+            shown = listed.visualRect(listed.indexFromItem(item, column))
+            needed = metrics.boundingRect(0, 0, shown.width() - 4, 1000, int(wraps), item.text(column))
+            assert needed.width() <= shown.width() and needed.height() <= shown.height(), item.text(column)
+    below = listed.visualItemRect(listed.topLevelItem(listed.topLevelItemCount() - 1)).bottom()
+    assert below < listed.viewport().height() < below + 2 * metrics.height()
+    keep_picture(page, f"components_page_{width}")
+
+
 def test_a_failure_is_shown_on_the_page_and_in_the_message_bar(page, iface, plugin):
     installer = plugin._entry._installer
     installer.said.emit("Looking in links: /wheels\nERROR: No matching distribution found\n")

@@ -14,13 +14,11 @@ from qgis.PyQt.QtWidgets import (
     QFrame,
     QGridLayout,
     QGroupBox,
-    QHeaderView,
     QLabel,
     QPlainTextEdit,
     QProgressBar,
     QPushButton,
     QScrollArea,
-    QTreeWidget,
     QTreeWidgetItem,
     QVBoxLayout,
     QWidget,
@@ -46,6 +44,7 @@ from ..models.model_list import ModelsDialog
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
+from .package_list import PackageList
 from .training_group import TrainingGroup
 
 PAGE = "SemRefOptions"
@@ -71,7 +70,8 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.training = None if training_installer is None else TrainingGroup(training_installer)
         self.devices = DeviceGroup()
         self._is_variant = False
-        self.list = QTreeWidget()
+        headings = tr("Package"), tr("What for"), tr("State"), tr("Tested versions")
+        self.list = PackageList(headings, wrapped=1)
         self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
@@ -102,9 +102,6 @@ class ComponentsPage(QgsOptionsPageWidget):
             )
         )
         explanation.setWordWrap(True)
-        self.list.setHeaderLabels([tr("Package"), tr("What for"), tr("State"), tr("Tested versions")])
-        self.list.setRootIsDecorated(False)
-        self.list.header().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.state.setWordWrap(True)
         self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         # Busy: pip does not tell how far it is.
@@ -177,8 +174,7 @@ class ComponentsPage(QgsOptionsPageWidget):
             else:
                 item.setToolTip(2, _file(package))
             self.list.addTopLevelItem(item)
-        row_height = self.list.sizeHintForRow(0)
-        self.list.setFixedHeight(self.list.header().sizeHint().height() + (len(PACKAGES) + 1) * row_height)
+        self.list.fit()
         self._enable()
 
     def _chosen(self) -> list[Package]:
