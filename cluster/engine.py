@@ -28,6 +28,7 @@ from ..core import errors
 from ..core.errors import SemRefError
 from ..core.sentences import Sentence
 from . import shipped
+from .reach import CONNECTED_WITHIN_S, reason_of, require_scheduler
 
 ROOT = Path(__file__).resolve().parents[1]
 SENT_ROOMS = ("core", "storage", "cluster")
@@ -35,7 +36,6 @@ SENT_ROOMS = ("core", "storage", "cluster")
 _TASKS_A_THREAD = 3
 """Given to the scheduler at a time: one that is done, one that waits, one whose result is fetched."""
 
-_CONNECTED_WITHIN_S = 15
 _LOOKED_EVERY_S = 1.0
 _DIED_AT_MOST = 3
 """Workers that may die over one task before it is given up: Dask's own number."""
@@ -93,14 +93,15 @@ def _local(count: int, worker_memory: str | None) -> LocalCluster:
             silence_logs=logging.CRITICAL,
         )
     except (OSError, ValueError, RuntimeError) as error:
-        raise SemRefError("cluster.not_started", reason=_reason(error)) from None
+        raise SemRefError("cluster.not_started", reason=reason_of(error)) from None
 
 
 def _remote(address: str) -> Client:
+    require_scheduler(address)
     try:
-        return Client(address, timeout=_CONNECTED_WITHIN_S)
+        return Client(address, timeout=CONNECTED_WITHIN_S)
     except (OSError, ValueError) as error:
-        raise SemRefError("cluster.no_scheduler", address=address, reason=_reason(error)) from None
+        raise SemRefError("cluster.no_scheduler", address=address, reason=reason_of(error)) from None
 
 
 def _wait_for_workers(client: Client, tell: _Tell) -> None:
@@ -162,7 +163,7 @@ class DaskRunner:
                 self._submit(task, waiting, kept, numbers, finished)
                 yield number, result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise SemRefError("cluster.connection_lost", reason=_reason(error)) from None
+            raise SemRefError("cluster.connection_lost", reason=reason_of(error)) from None
 
     def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
         """Yields what calls gave, in their order; what is done before its turn waits with the workers.
@@ -183,7 +184,7 @@ class DaskRunner:
                 future.release()
                 yield result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise SemRefError("cluster.connection_lost", reason=_reason(error)) from None
+            raise SemRefError("cluster.connection_lost", reason=reason_of(error)) from None
 
     def _given(self, task: str, kept: Any, arguments: tuple) -> Any:
         return self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
@@ -216,13 +217,8 @@ def _taken(future: Any) -> Any:
     except (OSError, concurrent.futures.CancelledError):
         raise
     except Exception as error:
-        raise SemRefError("cluster.worker_failed", reason=_reason(error)) from None
+        raise SemRefError("cluster.worker_failed", reason=reason_of(error)) from None
     if state == "failed":
         kind, code, values = result
         raise getattr(errors, kind)(Sentence(code, **dict(values)))
     return result
-
-
-def _reason(error: BaseException) -> str:
-    """An error's first line as part of a sentence."""
-    return (str(error).strip().partition("\n")[0] or type(error).__name__).rstrip(".")

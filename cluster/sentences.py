@@ -4,7 +4,14 @@ SENTENCES = {
     "cluster.lacks_package": (
         "{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python."
     ),
-    "cluster.no_scheduler": "There is no scheduler at {address} ({reason}); start one, or use --local.",
+    "cluster.no_scheduler": (
+        "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
+        "--local 4, in QGIS local:4."
+    ),
+    "cluster.other_server": (
+        "What answers at {address} is no scheduler of Dask, or one of another version; give the address that the "
+        "scheduler prints, not its dashboard's."
+    ),
     "cluster.not_started": "Workers can't be started here ({reason}).",
     "cluster.ended": "The process that does the work ended ({reason}); start it again.",
     "cluster.connection_lost": "The scheduler can't be reached any more ({reason}); see its log and start again.",

@@ -4,13 +4,15 @@
 #   tools/test_in_root.sh trixie|forky [pytest arguments]
 #   tools/test_in_root.sh trixie|forky -- COMMAND [arguments]   any command, in a copy of the working tree
 #
-# Roots lie in $SEMREF_ROOTS (default ~/.cache/semref/roots); remove one to have it made anew.
+# Roots lie in $SEMREF_ROOTS (default ~/.cache/semref/roots); one that lacks packages of the list below gets them, and
+# one that is removed is made anew.
 # A root that cannot be made is said and skipped (exit 0); a test that fails in one fails.
 set -euo pipefail
 
 packages=(
     qgis python3-qgis xvfb xauth gdal-bin sqlite3 ca-certificates
     python3-numpy python3-opencv python3-onnxruntime python3-shapely python3-pytest python3-onnx python3-pil
+    python3-distributed # Dask, in an older version than on this machine
 )
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -135,5 +137,5 @@ import sys
 import numpy
 from qgis.core import Qgis
 print(f"QGIS {Qgis.QGIS_VERSION}, Python {sys.version.split()[0]}, numpy {numpy.__version__}")')"
-# What is slow in tests/core has no QGIS in it, and runs on this machine.
+# What is slow in tests/core and tests/qgis/cluster has no QGIS in it, and runs on this machine.
 run env SEMREF_QUICK_CORE=yes bash tools/pytest_suites.sh /usr/bin/python3 "$@"

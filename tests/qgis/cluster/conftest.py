@@ -12,6 +12,16 @@ from built_database import NAMES
 from made_inputs import scattered_objects, write_raster
 
 ROOT = Path(__file__).resolve().parents[3]
+HERE = Path(__file__).resolve().parent
+
+
+def pytest_collection_modifyitems(items):
+    """As of tests/core: on a newer QGIS (tools/test_in_root.sh) what is slow here, and has no QGIS in it, is left out."""
+    if os.environ.get("SEMREF_QUICK_CORE") != "yes":
+        return
+    for item in items:
+        if HERE in Path(item.path).parents and item.get_closest_marker("slow"):
+            item.add_marker(pytest.mark.skip(reason="slow and without QGIS: it runs on the machine's own"))
 
 
 @pytest.fixture(scope="session")

@@ -53,6 +53,7 @@ def test_it_holds_what_the_algorithm_tells_with_its_defaults(assessed, area, run
     assert share == pytest.approx(expected["LOCALIZABLE_FRACTION"])
 
 
+@pytest.mark.slow
 def test_two_workers_give_the_same_bytes(cluster, assessed, area, tmp_path):
     target = tmp_path / "squares.gpkg"
     result = cluster("assess", area, "--output", target, *ASKED, "--local", 2)
@@ -61,6 +62,7 @@ def test_two_workers_give_the_same_bytes(cluster, assessed, area, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["squares.gpkg"]
 
 
+@pytest.mark.slow
 def test_two_workers_of_which_one_is_killed_give_the_same_bytes(cluster, assessed, area, tmp_path):
     target = tmp_path / "squares.gpkg"
     running = cluster.start("assess", area, "--output", target, *ASKED, "--local", 2)
@@ -68,6 +70,7 @@ def test_two_workers_of_which_one_is_killed_give_the_same_bytes(cluster, assesse
     assert target.read_bytes() == assessed[0].read_bytes()
 
 
+@pytest.mark.slow
 def test_landmarks_alone_and_other_noise_are_other_squares(cluster, assessed, area, tmp_path):
     target = tmp_path / "squares.gpkg"
     options = ["--without-map-correlation", "--missed", "60", "--seed", "4"]
@@ -82,6 +85,7 @@ def test_an_interrupt_leaves_nothing(cluster, area, tmp_path):
     require_nothing_after("SIGINT", running, "Localizing simulated images", tmp_path)
 
 
+@pytest.mark.slow
 def test_a_database_that_is_changed_meanwhile_gives_no_squares(cluster, area, tmp_path):
     database = tmp_path / "area.gpkg"
     with open(area, "rb") as file:

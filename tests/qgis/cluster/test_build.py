@@ -208,6 +208,7 @@ def test_what_happens_is_told_as_json_to_who_asks(cluster, label_map, tmp_path):
     assert shares == sorted(shares) and shares[0] >= 0 and shares[-1] == pytest.approx(1)
 
 
+@pytest.mark.slow
 def test_an_overview_that_lies_in_a_file_meanwhile_gives_the_same_bytes(label_map, tmp_path, monkeypatch):
     pytest.importorskip("distributed")
     from argparse import Namespace

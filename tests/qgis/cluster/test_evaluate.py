@@ -30,7 +30,7 @@ def told(run_algorithm, area, tmp_path_factory):
     return target.read_bytes()
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.slow), 2])
 def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, area, told, tmp_path, workers):
     target = tmp_path / "numbers.json"
     result = cluster("evaluate", *area, "--output", target, "--trials", 12, "--local", workers)

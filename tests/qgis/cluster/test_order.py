@@ -89,6 +89,7 @@ def answers(cluster, orders, tmp_path_factory):
     return answer
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_two_workers_answer_as_one_does_though_one_of_them_is_killed(cluster, orders, answers, tmp_path, kind):
     running = cluster.start("order", orders[kind], "--found", tmp_path / "found.json", "--local", 2)
@@ -96,6 +97,7 @@ def test_two_workers_answer_as_one_does_though_one_of_them_is_killed(cluster, or
     assert (tmp_path / "found.json").read_bytes() == answers(kind)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_two_workers_answer_as_one_does(cluster, orders, answers, tmp_path, kind):
     result = cluster("order", orders[kind], "--found", tmp_path / "found.json", "--local", 2)

@@ -73,7 +73,7 @@ def asked(annotation, table):
     return [annotation, "--class-field", "class", "--priority-field", "level", "--class-table", table]
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.slow), 2])
 def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, asked, expected, tmp_path, workers):
     target = tmp_path / "labels.tif"
     result = cluster("rasterize", *asked, "--labels", target, "--local", workers)
@@ -82,6 +82,7 @@ def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, aske
     assert "classes: 4" in result.stdout and "3 features without" in result.stderr
 
 
+@pytest.mark.slow
 def test_two_workers_of_which_one_is_killed_give_the_same_bytes(cluster, asked, expected, tmp_path):
     target = tmp_path / "labels.tif"
     running = cluster.start("rasterize", *asked, "--labels", target, "--local", 2)

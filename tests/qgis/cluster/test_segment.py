@@ -39,7 +39,7 @@ def segment(cluster, photo, model, target, *options):
     return cluster("segment", photo, "--model", model, "--labels", target, *options)
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [pytest.param(1, marks=pytest.mark.slow), 2])
 def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, photo, model, seen, tmp_path, workers):
     result = segment(cluster, photo, model, tmp_path / "labels.tif", "--local", workers)
     assert result.returncode == 0, result.stderr
@@ -48,6 +48,7 @@ def test_it_is_the_algorithm_s_file_whatever_the_number_of_workers(cluster, phot
     assert 100 * float(told["certainty"]) == pytest.approx(seen[1])
 
 
+@pytest.mark.slow
 def test_a_worker_that_is_killed_changes_nothing(cluster, photo, model, seen, tmp_path):
     target = tmp_path / "labels.tif"
     running = cluster.start("segment", photo, "--model", model, "--labels", target, "--local", 2)

@@ -1,0 +1,117 @@
+"""What is no scheduler is told in one sentence, soon, whatever listens there instead."""
+
+from __future__ import annotations
+
+import socket
+import threading
+import time
+
+import pytest
+
+from semref.core.errors import SemRefError
+
+pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-dev.txt)")
+
+
+@pytest.fixture
+def server():
+    """`server(words)`: the address of one that says these words to whoever comes; None: it hangs up at once."""
+    opened = []
+
+    def serve(listener, words):
+        while True:
+            try:
+                one, _ = listener.accept()
+            except OSError:
+                return
+            if words is None:
+                one.close()
+                continue
+            opened.append(one)
+            one.sendall(words)
+
+    def start(words):
+        listener = socket.create_server(("127.0.0.1", 0))
+        opened.append(listener)
+        threading.Thread(target=serve, args=(listener, words), daemon=True).start()
+        return f"tcp://127.0.0.1:{listener.getsockname()[1]}"
+
+    yield start
+    for one in opened:
+        one.close()
+
+
+@pytest.fixture
+def reach(monkeypatch):
+    from semref.cluster import reach
+
+    monkeypatch.setattr(reach, "_REFUSED_FOR_S", 0.3)
+    return reach
+
+
+@pytest.fixture
+def hasty(reach, monkeypatch):
+    monkeypatch.setattr(reach, "CONNECTED_WITHIN_S", 1)
+    return reach
+
+
+def told(reach, address):
+    """Code and reason of what is said."""
+    with pytest.raises(SemRefError) as caught:
+        reach.require_scheduler(address)
+    values = dict(caught.value.sentence.values)
+    assert values["address"] == address
+    return caught.value.sentence.code, values.get("reason", "")
+
+
+@pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
+def test_another_server_such_as_the_dashboard_is_told_apart(reach, server, words):
+    assert told(reach, server(words)) == ("cluster.other_server", "")
+
+
+def test_one_that_says_nothing_is_not_waited_for_for_ever(hasty, server):
+    assert told(hasty, server(b"")) == ("cluster.no_scheduler", "no answer within 1 s")
+
+
+def test_one_that_hangs_up_is_no_scheduler(reach, server):
+    assert told(reach, server(None))[0] == "cluster.no_scheduler"
+
+
+@pytest.mark.parametrize(
+    ("address", "reason"),
+    [
+        ("tcp://127.0.0.1:1", "Connection refused"),
+        ("tls://127.0.0.1:1", "Connection refused"),
+        ("tcp://127.0.0.1", "missing port"),
+        ("somewhere", "missing port"),
+        ("http://127.0.0.1:1", "unknown address scheme"),
+    ],
+)
+def test_an_address_where_nobody_listens_or_that_is_none(reach, address, reason):
+    code, said = told(reach, address)
+    assert code == "cluster.no_scheduler" and reason in said
+
+
+def test_a_scheduler_that_is_just_being_started_is_waited_for(hasty, monkeypatch):
+    """The port is closed at first; what then listens is asked."""
+    monkeypatch.setattr(hasty, "_REFUSED_FOR_S", 30.0)
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    begun = []
+
+    def late(_):
+        if not begun:
+            begun.append(socket.create_server(("127.0.0.1", port)))
+
+    monkeypatch.setattr(time, "sleep", late)
+    try:
+        assert told(hasty, f"tcp://127.0.0.1:{port}") == ("cluster.no_scheduler", "no answer within 1 s")
+    finally:
+        begun[0].close()
+
+
+def test_a_scheduler_is_found(reach):
+    from distributed import LocalCluster
+
+    with LocalCluster(n_workers=0, dashboard_address=None) as cluster:
+        reach.require_scheduler(cluster.scheduler_address)
