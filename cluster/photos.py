@@ -12,10 +12,9 @@ from ..core.labels.image_source import ImageSource
 from ..core.segmentation.model import SegmentationModel
 from ..core.segmentation.resampling import at_resolution, resized_transform
 from ..core.segmentation.tiling import Tiles, tiles_of
+from ..storage.crs_text import crs_wkt
 from ..storage.images import GdalImage
 from ..storage.rasters import open_raster
-
-_WKT = ["FORMAT=WKT2_2019"]
 
 
 @dataclass(frozen=True)
@@ -80,5 +79,5 @@ def opened(opening: Opening) -> Opened:
         size_m = hypot(transform[1], transform[4]), hypot(transform[2], transform[5])
     image = at_resolution(photo, size_m, resolution_m)
     transform = resized_transform(transform, photo.shape_hw, image.shape_hw)
-    wkt = srs.ExportToWkt(_WKT) if srs is not None else ""
+    wkt = crs_wkt(srs) if srs is not None else ""
     return Opened(model, image, tiles_of(model, image.shape_hw, overlap), overlap, transform, wkt)

@@ -1,4 +1,4 @@
-"""Whether a scheduler answers at an address: Dask alone asks a closed port for long, and waits for a mute one for ever."""
+"""Whether a scheduler answers: Dask alone asks a closed port for long, and waits for a mute one for ever."""
 
 from __future__ import annotations
 

@@ -17,6 +17,7 @@ from ..core.errors import AnnotationError
 from ..core.labels.class_table import ClassTable
 from ..core.sentences import Sentence
 from .burning import BurnPolygon
+from .crs_text import crs_wkt
 from .database.schema import square_wkb
 from .gdal_errors import gdal_failures
 from .pixel_grid import union_of_bounds
@@ -132,7 +133,7 @@ def _metric_crs(path: str, layer: ogr.Layer) -> str:
         raise AnnotationError("storage.no_crs", path=path)
     if not srs.IsProjected() or abs(srs.GetLinearUnits() - 1) > 1e-9:
         raise _only_in_qgis(path, Sentence("storage.other_crs", crs=srs.GetName() or ""))
-    return srs.ExportToWkt(["FORMAT=WKT2_2019"])
+    return crs_wkt(srs)
 
 
 def _field(path: str, layer: ogr.Layer, name: str, kinds: tuple[int, ...]) -> int:

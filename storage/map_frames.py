@@ -10,6 +10,7 @@ from osgeo import gdal, osr
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
+from .crs_text import crs_wkt
 from .rasters import GdalLabels, named_classes, stored_class_table
 
 _WGS84 = 4326
@@ -41,7 +42,7 @@ def label_map_frame(labels: GdalLabels, path: str) -> MapFrame:
         raise LabelMapError("storage.not_in_meters", path=path, crs=srs.GetName() or "")
     transform = labels.dataset.GetGeoTransform(can_return_null=True)
     require_map_grid(transform, path)
-    return MapFrame(srs.ExportToWkt(["FORMAT=WKT2_2019"]), tuple(transform), labels.shape_hw)
+    return MapFrame(crs_wkt(srs), tuple(transform), labels.shape_hw)
 
 
 def require_crs_of(frame: MapFrame, database_crs: str, path: str) -> None:

@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def pytest_collection_modifyitems(items):
-    """As of tests/core: on a newer QGIS (tools/test_in_root.sh) what is slow here, and has no QGIS in it, is left out."""
+    """As of tests/core: on a newer QGIS (tools/test_in_root.sh) what is slow here and has no QGIS in it is left out."""
     if os.environ.get("SEMREF_QUICK_CORE") != "yes":
         return
     for item in items:

@@ -64,7 +64,7 @@ def told(reach, address):
     return caught.value.sentence.code, values.get("reason", "")
 
 
-@pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
+@pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
 def test_another_server_such_as_the_dashboard_is_told_apart(reach, server, words):
     assert told(reach, server(words)) == ("cluster.other_server", "")
 
