@@ -4732,8 +4732,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
-   <translation>Unter {address} ist kein Scheduler ({reason}); starten Sie einen, oder nehmen Sie --local.</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
+   <translation>Unter {address} ist kein Scheduler ({reason}); starten Sie einen, oder lassen Sie Prozesse auf diesem Rechner starten: --local 4, in QGIS local:4.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -5050,6 +5050,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>What a report of a fault needs, onto the clipboard</source>
    <translation>Was eine Fehlermeldung braucht, in die Zwischenablage</translation>
+  </message>
+  <message>
+   <source>What answers at {address} is no scheduler of Dask, or one of another version; give the address that the scheduler prints, not its dashboard's.</source>
+   <translation>Was unter {address} antwortet, ist kein Scheduler von Dask, oder einer einer anderen Version; geben Sie die Adresse an, die der Scheduler ausgibt, nicht die seines Dashboards.</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

@@ -4732,8 +4732,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
-   <translation>No hay ningún planificador en {address} ({reason}); inicie uno o use --local.</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
+   <translation>No hay ningún planificador en {address} ({reason}); inicie uno o haga iniciar procesos en este equipo: --local 4, en QGIS local:4.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -5050,6 +5050,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>What a report of a fault needs, onto the clipboard</source>
    <translation>Lo que necesita un informe de error, al portapapeles</translation>
+  </message>
+  <message>
+   <source>What answers at {address} is no scheduler of Dask, or one of another version; give the address that the scheduler prints, not its dashboard's.</source>
+   <translation>Lo que responde en {address} no es un planificador de Dask, o es de otra versión; indique la dirección que muestra el planificador, no la de su panel.</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

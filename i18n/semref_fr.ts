@@ -4732,8 +4732,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
-   <translation>Aucun ordonnanceur à {address} ({reason}) ; démarrez-en un, ou utilisez --local.</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
+   <translation>Aucun ordonnanceur à {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cette machine : --local 4, dans QGIS local:4.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -5050,6 +5050,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>What a report of a fault needs, onto the clipboard</source>
    <translation>Ce dont un rapport d’erreur a besoin, dans le presse-papiers</translation>
+  </message>
+  <message>
+   <source>What answers at {address} is no scheduler of Dask, or one of another version; give the address that the scheduler prints, not its dashboard's.</source>
+   <translation>Ce qui répond à {address} n’est pas un ordonnanceur de Dask, ou en est un d’une autre version ; donnez l’adresse qu’affiche l’ordonnanceur, pas celle de son tableau de bord.</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>

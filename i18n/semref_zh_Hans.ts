@@ -4732,8 +4732,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>{folder} 中没有可继续的运行。</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or use --local.</source>
-   <translation>{address} 处没有调度器（{reason}）；请启动一个，或使用 --local。</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
+   <translation>{address} 处没有调度器（{reason}）；请启动一个，或在本机启动进程：--local 4，在 QGIS 中为 local:4。</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -5050,6 +5050,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>What a report of a fault needs, onto the clipboard</source>
    <translation>将错误报告所需的信息复制到剪贴板</translation>
+  </message>
+  <message>
+   <source>What answers at {address} is no scheduler of Dask, or one of another version; give the address that the scheduler prints, not its dashboard's.</source>
+   <translation>{address} 处应答的不是 Dask 调度器，或其版本不同；请给出调度器打印的地址，而不是其仪表板的地址。</translation>
   </message>
   <message>
    <source>What became of the images of the map:</source>
