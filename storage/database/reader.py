@@ -7,7 +7,6 @@ import csv
 import io
 import json
 import sqlite3
-import struct
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime, timezone
@@ -26,6 +25,7 @@ from ...core.labels.class_table import MAXIMUM_VALUE, class_table_from_csv
 from ...core.values import read_json, short_text
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
+from .batches import columns_of, points_of
 from .checksums import (
     CHECKSUMS,
     checksums_of,
@@ -219,50 +219,41 @@ def _class_csv(connection: sqlite3.Connection) -> str:
 
 
 def _read_windows(connection: sqlite3.Connection, parameters: BuildParameters, path: str) -> Windows:
-    rows = connection.execute(
-        "SELECT level, size, center_x, center_y, reference_count, vector, distinctiveness FROM windows ORDER BY fid"
-    ).fetchall()
-    levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
     length = 3 * parameters.references_per_vector
-    if any(blob is not None and len(blob) != 4 * length for blob in blobs):
-        raise DatabaseError("storage.vector_length", path=path, length=length)
-    sizes, *centers = np.array([sizes, xs, ys], np.float64)
-    centers = np.column_stack(centers)
-    if not (np.isfinite(sizes).all() and np.isfinite(centers).all()):
-        raise ValueError("a window has no place or size")
-    vectors = np.zeros((len(rows), length), np.float32)
-    for i, blob in enumerate(blobs):
-        if blob is not None:
-            vectors[i] = np.frombuffer(blob, "<f4")
-    return Windows(
-        first_pixels_of(centers, sizes, parameters.frame),
-        np.array(levels, np.int64),
-        sizes,
-        centers,
-        np.array(counts, np.int64),
-        vectors,
-        np.array([blob is not None for blob in blobs], bool),
+
+    def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
+        levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
+        if any(blob is not None and len(blob) != 4 * length for blob in blobs):
+            raise DatabaseError("storage.vector_length", path=path, length=length)
+        described = np.array([blob is not None for blob in blobs], bool)
+        vectors = np.zeros((len(rows), length), np.float32)
+        vectors[described] = np.frombuffer(b"".join(filter(None, blobs)), "<f4").reshape(-1, length)
+        places = np.array([sizes, xs, ys], np.float64).reshape(3, -1).T
         # NULL becomes NaN.
-        np.array(distinctiveness, np.float64),
-    )
+        distinct = np.array(distinctiveness, np.float64)
+        return np.array(levels, np.int64), places, np.array(counts, np.int64), vectors, described, distinct
+
+    levels, places, counts, vectors, described, distinctiveness = columns_of(connection, _WINDOWS, arrays)
+    if not np.isfinite(places).all():
+        raise ValueError("a window has no place or size")
+    sizes, centers = np.ascontiguousarray(places[:, 0]), np.ascontiguousarray(places[:, 1:])
+    first = first_pixels_of(centers, sizes, parameters.frame)
+    return Windows(first, levels, sizes, centers, counts, vectors, described, distinctiveness)
+
+
+_WINDOWS = "SELECT level, size, center_x, center_y, reference_count, vector, distinctiveness FROM windows ORDER BY fid"
 
 
 def _read_references(connection: sqlite3.Connection) -> MapLandmarks:
-    rows = connection.execute('SELECT geom, class, area, touches_edge FROM "references" ORDER BY fid').fetchall()
-    blobs, classes, areas, touches = zip(*rows) if rows else ((),) * 4
-    values = np.array(classes, np.int64)
-    if not ((values >= 0) & (values <= MAXIMUM_VALUE)).all():
-        raise ValueError("a landmark has a class that is no reference class")
-    return MapLandmarks(_points(blobs), values.astype(np.uint8), np.array(areas, np.float64), np.array(touches, bool))
+    def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
+        blobs, classes, areas, touches = zip(*rows) if rows else ((),) * 4
+        values = np.array(classes, np.int64)
+        if not ((values >= 0) & (values <= MAXIMUM_VALUE)).all():
+            raise ValueError("a landmark has a class that is no reference class")
+        return points_of(blobs), values.astype(np.uint8), np.array(areas, np.float64), np.array(touches, bool)
 
-
-def _points(blobs: Sequence[bytes]) -> np.ndarray:
-    """GeoPackage point blobs (8-byte header without envelope, then WKB) → (N, 2)."""
-    found: list[tuple[float, float]] = []
-    for blob in blobs:
-        order = "<" if blob[8] else ">"
-        found.append(struct.unpack_from(f"{order}dd", blob, 13))
-    return np.array(found, np.float64).reshape(-1, 2)
+    query = 'SELECT geom, class, area, touches_edge FROM "references" ORDER BY fid'
+    return MapLandmarks(*columns_of(connection, query, arrays))
 
 
 @dataclass(frozen=True)
@@ -322,11 +313,11 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
     found = connection.execute("SELECT count(*) FROM sqlite_master WHERE name = ?", (schema.BOUNDS,)).fetchone()
     if not found[0]:
         return None
-    rows = connection.execute(
+    query = (
         'SELECT first_column, first_row, end_column, end_row FROM reference_bounds AS b JOIN "references" AS r '
         "ON r.fid = b.fid ORDER BY b.fid"
-    ).fetchall()
-    return np.array(rows, np.int64).reshape(-1, 4)
+    )
+    return columns_of(connection, query, lambda rows: [np.array(rows, np.int64).reshape(-1, 4)])[0]
 
 
 def stored_style(path: str, table: str) -> str | None:

@@ -16,6 +16,7 @@ from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal, tell_moment
 from . import schema
+from .batches import BATCH
 from .overview_file import OverviewFile
 from .reader import store_checksums
 from .titles import tell_titles
@@ -136,8 +137,10 @@ class DatabaseWriter:
 
     def _bounds_rows(self) -> Iterator[tuple[None, tuple]]:
         # In the references' order, and so with their fids.
-        for bounds in self._database.references.bounds_px.tolist():
-            yield None, tuple(bounds)
+        bounds = self._database.references.bounds_px
+        for first in range(0, len(bounds), BATCH):
+            for row in bounds[first : first + BATCH].tolist():
+                yield None, tuple(row)
 
     def _class_rows(self) -> Iterator[tuple[None, tuple]]:
         for c in self._database.class_table:
