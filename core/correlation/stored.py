@@ -29,8 +29,8 @@ SUFFIX = ".semref-pyramid"
 VERSION = 1
 """Raised whenever the same overview gives other evidence, and so another answer."""
 
-FEWEST_PIXELS = 8_000_000
-"""Of an overview below which its pyramid is made in a fraction of a second and not kept."""
+FEWEST_PIXELS = 64_000_000
+"""Of an overview below which its pyramid is made in a second or two and not kept: it takes 1.7 bytes a pixel."""
 
 
 def pyramid_path(database: str) -> Path:
