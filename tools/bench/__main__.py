@@ -33,6 +33,7 @@ NAMES = (
     "cluster",
     "memory",
     "large_builds",
+    "large_databases",
     "matching",
     "motion",
     "sizes",
