@@ -219,7 +219,7 @@ class Localizer:
 
     @property
     def pyramid(self) -> MapPyramid:
-        """The overview as map correlation searches it: opened where it is kept, else made, which takes seconds of a large map.
+        """The overview as map correlation searches it: opened where it is kept, else made, seconds of a large map.
 
         Raises:
             DatabaseError: The database was read without its overview.

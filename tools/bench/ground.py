@@ -18,6 +18,7 @@ from semref.core.constellation.solver import localize as solve
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
 from semref.core.evaluation.summary import covered, percentile
 from semref.core.evaluation.trial import Query, Trial, judge
+from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_shares import ClassShares
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.localization import Method, Prior
@@ -288,14 +289,17 @@ def chosen(references: MapLandmarks, kept: np.ndarray) -> MapLandmarks:
     return replace(references, **columns)
 
 
-def memory_ground(labels_hw: np.ndarray, classes_csv: str, settings: object) -> Ground:
-    """The ground of a label map in memory, whose database is built here; pixels are map units, y is minus the row."""
+def memory_ground(labels_hw: np.ndarray, classes_csv: str, settings: object, pixel_m: float = 1.0) -> Ground:
+    """The ground of a label map in memory, whose database is built here; rows go down from 0.
+
+    Pixels are map units unless their meters are told.
+    """
     from semref.core.database.build import DatabaseBuilder
     from semref.core.labels.class_table import class_table_from_csv
     from semref.core.labels.sources import ArrayLabels
-    from semref.core.simulation.views import PIXELS
 
-    builder = DatabaseBuilder(ArrayLabels(labels_hw), PIXELS, class_table_from_csv(classes_csv), settings, "measured")
+    frame = MapFrame.at((0.0, 0.0), pixel_m)
+    builder = DatabaseBuilder(ArrayLabels(labels_hw), frame, class_table_from_csv(classes_csv), settings, "measured")
     for _ in builder.steps():
         pass
     return Ground(labels_hw, replace(builder.database, overview=builder.overview))

@@ -20,7 +20,17 @@ import numpy as np
 from bench import inputs, page, photo_places
 from bench.ground import Image, cells, memory_ground
 from bench.photos import SEED, TRUE_LABELS, Network, seen
-from bench.real_places import BUILDING, CLASSES, OTHER, SETTINGS, BuildingsNetwork, PlaceGround, ground_of, without
+from bench.real_places import (
+    BUILDING,
+    CLASSES,
+    OTHER,
+    PIXEL_M,
+    SETTINGS,
+    BuildingsNetwork,
+    PlaceGround,
+    ground_of,
+    without,
+)
 from semref.core.localization import Method
 
 PAGE = "benchmarks.md"
@@ -84,8 +94,8 @@ def measure(run: inputs.Run) -> dict[str, str]:
             continue
         trials: dict[str, list] = {"network": [], TRUE_LABELS: []}
         for ground, pairs in drawn:
-            changed = memory_ground(kind(ground.ground.labels_hw), CLASSES, SETTINGS)
-            changed.prior, changed.meters = ground.ground.prior, ground.ground.meters
+            changed = memory_ground(kind(ground.ground.labels_hw), CLASSES, SETTINGS, PIXEL_M)
+            changed.prior = ground.ground.prior
             for source, number in (("network", 0), (TRUE_LABELS, 1)):
                 for pair in pairs:
                     image = replace(pair[number], labels_hw=kind(pair[number].labels_hw))

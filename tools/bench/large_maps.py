@@ -110,8 +110,8 @@ by itself. Right: one of them is within 5 % of the image's edge. {count} images 
 
 _ABOUT_KEPT = """\
 The pyramid of these maps, kept beside a database: made and written at the first start, from then on opened by memory
-mapping, its overview hashed and its file checked each time; the file was in the system's cache. SemRef keeps those of 64
-million pixels or more: here all but the first."""
+mapping, its overview hashed and its file checked each time; the file was in the system's cache. SemRef keeps those of
+64 million pixels or more: here all but the first."""
 
 
 def _labeled_km2(labels_hw: np.ndarray) -> float:

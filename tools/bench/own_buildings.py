@@ -66,7 +66,7 @@ EfficientNet-Lite0 trained on the western half of `banepa` at {pixel:g} m for so
 only buildings were drawn and all else is learned as “other”; off-grid, turned crops of {sizes} px wholly on the eastern
 half, at 0.9–1.1 of its pixels, pixel size searched over 0.7–1.4, method automatic. Databases are of both halves,
 buildings as landmarks: “buildings alone”, or with “other” on all ground without one (*Ground without a polygon is
-something else*). Errors in pixels. Right: within 2 % of the edge. “true labels”: what no network could improve."""
+something else*). Right: within 2 % of the edge. “true labels”: what no network could improve."""
 
 
 def both_databases(run: inputs.Run) -> dict[str, PlaceGround]:

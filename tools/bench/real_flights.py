@@ -206,7 +206,8 @@ def _placed(found: Localization, view: View) -> Placed | None:
     off = np.subtract(found.position, view.position)
     known = np.array(found.covariance.position)
     holds = bool(off @ np.linalg.solve(known, off) <= -2 * np.log(0.05))
-    return [float(np.hypot(*off)), view.footprint, holds]
+    # In pixels of the image: of one ground meters are known, of the other not.
+    return [float(np.hypot(*off)) / view.pixel_size, view.footprint / view.pixel_size, holds]
 
 
 COLUMNS = ("strips, labels, way", "placed", "wrong", "median, largest error, px", "in the 95 % ellipse")

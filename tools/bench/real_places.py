@@ -24,11 +24,11 @@ from semref.core.localization import Prior
 
 PIXEL_M = 0.25
 SIZES_PX = (256, 384, 512)
-SEARCHED = (0.7, 1.4)
-"""Pixels of the map that an image's pixel shows, looked for."""
+SEARCHED = (0.7 * PIXEL_M, 1.4 * PIXEL_M)
+"""Meters that an image's pixel shows, looked for: 0.7 to 1.4 of the map's."""
 
 COUNT, QUICK_COUNT = 30, 2
-SETTINGS = BuildSettings(256, 64, 60)
+SETTINGS = BuildSettings(64, 16, 3.75)
 BUILDING, OTHER = 1, 2
 CLASSES = "value,name,color,role\n1,building,#3c1098,reference\n2,other,#8429f6,background\n"
 
@@ -79,9 +79,9 @@ _ABOUT = """\
 Photos of `banepa` and `oam_buildings` at {pixel:g} m by networks that were trained without the place
 (`tools/training/train_photos.py --leave-out`): off-grid, turned crops of {sizes} px where the ground has room for
 them, at 0.9–1.1 of its pixels, pixel size searched over 0.7–1.4; database of the annotation, buildings as landmarks
-and all else as one class; of Banepa the database knows both halves, and crops show the half left out. Errors in
-pixels. Right: within 2 % of the edge. “labels alone”: without the network's scores. “true labels”: what no network
-could improve; what is missing there the ground does not allow."""
+and all else as one class, in meters; of Banepa the database knows both halves, and crops show the half left out.
+Right: within 2 % of the edge. “labels alone”: without the network's scores. “true labels”: what no network could
+improve; what is missing there the ground does not allow."""
 
 
 class PlaceGround:
@@ -96,8 +96,8 @@ class PlaceGround:
     def __init__(
         self, labels: np.ndarray, picture: np.ndarray, part: tuple[float, float], classes: str = CLASSES
     ) -> None:
-        self.ground = memory_ground(labels, classes, SETTINGS)
-        self.ground.prior, self.ground.meters = Prior(pixel_size_range=SEARCHED), PIXEL_M
+        self.ground = memory_ground(labels, classes, SETTINGS, PIXEL_M)
+        self.ground.prior = Prior(pixel_size_range=SEARCHED)
         self.picture = picture
         self.part = tuple(round(share * labels.shape[1]) for share in part)
         self._whole = self.ground.frame.extent
@@ -105,10 +105,10 @@ class PlaceGround:
     def images(self, edge: int, count: int, rng: np.random.Generator) -> list[Image]:
         """Crops that show nothing but the place; none where it has no room for them."""
         wanted = replace(ON_A_TILE, sizes_px=(edge,), labeled=0.0)
-        reach = edge * wanted.scales[1] * np.sqrt(0.5)
+        reach = edge * wanted.scales[1] * np.sqrt(0.5) * PIXEL_M
         left, bottom, right, top = self._whole
         height = top - bottom
-        first, last = self.part
+        first, last = (PIXEL_M * column for column in self.part)
         if min(height, last - first) < 2 * reach:
             return []
         # Beside the other half only: beyond the map nothing can be seen anyway.
