@@ -65,9 +65,14 @@ def overview_checksum(connection: sqlite3.Connection) -> str:
 
 _SHOWN_ROWS = {
     # One column after the other: all of ten million windows are gigabytes.
-    "windows rows": tuple(
-        f"SELECT {column} FROM windows ORDER BY fid"
-        for column in ("fid", "level", "reference_count", "longitude", "latitude", "name", "geom")
+    "windows rows": (
+        "SELECT fid FROM windows ORDER BY fid",
+        "SELECT level FROM windows ORDER BY fid",
+        "SELECT reference_count FROM windows ORDER BY fid",
+        "SELECT longitude FROM windows ORDER BY fid",
+        "SELECT latitude FROM windows ORDER BY fid",
+        "SELECT name FROM windows ORDER BY fid",
+        "SELECT geom FROM windows ORDER BY fid",
     ),
     "references rows": (
         'SELECT class, touches_edge, class_name, count(*), min(fid), max(fid), total(fid) FROM "references" '

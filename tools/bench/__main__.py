@@ -89,7 +89,7 @@ MINIMUM_REPETITIONS = 5
 
 def main(arguments: list[str] | None = None) -> int:
     options = parse(arguments)
-    from bench import inputs, machine, page, plugin, summary, what_works
+    from bench import how_it_grows, inputs, machine, page, plugin, summary, what_works
 
     if "dock" in options.names and os.environ.get("DISPLAY"):
         # Elsewhere windows are never seen.
@@ -130,6 +130,7 @@ def main(arguments: list[str] | None = None) -> int:
             path = ROOT / "docs" / "benchmarks.md"
             page.write_section(path, summary.NAME, summary.summary(path.read_text(encoding="utf-8")))
             what_works.write()
+            how_it_grows.write()
     return 0
 
 
