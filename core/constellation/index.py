@@ -307,8 +307,15 @@ def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.n
         (H,) which stretch and (H,) the number.
     """
     spans = last - first
-    which = np.repeat(np.arange(len(first)), spans)
-    return which, np.arange(len(which)) + np.repeat(first - (np.cumsum(spans) - spans), spans)
+    return np.repeat(np.arange(len(first)), spans), numbers_in(first, spans)
+
+
+def numbers_in(first: np.ndarray, spans: np.ndarray) -> np.ndarray:
+    """(H,) every number in stretches (R,) that begin at ``first`` and are ``spans`` long."""
+    ends = np.cumsum(spans)
+    numbers = np.repeat(first - (ends - spans), spans)
+    numbers += np.arange(len(numbers))
+    return numbers
 
 
 def like_triangles(

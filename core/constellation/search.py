@@ -12,8 +12,9 @@ import numpy as np
 
 from ..geometry.pose import Pose
 from ..localization import Prior
-from .hypotheses import QueryTriangles, Seeds, SeenLandmarks, allowed_poses, find_seeds
-from .index import ConstellationIndex
+from .clusters import Seeds
+from .hypotheses import SeenLandmarks
+from .lookup import Lookup, allowed_poses, find_seeds
 from .settings import ConstellationSettings
 from .verification import (
     PoseEvidence,
@@ -27,45 +28,44 @@ from .verification import (
 
 
 class Round(NamedTuple):
-    """How far one round of a search looks: these triangles, the cap on their hits, and poses of each lattice."""
+    """How far one round of a search looks: for these triangles, the cap on their hits, and poses of each lattice."""
 
-    triangles: QueryTriangles
+    lookup: Lookup
     cap: int
     seeds: int
+    prior: Prior | None = None
+    """What is known besides what the lookup knows."""
 
     def mirrored(self) -> Round:
         """As far for the mirrored image."""
-        return self._replace(triangles=self.triangles.mirrored())
+        return self._replace(lookup=self.lookup.mirrored())
 
 
-def rounds(triangles: QueryTriangles, index: ConstellationIndex) -> list[Round]:
+def rounds(everything: Lookup) -> list[Round]:
     """A few triangles from all over the image, then all with caps that rise.
 
     By chance a map of more landmarks has more places that look like the image, of which more are tried where the first
     rounds brought nothing.
     """
+    index = everything.index
     settings = index.settings
-    step = max(-(-len(triangles) // settings.first_triangles), 1)
+    some = everything.every(max(-(-len(everything.triangles) // settings.first_triangles), 1))
     more = round(settings.seeds * max(len(index) / settings.landmarks_of_few_seeds, 1.0) ** 0.5)
     first, second, *others = settings.maximum_hits
-    quick = [Round(triangles.every(step), first, settings.seeds), Round(triangles, second, settings.seeds)]
-    return quick + [Round(triangles, cap, more) for cap in others]
+    quick = [Round(some, first, settings.seeds), Round(everything, second, settings.seeds)]
+    return quick + [Round(everything, cap, more) for cap in others]
 
 
-def search(
-    verifier: Verifier, query: SeenLandmarks, reach: Round, prior: Prior | None
-) -> tuple[list[PoseEvidence], bool]:
+def search(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list[PoseEvidence], bool]:
     """The best few poses at different places, best first; and whether the search was capped."""
-    found, seeds = level_poses(verifier, query, reach, prior)
+    found, seeds = level_poses(verifier, query, reach)
     return tilted_poses(verifier, query, found, seeds), seeds.capped
 
 
-def level_poses(
-    verifier: Verifier, query: SeenLandmarks, reach: Round, prior: Prior | None
-) -> tuple[list[PoseEvidence], Seeds]:
+def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list[PoseEvidence], Seeds]:
     """The best few poses of a level camera at different places, best first; and the clusters they come from."""
     settings = verifier.index.settings
-    seeds = find_seeds(verifier.index, query, reach.triangles, prior, reach.cap, reach.seeds)
+    seeds = find_seeds(reach.lookup, reach.cap, reach.seeds, reach.prior)
     found = Found(query, settings)
     if not len(seeds.centers):
         return [], seeds

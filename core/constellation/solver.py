@@ -24,6 +24,7 @@ from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from .hypotheses import SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
+from .lookup import Lookup
 from .parts import Agreement, Side, empty_side, uneven_side
 from .search import Round, level_poses, rounds, search, tilted_poses, with_copies, with_repeats
 from .settings import ConstellationSettings
@@ -120,34 +121,30 @@ def _search_for(
 ) -> _Searched:
     """Round by round, until a place is a fix or nothing is left to try."""
     index, settings = verifier.index, verifier.index.settings
-    # A mirrored image has no heading that could be known.
-    blind = None if prior is None else replace(prior, heading_deg=None)
     searched = _Searched([], [], False, errors)
-    triangles = query_triangles(query, settings)
-    looks = rounds(triangles, index)
+    everything = Lookup(index, query, query_triangles(query, settings), prior)
+    looks = rounds(everything)
     for number, reach in enumerate(looks):
         if number > 1 and not searched.capped:
             break
-        found, capped = search(verifier, query, reach, prior)
+        found, capped = search(verifier, query, reach)
         searched = replace(searched, found=found, decoys=[], capped=capped)
         if not found or found[0].log_odds <= 0:
             continue
         searched = replace(searched, found=with_repeats(verifier, query, found))
-        is_last = reach is looks[-1] or reach.triangles is triangles and not capped
+        is_last = reach is looks[-1] or reach.lookup is everything and not capped
         if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
-            searched = replace(searched, decoys=_decoys(verifier, query, reach, blind, searched))
+            searched = replace(searched, decoys=_decoys(verifier, query, reach, searched))
             if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
                 searched = replace(searched, found=with_copies(verifier, query, searched.found, prior))
                 break
     return searched
 
 
-def _decoys(
-    verifier: Verifier, query: SeenLandmarks, reach: Round, prior: Prior | None, searched: _Searched
-) -> list[PoseEvidence]:
+def _decoys(verifier: Verifier, query: SeenLandmarks, reach: Round, searched: _Searched) -> list[PoseEvidence]:
     """The best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
     mirrored, settings = query.mirrored(), verifier.index.settings
-    level, seeds = level_poses(verifier, mirrored, reach.mirrored(), prior)
+    level, seeds = level_poses(verifier, mirrored, reach.mirrored())
     opponents = replace(searched, decoys=level).opponents(verifier.index)
     strongest = opponents.strongest + settings.tilted_slack
     if risk_against(opponents, strongest, settings) <= LEAST_RISK:
@@ -249,11 +246,12 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
     others = others.select(np.flatnonzero(side.holds(others.points)))
     thorough = replace(settings, verified=settings.side_verified, rough_share=0.0)
     there = replace(verifier, index=replace(index, settings=thorough), side=side)
-    reach = Round(query_triangles(others, settings), settings.maximum_hits[1], settings.side_seeds)
+    anywhere = Lookup(there.index, others, query_triangles(others, settings), None)
+    reach = Round(anywhere, settings.maximum_hits[1], settings.side_seeds)
     size, ratio = abs(best.pose.turn), settings.side_pixel_sizes
     same_camera = Prior(pixel_size_range=(size / ratio, size * ratio))
     for prior, least in ((same_camera, settings.side_log_odds), (None, settings.minimum_log_odds)):
-        found, seeds = level_poses(there, others, reach, prior)
+        found, seeds = level_poses(there, others, reach._replace(prior=prior))
         if found and (found[0].log_odds > 0 or not best.pose.is_level):
             found = tilted_poses(there, others, found, seeds)
         if found and found[0].log_odds >= least:

@@ -9,6 +9,7 @@ import pytest
 from semref.core.constellation import search, solver, verification
 from semref.core.constellation.hypotheses import query_triangles
 from semref.core.constellation.index import build_index
+from semref.core.constellation.lookup import Lookup
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.verification import PoseEvidence
 from semref.core.database.model import MapLandmarks
@@ -167,23 +168,28 @@ def test_ground_that_lies_nowhere_else_has_no_copies(index, cut):
     assert search.copies(verifier, made.query, evidence) == []
 
 
+def looked_up(index, query, step=1):
+    return Lookup(index, query, query_triangles(query, CONSTELLATION).every(step), None)
+
+
 def test_the_first_search_takes_triangles_from_all_over_the_image(cut, index):
-    triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
-    first, *others = search.rounds(triangles, index)
-    assert all(reach.triangles is triangles for reach in others)
+    everything = looked_up(index, cut(*SEEN).query)
+    first, *others = search.rounds(everything)
+    assert all(reach.lookup is everything for reach in others)
     assert (first.cap, *(reach.cap for reach in others)) == CONSTELLATION.maximum_hits
+    triangles, some = everything.triangles, first.lookup.triangles
     step = -(-len(triangles) // CONSTELLATION.first_triangles)
-    assert step > 1 and len(first.triangles) <= CONSTELLATION.first_triangles
-    np.testing.assert_array_equal(first.triangles.members, triangles.members[::step])
-    few = triangles.every(len(triangles) // 100)
-    assert len(search.rounds(few, index)[0].triangles) == len(few)
+    assert step > 1 and len(some) <= CONSTELLATION.first_triangles
+    np.testing.assert_array_equal(some.members, triangles.members[::step])
+    few = looked_up(index, cut(*SEEN).query, len(triangles) // 100)
+    assert len(search.rounds(few)[0].lookup.triangles) == len(few.triangles)
 
 
 def test_of_a_larger_map_more_poses_are_tried_where_the_first_searches_brought_nothing(cut, index):
-    triangles = query_triangles(cut(*SEEN).query, CONSTELLATION)
-    assert {reach.seeds for reach in search.rounds(triangles, index)} == {CONSTELLATION.seeds}
+    query = cut(*SEEN).query
+    assert {reach.seeds for reach in search.rounds(looked_up(index, query))} == {CONSTELLATION.seeds}
     large = replace(CONSTELLATION, landmarks_of_few_seeds=len(index) // 9)
-    seeds = [reach.seeds for reach in search.rounds(triangles, replace(index, settings=large))]
+    seeds = [reach.seeds for reach in search.rounds(looked_up(replace(index, settings=large), query))]
     assert seeds[:2] == [CONSTELLATION.seeds] * 2
     assert seeds[2:] == [pytest.approx(3 * CONSTELLATION.seeds, rel=0.02)] * 2
 

@@ -7,8 +7,9 @@ import pytest
 from made_town import NOISE, ORIGIN, PRIOR, SIZE, Ground, error, seen_from, solve, town
 
 from semref.core.constellation import search
-from semref.core.constellation.hypotheses import find_seeds, query_triangles
+from semref.core.constellation.hypotheses import query_triangles
 from semref.core.constellation.index import build_index
+from semref.core.constellation.lookup import Lookup, find_seeds
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.solver import localize, make_query, matches_at
 from semref.core.constellation.verification import Verifier, verify_tilted, weigh
@@ -247,10 +248,10 @@ def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
     triangles = query_triangles(query, CONSTELLATION)
     position = (ORIGIN[0] + view.position[0] + 40, ORIGIN[1] + view.position[1] - 30)
     prior = Prior(position=position, radius=100.0, pixel_size_range=(0.9, 1.3))
-    everything = find_seeds(ground.index, query, triangles, prior, 10**9)
+    everything = find_seeds(Lookup(ground.index, query, triangles, prior), 10**9)
     cap = 20_000
-    anywhere = find_seeds(ground.index, query, triangles, dataclasses.replace(prior, radius=None), cap)
-    there = find_seeds(ground.index, query, triangles, prior, cap)
+    anywhere = find_seeds(Lookup(ground.index, query, triangles, dataclasses.replace(prior, radius=None)), cap)
+    there = find_seeds(Lookup(ground.index, query, triangles, prior), cap)
     assert (anywhere.capped, there.capped, everything.capped) == (True, False, False)
     assert len(there.votes)
     for name in ("centers", "turns", "focuses", "votes"):
@@ -260,9 +261,9 @@ def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
 def test_more_poses_are_told_where_more_are_asked_for(ground):
     view = seen_from(700, 2200, 70.0, 1.1)
     query = make_query(ground.see(view, NOISE, 5), ground.index, (SIZE, SIZE))
-    triangles = query_triangles(query, CONSTELLATION)
-    usual = find_seeds(ground.index, query, triangles, PRIOR, 10**9)
-    more = find_seeds(ground.index, query, triangles, PRIOR, 10**9, 5 * CONSTELLATION.seeds)
+    lookup = Lookup(ground.index, query, query_triangles(query, CONSTELLATION), PRIOR)
+    usual = find_seeds(lookup, 10**9)
+    more = find_seeds(lookup, 10**9, 5 * CONSTELLATION.seeds)
     assert len(more.centers) > 4 * len(usual.centers)
     np.testing.assert_array_equal(more.votes[: len(usual.votes) // 2], usual.votes[: len(usual.votes) // 2])
     assert (np.diff(more.votes) <= 0).all()

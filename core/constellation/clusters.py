@@ -1,0 +1,224 @@
+"""Poses gathered into clusters: the fullest cells of two lattices.
+
+Told in docs/method.md#constellation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .index import expand_ranges
+from .settings import ConstellationSettings
+
+_SORTED_AT_ONCE = 20_000
+"""So many poses are sorted sooner than counted."""
+
+_GROUP_BITS = 21
+"""Of the number of a group, at most: their counts, 16 MB, stay in the cache of a processor."""
+
+_FIRST_SHARE = 0.25
+"""Of the poses, at most, are looked at again at first."""
+
+_SPREADING = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F], np.uint32)
+"""Factors of a cell's whole numbers: cells that are next to each other fall into groups far apart."""
+
+
+@dataclass(frozen=True)
+class Poses:
+    """H poses of like triangles, with their cells.
+
+    Attributes:
+        centers: (H,) complex, map units from the index's origin.
+        turns: (H,) complex, heading and pixel size, none 0.
+        focuses: (H,) complex, where in the image the triangles are.
+        places: (4, H) int32, half cells to the right and up, cells of ln pixel size, and half cells of heading.
+    """
+
+    centers: np.ndarray
+    turns: np.ndarray
+    focuses: np.ndarray
+    places: np.ndarray
+
+    def __len__(self) -> int:
+        """How many poses there are."""
+        return len(self.centers)
+
+    def select(self, chosen: np.ndarray) -> Poses:
+        """The poses of these numbers."""
+        centers, turns, focuses = (value.take(chosen) for value in (self.centers, self.turns, self.focuses))
+        return Poses(centers, turns, focuses, self.places.take(chosen, axis=1))
+
+
+@dataclass(frozen=True)
+class _Lattice:
+    """Cells of poses; those of position grow with the pixel size in whole steps, so that equal poses share a lattice.
+
+    Attributes:
+        shift: Half cells by which the lattice is moved, 0 or 1.
+        settings: Size of the cells.
+    """
+
+    shift: int
+    settings: ConstellationSettings
+
+    def columns(self, places: np.ndarray) -> tuple[np.ndarray, ...]:
+        """(H,) each: cells to the right, up, of the pixel size and of the heading."""
+        across, along, sizes, turned = places
+        shift, around = self.shift, _cells_around(self.settings)
+        return (across + shift) >> 1, (along + shift) >> 1, sizes, ((turned + shift) >> 1) % around
+
+    def numbers(self, places: np.ndarray) -> np.ndarray:
+        """(H,) uint32: numbers that poses in one cell share, and hardly any others do."""
+        columns = self.columns(places)
+        return sum(column.view(np.uint32) * factor for column, factor in zip(columns, _SPREADING))
+
+
+@dataclass(frozen=True)
+class Seeds:
+    """Clusters of poses, S of them, most votes first.
+
+    Attributes:
+        centers: (S,) complex, map units from the index's origin.
+        turns: (S,) complex, heading and pixel size.
+        focuses: (S,) complex, where in the image the triangles are on average.
+        votes: (S,) int64, triangles that agree.
+        capped: Hits were left out.
+    """
+
+    centers: np.ndarray
+    turns: np.ndarray
+    focuses: np.ndarray
+    votes: np.ndarray
+    capped: bool
+
+
+def poses_in_cells(
+    centers: np.ndarray, turns: np.ndarray, focuses: np.ndarray, diagonal: float, settings: ConstellationSettings
+) -> Poses:
+    """Poses (H,) each with its cells; ``diagonal``: of the image, pixels."""
+    size = np.abs(turns)
+    places = np.empty((4, len(size)), np.int32)
+    if len(size):
+        step = settings.cell_of_turn
+        places[2] = np.floor(np.log(size) / step + 0.5)
+        least = int(places[2].min())
+        edges = settings.cell_of_image * diagonal * np.exp(np.arange(least, int(places[2].max()) + 1) * step)
+        halves = (edges / 2)[places[2] - least]
+        places[0], places[1] = np.floor(centers.real / halves), np.floor(centers.imag / halves)
+        places[3] = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * _cells_around(settings) * 2)
+    return Poses(centers, turns, focuses, places)
+
+
+def _cells_around(settings: ConstellationSettings) -> int:
+    return int(np.ceil(2 * np.pi / settings.cell_of_turn))
+
+
+def clustered(portions: Sequence[Poses], settings: ConstellationSettings, capped: bool, count: int) -> Seeds:
+    """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both.
+
+    Args:
+        portions: The poses.
+        settings: Of the constellation.
+        capped: Goes into the seeds.
+        count: Cells of each lattice.
+    """
+    found = [_cell_means(portions, _Lattice(shift, settings), count) for shift in (0, 1)]
+    centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
+    order = np.argsort(-votes, kind="stable")
+    # A cluster that neither lattice cuts is found twice.
+    once = list({pose: number for number, pose in reversed([*enumerate(zip(centers[order], turns[order]))])}.values())
+    order = order[np.sort(np.array(once, np.int64))]
+    return Seeds(centers[order], turns[order], focuses[order], votes[order], capped)
+
+
+def _cell_means(
+    portions: Sequence[Poses], lattice: _Lattice, count: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Means of centers, turns and focuses in the fullest cells, and how many poses each holds."""
+    poses, key = _in_full_cells(portions, lattice, count)
+    if not len(poses):
+        return *(np.empty(0, complex),) * 3, np.empty(0, np.int64)
+    order = np.argsort(key, kind="stable")
+    starts = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
+    votes = np.diff(np.append(starts, len(order)))
+    best = _fullest(votes, count)
+    starts, votes = starts[best], votes[best]
+    # In the order in which they came, so that equal cells have equal means.
+    _, places = expand_ranges(starts, starts + votes)
+    begins, chosen = np.cumsum(votes) - votes, order[places]
+    return (
+        *(np.add.reduceat(value[chosen], begins) / votes for value in (poses.centers, poses.turns, poses.focuses)),
+        votes,
+    )
+
+
+def _in_full_cells(portions: Sequence[Poses], lattice: _Lattice, count: int) -> tuple[Poses, np.ndarray]:
+    """Poses among which those of the ``count`` fullest cells surely are, all of them, and the keys of their cells.
+
+    Nearly all of millions of poses lie alone in their cells. Cells are counted in groups, which takes no sorting: what
+    is in a group of few poses is in a cell of few.
+    """
+    total = sum(len(poses) for poses in portions)
+    if total < _SORTED_AT_ONCE:
+        return _keyed(portions, lattice)
+    numbers = np.concatenate([lattice.numbers(poses.places) for poses in portions])
+    groups = _groups(numbers, total)
+    sizes = np.bincount(groups)
+    groups_of = np.bincount(sizes)
+    poses_of = (groups_of * np.arange(len(groups_of)))[::-1].cumsum()[::-1]
+    # Down from groups in which few enough poses are to look at each, until so many cells are as full as the least.
+    least = max(int((poses_of > total * _FIRST_SHARE).sum()), 2)
+    while least > 1:
+        votes = np.zeros(0, np.int64)
+        if groups_of[least:].sum() >= count:
+            found = np.flatnonzero((sizes >= least).take(groups))
+            # Most of them share a group by chance; among so few, in other groups, hardly any do.
+            others = _groups(numbers.take(found) * _SPREADING[0], len(found))
+            found = found[(np.bincount(others) >= least).take(others)]
+            poses, key = _keyed(_selected(portions, found), lattice)
+            votes = np.unique(key, return_counts=True)[1]
+            if (votes >= least).sum() >= count:
+                return poses, key
+        # Where so many cells were seen, as full as the least of these is enough.
+        enough = int(np.partition(votes, -count)[-count]) if len(votes) >= count else 0
+        least = max(least * 3 // 4, enough)
+    return _keyed(portions, lattice)
+
+
+def _groups(numbers: np.ndarray, count: int) -> np.ndarray:
+    """(H,) groups, a few times as many as poses, of numbers (H,) uint32."""
+    bits = min(count.bit_length() + 1, _GROUP_BITS)
+    return (numbers >> np.uint32(32 - bits)).astype(np.intp)
+
+
+def _selected(portions: Sequence[Poses], chosen: np.ndarray) -> list[Poses]:
+    """The poses of these ascending numbers, counted through all portions."""
+    starts = np.cumsum([0, *(len(poses) for poses in portions)])
+    parts = np.split(chosen, np.searchsorted(chosen, starts[1:-1]))
+    return [poses.select(part - start) for poses, part, start in zip(portions, parts, starts)]
+
+
+def _keyed(portions: Sequence[Poses], lattice: _Lattice) -> tuple[Poses, np.ndarray]:
+    """The poses as one, and (H,) int64 keys: equal ones are of one cell, and they ascend with the cells."""
+    if not portions:
+        nothing = np.empty(0, complex)
+        return Poses(nothing, nothing, nothing, np.empty((4, 0), np.int32)), np.empty(0, np.int64)
+    parts = ([getattr(poses, name) for poses in portions] for name in ("centers", "turns", "focuses", "places"))
+    poses = Poses(*(np.concatenate(part, axis=-1) for part in parts))
+    key = np.zeros(len(poses), np.int64)
+    for column in lattice.columns(poses.places) if len(poses) else ():
+        place = column.astype(np.int64) - int(column.min())
+        key = key * (int(place.max()) + 1) + place
+    return poses, key
+
+
+def _fullest(votes: np.ndarray, count: int) -> np.ndarray:
+    """The ``count`` fullest cells, fullest first."""
+    if len(votes) <= count:
+        return np.argsort(-votes, kind="stable")
+    least = np.partition(votes, len(votes) - count)[len(votes) - count]
+    order = np.flatnonzero(votes >= least)
+    return order[np.argsort(-votes[order], kind="stable")[:count]]
