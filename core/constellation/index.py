@@ -95,8 +95,8 @@ class ConstellationIndex:
         anchors = anchors.astype(np.int64)
         first = anchors * count
         corners = (places[:, k].take(corner) for k in range(3))
-        # The neighbors of anchor n begin at n K; an anchor is told by −1.
-        return [np.where(of < 0, anchors, near.take(first + np.maximum(of, 0))) for of in corners]
+        # The neighbors of anchor n begin at n K; an anchor is told by −1, which finds something else first.
+        return [np.where(of < 0, anchors, near.take(first + of)) for of in corners]
 
     @property
     def keys_tell_classes(self) -> bool:
@@ -320,8 +320,8 @@ def numbers_in(first: np.ndarray, spans: np.ndarray) -> np.ndarray:
 
 def like_triangles(
     index: ConstellationIndex, hits: np.ndarray, source: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
-) -> np.ndarray:
-    """Those of the hits whose five numbers agree with those of their triangle, as positions in ``hits``.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Those of the hits whose five numbers agree with those of their triangle, and these triangles.
 
     Args:
         index: The map's catalogue.
@@ -334,13 +334,13 @@ def like_triangles(
     reach = tolerances / FINE_UNIT + 0.5
     low = np.clip(np.ceil(wanted - reach), 0, FINE_STEPS).astype(np.uint8)
     high = np.clip(np.floor(wanted + reach), 0, FINE_STEPS).astype(np.uint8)
-    values, left, first = index.fine.ravel(), np.arange(len(hits)), hits * len(CELLS)
+    values, first = index.fine.ravel(), hits * len(CELLS)
     for column in range(len(CELLS)):
         # Below the lowest they wrap around and are larger than any span.
-        above = values.take(first + column) - low[:, column].copy().take(source)
+        above = values[column:].take(first) - low[:, column].copy().take(source)
         agree = np.flatnonzero(above <= (high - low)[:, column].copy().take(source))
-        first, source, left = first.take(agree), source.take(agree), left.take(agree)
-    return left
+        first, source = first.take(agree), source.take(agree)
+    return first // len(CELLS), source
 
 
 def _all_triangles(

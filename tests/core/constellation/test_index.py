@@ -30,8 +30,8 @@ def hits_of(index, numbers, ranks):
     which, first, last = key_ranges(index, numbers, ranks, REACH)
     stretch, hits = expand_ranges(first, last)
     source = which[stretch]
-    agree = like_triangles(index, hits, source, numbers, REACH)
-    return source[agree], hits[agree]
+    like, source = like_triangles(index, hits, source, numbers, REACH)
+    return source, like
 
 
 def test_each_of_its_own_triangles_is_found(index, asked):
