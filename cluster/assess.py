@@ -22,6 +22,7 @@ from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.squares_file import write_squares
+from ..storage.squares_style import squares_qml
 from .engine import DaskRunner, connected
 from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
 from .order import answered
@@ -74,6 +75,7 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
             squares,
             database.parameters.crs,
             moment_of(max(before.values(), key=lambda found: found[1])),
+            squares_qml(threshold, footprints[0], len(footprints) == 1),
         )
     success = estimates[0].success
     return {

@@ -11,17 +11,18 @@ from typing import Any
 from osgeo import gdal, ogr, osr
 
 from ..core.errors import ParameterError
-from .database.schema import field_definition, square_wkb
+from .database.schema import STYLE_FIELDS, STYLES, create_layer, field_definition, square_wkb, write_feature
 from .gdal_errors import close, gdal_failures
-from .vector_files import leave_wal, tell_moment
+from .vector_files import STYLE_OF_SEMREF, leave_wal, tell_moment
 
 
-def write_squares(
+def write_squares(  # noqa: PLR0913 - what a file holds
     path: str,
     fields: Sequence[tuple[str, str]],
     squares: Iterable[tuple[tuple[float, float], float, Mapping[str, Any]]],
     crs_wkt: str,
     moment: str,
+    style: str,
 ) -> None:
     """Writes a new GeoPackage, whose one layer is called as the file is.
 
@@ -31,6 +32,7 @@ def write_squares(
         squares: Center, edge and values by name of each; None is written as NULL.
         crs_wkt: What centers are in.
         moment: What the file says of when it was written (ISO 8601, UTC).
+        style: QML of how QGIS draws them.
 
     Raises:
         ParameterError: It can't be written.
@@ -43,6 +45,7 @@ def write_squares(
                 layer.CreateField(field_definition(*field))
             _add(dataset, layer, squares)
             del layer
+            _add_style(dataset, Path(path).stem, style)
         close(dataset)
         del dataset
     try:
@@ -67,3 +70,9 @@ def _add(dataset: gdal.Dataset, layer: ogr.Layer, squares: Iterable[tuple]) -> N
         feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(square_wkb(x - half, y - half, x + half, y + half)))
         layer.CreateFeature(feature)
     dataset.CommitTransaction()
+
+
+def _add_style(dataset: gdal.Dataset, layer: str, qml: str) -> None:
+    """As the layer's default, called as that of *Assess reference database* is."""
+    row = ("", "", layer, "geom", "SemRef", qml, None, 1, STYLE_OF_SEMREF, "", None, "now")
+    write_feature(create_layer(dataset, STYLES, None), STYLE_FIELDS, None, row)

@@ -16,6 +16,9 @@ _DATABASES = (".gpkg", ".sqlite", ".db")
 _OWN = {"layer_styles"}
 """Tables that come with a layer."""
 
+STYLE_OF_SEMREF = "Style of SemRef"
+"""Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
+
 _DATES = {
     "gpkg_contents": "UPDATE gpkg_contents SET last_change = ?",
     "layer_styles": "UPDATE layer_styles SET update_time = ?",

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from qgis.core import QgsLineSymbol, QgsRuleBasedRenderer, QgsSingleSymbolRenderer, QgsVectorLayer
 
+from ...storage import map_tips
 from ..compat import is_null
 from ..translation import tr
 from ..wording.columns import source_words
-from . import map_tips
 from .output_style import Look
 from .palette import BAD, CASING, FIX, FLIGHT
 from .pose_symbols import CROSS, FILLED, HOLLOW

@@ -15,10 +15,10 @@ from qgis.PyQt.QtGui import QColor
 
 from ...core.annotation.classes import ClassLookup
 from ...core.labels.class_table import ClassTable, class_table_from_names
+from ...storage import map_tips
 from ..translation import tr
 from ..wording.annotation_messages import kind_titles, severity_words
 from ..wording.columns import method_words, status_words
-from . import map_tips
 from .annotation import AnnotationSource
 from .output_style import Look
 from .palette import BAD, CASING, FIX, INFORMATION, WARNING

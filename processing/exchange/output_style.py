@@ -23,13 +23,10 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QColor
 
-from ...storage.vector_files import leave_wal
+from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 from .column_names import name_columns
 from .layer_notes import Note, keep_in_file
 from .palette import CASING, INK
-
-STYLE_OF_SEMREF = "Style of SemRef"
-"""Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
 
 _KEPT: list[QgsProcessingLayerPostProcessorInterface] = []
 _MOST_KEPT = 20

@@ -37,6 +37,3 @@ DARK = {
     FOURTH: "#d98fc5",
 }
 """The same meanings on a dark page."""
-
-SUCCESS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
-"""Expected success from hardly ever to very reliably: cividis (Nuñez et al. 2018) at even steps, dark to light."""

@@ -6,9 +6,9 @@ from qgis.core import QgsFillSymbol, QgsMarkerSymbol, QgsRuleBasedRenderer, QgsS
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QColor
 
+from ...storage import map_tips
 from ..translation import tr
 from ..wording.columns import method_words, status_words
-from . import map_tips
 from .output_style import Look
 from .palette import BAD, CASING, FIX, WARNING
 from .pose_symbols import CROSS, DISC, FILLED, pose_symbol

@@ -7,8 +7,7 @@ from qgis.core import QgsCoordinateTransformContext, QgsMapLayerStyle, QgsVector
 
 from ...core.errors import ParameterError
 from ...storage.files import written_beside
-from ...storage.vector_files import leave_wal
-from .output_style import STYLE_OF_SEMREF
+from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 
 TABLES = ("positions", "footprints", "possible_places", "matches", "track")
 

@@ -8,20 +8,20 @@ from __future__ import annotations
 from html import escape
 
 from ...core.labels.class_table import ClassTable
+from ..qml import DOCTYPE, POINT, POLYGON, rgba, symbol, vector_style
 from . import schema
 from .titles import SENTENCES_OF_REFERENCES, SENTENCES_OF_WINDOWS
 
 _WINDOW_COLOR = "31,95,191,255"
-_DOCTYPE = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
 
 
 def plain_styles(table: ClassTable) -> dict[str, str]:
     """QML by table: thin outlines of windows, dots of landmarks and areas of the overview in the class colors."""
     return {
-        schema.WINDOWS: _vector(
+        schema.WINDOWS: vector_style(
             '<renderer-v2 type="singleSymbol">'
-            f"<symbols>{_symbol('fill', 0, 'SimpleFill', _WINDOW)}</symbols></renderer-v2>",
-            2,
+            f"<symbols>{symbol('fill', 0, 'SimpleFill', _WINDOW)}</symbols></renderer-v2>",
+            POLYGON,
             SENTENCES_OF_WINDOWS,
         ),
         schema.REFERENCES: _references(table),
@@ -38,11 +38,11 @@ def _references(table: ClassTable) -> str:
     for number, c in enumerate(table.references):
         label = escape(c.name)
         categories.append(f'<category render="true" symbol="{number}" value="{c.value}" label="{label}"/>')
-        symbols.append(_symbol("marker", number, "SimpleMarker", {**_DOT, "color": _rgba(c.color)}))
-    return _vector(
+        symbols.append(symbol("marker", number, "SimpleMarker", {**_DOT, "color": rgba(c.color)}))
+    return vector_style(
         f'<renderer-v2 type="categorizedSymbol" attr="class"><categories>{"".join(categories)}</categories>'
         f"<symbols>{''.join(symbols)}</symbols></renderer-v2>",
-        0,
+        POINT,
         SENTENCES_OF_REFERENCES,
     )
 
@@ -54,32 +54,7 @@ def _overview(table: ClassTable) -> str:
         if c.value
     )
     return (
-        f'{_DOCTYPE}<qgis version="3.22" styleCategories="Symbology"><pipe>'
+        f'{DOCTYPE}<qgis version="3.22" styleCategories="Symbology"><pipe>'
         f'<rasterrenderer type="paletted" band="1" opacity="1" alphaBand="-1"><colorPalette>{entries}</colorPalette>'
         "</rasterrenderer></pipe><blendMode>0</blendMode></qgis>\n"
     )
-
-
-def _vector(renderer: str, geometry: int, titles: dict[str, str]) -> str:
-    aliases = "".join(f'<alias field="{name}" name="{escape(text)}"/>' for name, text in titles.items())
-    return (
-        f'{_DOCTYPE}<qgis version="3.22" styleCategories="Symbology|Fields">{renderer}<blendMode>0</blendMode>'
-        f"<featureBlendMode>0</featureBlendMode><aliases>{aliases}</aliases>"
-        f"<layerGeometryType>{geometry}</layerGeometryType></qgis>\n"
-    )
-
-
-def _symbol(kind: str, name: int, layer: str, properties: dict[str, str]) -> str:
-    """Both ways in which QGIS 3 has written what a symbol layer is like; each version reads one."""
-    options = "".join(f'<Option type="QString" name="{key}" value="{value}"/>' for key, value in properties.items())
-    older = "".join(f'<prop k="{key}" v="{value}"/>' for key, value in properties.items())
-    return (
-        f'<symbol type="{kind}" name="{name}" alpha="1" clip_to_extent="1">'
-        f'<layer class="{layer}" enabled="1" locked="0" pass="0"><Option type="Map">{options}</Option>{older}</layer>'
-        "</symbol>"
-    )
-
-
-def _rgba(color: str) -> str:
-    """``#rrggbb`` as QGIS writes it."""
-    return ",".join(str(int(color[n : n + 2], 16)) for n in (1, 3, 5)) + ",255"

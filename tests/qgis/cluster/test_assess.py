@@ -9,6 +9,7 @@ from built_database import NAMES
 from clustered import lose_a_worker, require_nothing_after, wait_for
 from made_inputs import scattered_objects
 from osgeo import ogr
+from qgis.core import QgsVectorLayer
 
 SIZE = 160
 LABELS = scattered_objects(420, 480, 300, seed=21, background=0)
@@ -41,6 +42,10 @@ def test_it_holds_what_the_algorithm_tells_with_its_defaults(assessed, area, run
     asked = {"DATABASE": area, "TRIALS": 60, "FOOTPRINT": "160;120", "SPACING": 80, "SCHEDULER": "local:1"}
     expected = run_algorithm("semref:assessdatabase", {**asked, "OUTPUT": str(tmp_path / "qgis.gpkg")})
     found, wanted = rows(path), rows(expected["OUTPUT"])
+    layers = [QgsVectorLayer(str(one), "squares", "ogr") for one in (path, expected["OUTPUT"])]
+    legends = [layer.renderer() for layer in layers]
+    assert legends[0].classAttribute() == legends[1].classAttribute() and "160.0" in legends[0].classAttribute()
+    assert [one.label() for one in legends[0].ranges()] == [one.label() for one in legends[1].ranges()]
     assert len(found) == len(wanted) > 20
     for (values, shape), (others, other) in zip(found, wanted):
         assert shape == other and list(values) == list(others)
