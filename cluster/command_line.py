@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import importlib.metadata
 import importlib.util
+import io
 import json
 import math
 import signal
@@ -71,10 +73,17 @@ def _heed() -> None:
 
 
 def require_packages() -> None:
-    """Raises SemRefError for the first that this Python lacks."""
+    """Raises SemRefError for the first that this Python lacks, or where GDAL was made for another numpy."""
     for module, title in NEEDED:
         if importlib.util.find_spec(module) is None:
             raise SemRefError("cluster.lacks_package", python=sys.executable, package=title)
+    try:
+        # What numpy prints of it is a page long.
+        with contextlib.redirect_stderr(io.StringIO()):
+            importlib.import_module("osgeo.gdal_array")
+    except (ImportError, AttributeError):
+        version = importlib.metadata.version("numpy")
+        raise SemRefError("cluster.unfit_numpy", python=sys.executable, version=version) from None
 
 
 class TextTeller:

@@ -4,6 +4,10 @@ SENTENCES = {
     "cluster.lacks_package": (
         "{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python."
     ),
+    "cluster.unfit_numpy": (
+        "GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was "
+        "made for, which docs/guide/cluster.md tells how to."
+    ),
     "cluster.no_scheduler": (
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
         "--local 4, in QGIS local:4."

@@ -106,3 +106,17 @@ def test_a_python_without_the_packages_is_told_what_it_lacks(tmp_path):
         check=False,
     )
     refused(result, 3, "numpy", "requirements.txt")
+
+
+def test_a_gdal_that_was_made_for_another_numpy_is_told(monkeypatch, capfd):
+    """As pip brings about where it takes the newest numpy beside a distribution's GDAL."""
+    from semref.cluster import command_line
+    from semref.core.errors import SemRefError
+
+    monkeypatch.setitem(sys.modules, "osgeo.gdal_array", None)
+    monkeypatch.setattr(command_line, "NEEDED", command_line.NEEDED[:3])
+    with pytest.raises(SemRefError) as caught:
+        command_line.require_packages()
+    assert caught.value.sentence.code == "cluster.unfit_numpy"
+    assert dict(caught.value.sentence.values)["version"] == np.__version__
+    assert capfd.readouterr().err == ""
