@@ -1568,6 +1568,10 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter rechts wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
   </message>
   <message>
+   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
+   <translation>GDAL von {python} wurde für ein anderes numpy gemacht als das vorhandene {version}; installieren Sie jenes, für das es gemacht wurde, wie docs/guide/cluster.md sagt.</translation>
+  </message>
+  <message>
    <source>GPS elsewhere</source>
    <translation>GPS woanders</translation>
   </message>

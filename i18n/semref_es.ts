@@ -1568,6 +1568,10 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la derecha el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
   </message>
   <message>
+   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
+   <translation>GDAL de {python} se hizo para otro numpy que el {version} presente; instale aquel para el que se hizo, como indica docs/guide/cluster.md.</translation>
+  </message>
+  <message>
    <source>GPS elsewhere</source>
    <translation>GPS en otro lugar</translation>
   </message>

@@ -1568,6 +1568,10 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à droite, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
   </message>
   <message>
+   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
+   <translation>GDAL de {python} a été fait pour un autre numpy que le {version} présent ; installez celui pour lequel il a été fait, comme l’indique docs/guide/cluster.md.</translation>
+  </message>
+  <message>
    <source>GPS elsewhere</source>
    <translation>GPS ailleurs</translation>
   </message>

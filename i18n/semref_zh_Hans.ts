@@ -1568,6 +1568,10 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>{start:.0f} 至 {end:.0f} m：向右平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
   </message>
   <message>
+   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
+   <translation>{python} 的 GDAL 是为另一版本的 numpy 构建的，而现有的是 {version}；请安装其对应的版本，方法见 docs/guide/cluster.md。</translation>
+  </message>
+  <message>
    <source>GPS elsewhere</source>
    <translation>GPS 在别处</translation>
   </message>
