@@ -28,6 +28,7 @@ from ...core.labels.class_proposal import FoundClass
 from ...core.labels.class_table import ClassTable
 from ...storage.burning import BurnPolygon
 from ..compat import POLYGON_GEOMETRY, is_null
+from ..translation import tr
 
 _NO_PRIORITY = float("-inf")
 """Features without a priority lie below all others."""
@@ -72,25 +73,26 @@ class AnnotationCounts:
 
     def sentences(self) -> list[tuple[bool, str]]:
         """(is a warning, sentence) for everything that is worth saying."""
-        said = [(False, f"Used: {_features(self.used)}, {self.multipart} of them multipart.")]
-        repaired = f"Repaired invalid geometry: {_features(self.repaired)}, {self.repaired_parts} polygons."
+        used = tr("Used: {features}, {multipart} of them multipart.")
+        said = [(False, used.format(features=_features(self.used), multipart=self.multipart))]
+        repaired = tr("Repaired invalid geometry: {features}, {polygons} polygons.")
         if self.repaired:
-            said.append((True, repaired))
-        for warns, number, what in (
-            (True, self.empty, "Skipped, without geometry"),
-            (True, self.without_area, "Skipped, without area"),
-            (True, self.without_class, "Skipped, class is NULL"),
-            (True, self.not_in_style, "Left unlabeled, no category in the layer's style"),
-            (True, self.unprojectable, "Skipped, could not be reprojected"),
-            (False, self.three_dimensional, "Heights (Z) left out"),
+            said.append((True, repaired.format(features=_features(self.repaired), polygons=self.repaired_parts)))
+        for warns, number, sentence in (
+            (True, self.empty, tr("Skipped, without geometry: {features}.")),
+            (True, self.without_area, tr("Skipped, without area: {features}.")),
+            (True, self.without_class, tr("Skipped, class is NULL: {features}.")),
+            (True, self.not_in_style, tr("Left unlabeled, no category in the layer's style: {features}.")),
+            (True, self.unprojectable, tr("Skipped, could not be reprojected: {features}.")),
+            (False, self.three_dimensional, tr("Heights (Z) left out: {features}.")),
         ):
             if number:
-                said.append((warns, f"{what}: {_features(number)}."))
+                said.append((warns, sentence.format(features=_features(number))))
         return said
 
 
 def _features(number: int) -> str:
-    return "1 feature" if number == 1 else f"{number} features"
+    return tr("1 feature") if number == 1 else tr("{number} features").format(number=number)
 
 
 def annotation_source(

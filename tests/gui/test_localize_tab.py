@@ -33,6 +33,7 @@ from dock_area import (
 
 def test_an_empty_dock_says_what_to_do(dock, area, tab):
     assert tab.state.text() == "Choose a database and add images."
+    assert tab.results.image.canvas._text == "The selected image appears here."
     dock.content.database.file.setFilePath(area.database)
     assert tab.state.text() == "Add images."
     assert not tab.localize_button.isEnabled()

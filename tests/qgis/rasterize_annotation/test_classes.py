@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -214,3 +215,14 @@ def test_a_map_of_one_class_warns_that_map_correlation_needs_two(rasterize, tmp_
     assert "map correlation needs two" not in feedback.textLog()
     rasterize(layer)
     assert "map correlation needs two" in feedback.textLog()
+
+
+def test_what_became_of_features_is_told_in_the_users_language(qgis_app, monkeypatch):
+    from semref.processing.exchange import annotation
+
+    monkeypatch.setattr(annotation, "tr", lambda text: f"«{text}»")
+    numbers = {field.name: 2 for field in fields(annotation.AnnotationCounts) if field.type == "int"}
+    said = annotation.AnnotationCounts(**numbers).sentences()
+    # Parts that were repaired, and features of several parts, are told beside others.
+    assert len(said) == len(numbers) - 2
+    assert all(sentence.startswith("«") and "«2 features»" in sentence for _, sentence in said)

@@ -43,6 +43,7 @@ class ShownHit(QObject):
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
         self._database = self._model = self._draped_name = self._draped_crs = ""
+        self._results.image.clear(_nothing_yet())
         self._connect()
 
     def _connect(self) -> None:
@@ -86,7 +87,7 @@ class ShownHit(QObject):
         self._picture_reader.forget()
         self.described.emit("", None)
         if finding is None:
-            self._results.image.clear(tr("The selected image appears here."))
+            self._results.image.clear(_nothing_yet())
             return
         self._results.image.clear(tr("Reading…"))
         if finding.matches is not None:
@@ -126,3 +127,7 @@ class ShownHit(QObject):
             add_placed(placed, self._draped_name, self._draped_crs, self._database, QgsProject.instance())
         except LabelMapError as error:
             self._messages.error(worded(error))
+
+
+def _nothing_yet() -> str:
+    return tr("The selected image appears here.")
