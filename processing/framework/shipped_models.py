@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
-from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProcessingModelAlgorithm
 from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
@@ -147,6 +148,14 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         made = ShippedModel()
         made.load(self._path)
         return made
+
+    def postProcessAlgorithm(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict[str, Any]:
+        # QGIS calls layers by their outputs' names, which are part of their keys and so in English.
+        names = {name for child in self.childAlgorithms().values() for name in child.modelOutputs()}
+        for destination, details in context.layersToLoadOnCompletion().items():
+            if details.name in names:
+                context.layerToLoadOnCompletionDetails(destination).name = tr(details.name)
+        return super().postProcessAlgorithm(context, feedback)
 
     def displayName(self) -> str:
         return model_texts(self.name()).title

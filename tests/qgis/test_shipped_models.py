@@ -6,7 +6,13 @@ import importlib.util
 import sys
 
 import pytest
-from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingModelAlgorithm,
+    QgsProject,
+)
 
 from semref.processing.framework import shipped_models
 
@@ -66,6 +72,22 @@ def test_all_texts_are_in_the_users_language(qgis_app, repository, monkeypatch, 
     assert model.load(str(path))
     for text in texts_of(model.create()):
         assert text.startswith("«") and text.endswith("»"), text
+
+
+@each_id
+def test_layers_that_a_model_makes_have_names_in_the_users_language(qgis_app, repository, monkeypatch, name):
+    monkeypatch.setattr(shipped_models, "tr", lambda text: f"«{text}»")
+    model = shipped_models.ShippedModel()
+    assert model.load(str(repository / "models" / f"{FILES[IDS.index(name)]}.model3"))
+    context, project = QgsProcessingContext(), QgsProject()
+    names = [output for child in model.childAlgorithms().values() for output in child.modelOutputs()]
+    assert names
+    # As QGIS calls layers of models, and one of another algorithm.
+    for one in (*names, "Houses"):
+        context.addLayerToLoadOnCompletion(one, QgsProcessingContext.LayerDetails(one, project, "OUTPUT"))
+    model.postProcessAlgorithm(context, QgsProcessingFeedback())
+    shown = {path: details.name for path, details in context.layersToLoadOnCompletion().items()}
+    assert shown == {**{one: f"«{one}»" for one in names}, "Houses": "Houses"}
 
 
 @pytest.fixture(scope="module")
