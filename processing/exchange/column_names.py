@@ -6,6 +6,9 @@ from qgis.core import QgsEditorWidgetSetup, QgsVectorLayer
 
 from ..wording.columns import column_titles, column_words
 
+_SENTENCES = "message", "reason"
+"""Columns of texts that are longer than a line."""
+
 
 def name_columns(layer: QgsVectorLayer, picture: str = "") -> None:
     """Aliases in the user's language, words for keys, and the picture that the column ``picture`` names."""
@@ -18,6 +21,8 @@ def name_columns(layer: QgsVectorLayer, picture: str = "") -> None:
         if name in words:
             entries = [{text: key} for key, text in words[name].items()]
             layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ValueMap", {"map": entries}))
+        elif name in _SENTENCES:
+            layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("TextEdit", {"IsMultiline": True}))
         elif name == picture:
             shown = {"DocumentViewer": 1, "DocumentViewerHeight": 260, "FileWidget": True, "StorageMode": 0}
             layer.setEditorWidgetSetup(index, QgsEditorWidgetSetup("ExternalResource", shown))

@@ -38,8 +38,10 @@ def position_pages(*first: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
 
 def position_tip(is_timed: bool, *more: tuple[str, str]) -> str:
     """The map tip of a position with its picture and, with times, its time; ``more``: (title, expression) of lines."""
-    is_probability = '"method" <> \'topology vector\' AND "confidence" < 1'
-    odds = '1 / (1 - "confidence")'
+    from ...core.localizer.record import MOST_TOLD
+
+    is_probability = "\"method\" <> 'topology vector'"
+    odds = f'1 / max(1 - "confidence", 1.0 / {MOST_TOLD:.0f})'
     rounded = f"round({odds}, 1 - to_int(floor(log10({odds}))))"
     rows = [
         (tr("Status"), map_tips.worded("status", status_words())),

@@ -109,6 +109,18 @@ def test_the_map_tip_tells_status_radius_and_odds_in_words(positions):
     assert "Heading" not in tip
 
 
+@pytest.mark.parametrize("risk", [1e-6, 1e-9, 1e-12, 0.0])
+def test_nobody_is_told_by_a_map_tip_that_a_fix_is_wrong_more_rarely_than_was_tried(positions, risk):
+    values = {"image": "a.tif", "status": "fix", "method": "constellation", "confidence": 1 - risk}
+    tip = tip_of(positions, feature_of(positions, **values))
+    assert "<td>Wrong once in</td><td><b>1,000,000</b></td>" in tip
+
+
+def test_a_sentence_has_as_many_lines_in_a_form_as_it_takes(positions):
+    setup = positions.editorWidgetSetup(positions.fields().lookupField("reason"))
+    assert setup.type() == "TextEdit" and setup.config()["IsMultiline"]
+
+
 def test_the_map_tip_shows_a_status_that_has_no_words_as_it_is(positions):
     tip = tip_of(positions, feature_of(positions, image="a.tif", status="<img src='file:///seen.png'>"))
     assert "<img" not in tip and "&lt;img src=" in tip
