@@ -40,6 +40,10 @@
    <translation>--threads ist {threads}; es muss von 1 bis {most} sein.</translation>
   </message>
   <message>
+   <source>1 feature</source>
+   <translation>1 Objekt</translation>
+  </message>
+  <message>
    <source>1 in {count}</source>
    <translation>1 von {count}</translation>
   </message>
@@ -1728,6 +1732,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Überschrift des Blatts; der Name des Routenlayers, wenn nichts angegeben ist.</translation>
   </message>
   <message>
+   <source>Heights (Z) left out: {features}.</source>
+   <translation>Höhen (Z) weggelassen: {features}.</translation>
+  </message>
+  <message>
    <source>Held by</source>
    <translation>Gehalten durch</translation>
   </message>
@@ -2170,6 +2178,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Left out, without a class or an area: {count}</source>
    <translation>Weggelassen, ohne Klasse oder Fläche: {count}</translation>
+  </message>
+  <message>
+   <source>Left unlabeled, no category in the layer's style: {features}.</source>
+   <translation>Ohne Klasse gelassen, keine Kategorie im Stil des Layers: {features}.</translation>
   </message>
   <message>
    <source>Length</source>
@@ -3452,6 +3464,10 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Reparierte Annotation</translation>
   </message>
   <message>
+   <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
+   <translation>Ungültige Geometrie repariert: {features}, {polygons} Polygone.</translation>
+  </message>
+  <message>
    <source>Report</source>
    <translation>Bericht</translation>
   </message>
@@ -3814,6 +3830,22 @@ Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisi
   <message>
    <source>Size in bytes</source>
    <translation>Größe in Byte</translation>
+  </message>
+  <message>
+   <source>Skipped, class is NULL: {features}.</source>
+   <translation>Weggelassen, Klasse ist NULL: {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, could not be reprojected: {features}.</source>
+   <translation>Weggelassen, nicht transformierbar: {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, without area: {features}.</source>
+   <translation>Weggelassen, ohne Fläche: {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, without geometry: {features}.</source>
+   <translation>Weggelassen, ohne Geometrie: {features}.</translation>
   </message>
   <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
@@ -5006,6 +5038,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Used last</source>
    <translation>Zuletzt verwendet</translation>
+  </message>
+  <message>
+   <source>Used: {features}, {multipart} of them multipart.</source>
+   <translation>Verwendet: {features}, davon {multipart} mehrteilig.</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -6594,6 +6630,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} Objekte von {name}, die sich berühren, sind ein Polygon mit den Attributen von Objekt {id}.</translation>
+  </message>
+  <message>
+   <source>{number} features</source>
+   <translation>{number} Objekte</translation>
   </message>
   <message>
    <source>{odds} wrong</source>

@@ -40,6 +40,10 @@
    <translation>--threads es {threads}; debe ir de 1 a {most}.</translation>
   </message>
   <message>
+   <source>1 feature</source>
+   <translation>1 objeto</translation>
+  </message>
+  <message>
    <source>1 in {count}</source>
    <translation>1 de cada {count}</translation>
   </message>
@@ -1728,6 +1732,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Encabezado de la hoja; el nombre de la capa de la ruta si se omite.</translation>
   </message>
   <message>
+   <source>Heights (Z) left out: {features}.</source>
+   <translation>Alturas (Z) omitidas: {features}.</translation>
+  </message>
+  <message>
    <source>Held by</source>
    <translation>Sostenida por</translation>
   </message>
@@ -2170,6 +2178,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Left out, without a class or an area: {count}</source>
    <translation>Omitidos, sin clase o sin área: {count}</translation>
+  </message>
+  <message>
+   <source>Left unlabeled, no category in the layer's style: {features}.</source>
+   <translation>Sin clase, no hay categoría en el estilo de la capa: {features}.</translation>
   </message>
   <message>
    <source>Length</source>
@@ -3452,6 +3464,10 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Anotación reparada</translation>
   </message>
   <message>
+   <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
+   <translation>Geometría no válida reparada: {features}, {polygons} polígonos.</translation>
+  </message>
+  <message>
    <source>Report</source>
    <translation>Informe</translation>
   </message>
@@ -3814,6 +3830,22 @@ Se simulan imágenes de los propios hitos de la base de datos, se degradan y las
   <message>
    <source>Size in bytes</source>
    <translation>Tamaño en bytes</translation>
+  </message>
+  <message>
+   <source>Skipped, class is NULL: {features}.</source>
+   <translation>Omitidos, la clase es NULL: {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, could not be reprojected: {features}.</source>
+   <translation>Omitidos, no se pudieron reproyectar: {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, without area: {features}.</source>
+   <translation>Omitidos, sin área: {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, without geometry: {features}.</source>
+   <translation>Omitidos, sin geometría: {features}.</translation>
   </message>
   <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
@@ -5006,6 +5038,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Used last</source>
    <translation>Usados recientemente</translation>
+  </message>
+  <message>
+   <source>Used: {features}, {multipart} of them multipart.</source>
+   <translation>Se usan: {features}, de ellos {multipart} multiparte.</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -6594,6 +6630,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} objetos espaciales de {name} que se tocan son un solo polígono con los atributos del objeto espacial {id}.</translation>
+  </message>
+  <message>
+   <source>{number} features</source>
+   <translation>{number} objetos</translation>
   </message>
   <message>
    <source>{odds} wrong</source>

@@ -40,6 +40,10 @@
    <translation>--threads vaut {threads} ; il doit aller de 1 à {most}.</translation>
   </message>
   <message>
+   <source>1 feature</source>
+   <translation>1 entité</translation>
+  </message>
+  <message>
    <source>1 in {count}</source>
    <translation>1 sur {count}</translation>
   </message>
@@ -1728,6 +1732,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Titre de la feuille ; le nom de la couche de la route si rien n’est indiqué.</translation>
   </message>
   <message>
+   <source>Heights (Z) left out: {features}.</source>
+   <translation>Altitudes (Z) omises : {features}.</translation>
+  </message>
+  <message>
    <source>Held by</source>
    <translation>Tenue par</translation>
   </message>
@@ -2170,6 +2178,10 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Left out, without a class or an area: {count}</source>
    <translation>Écartés, sans classe ou sans surface : {count}</translation>
+  </message>
+  <message>
+   <source>Left unlabeled, no category in the layer's style: {features}.</source>
+   <translation>Laissés sans classe, aucune catégorie dans le style de la couche : {features}.</translation>
   </message>
   <message>
    <source>Length</source>
@@ -3452,6 +3464,10 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Annotation réparée</translation>
   </message>
   <message>
+   <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
+   <translation>Géométrie non valide réparée : {features}, {polygons} polygones.</translation>
+  </message>
+  <message>
    <source>Report</source>
    <translation>Rapport</translation>
   </message>
@@ -3814,6 +3830,22 @@ Des images des repères visuels de la base sont simulées, dégradées et locali
   <message>
    <source>Size in bytes</source>
    <translation>Taille en octets</translation>
+  </message>
+  <message>
+   <source>Skipped, class is NULL: {features}.</source>
+   <translation>Omis, la classe est NULL : {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, could not be reprojected: {features}.</source>
+   <translation>Omis, reprojection impossible : {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, without area: {features}.</source>
+   <translation>Omis, sans surface : {features}.</translation>
+  </message>
+  <message>
+   <source>Skipped, without geometry: {features}.</source>
+   <translation>Omis, sans géométrie : {features}.</translation>
   </message>
   <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
@@ -5006,6 +5038,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Used last</source>
    <translation>Utilisés récemment</translation>
+  </message>
+  <message>
+   <source>Used: {features}, {multipart} of them multipart.</source>
+   <translation>Utilisés : {features}, dont {multipart} multiparties.</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -6594,6 +6630,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{number:.0f} entités de {name} qui se touchent forment un seul polygone avec les attributs de l’entité {id}.</translation>
+  </message>
+  <message>
+   <source>{number} features</source>
+   <translation>{number} entités</translation>
   </message>
   <message>
    <source>{odds} wrong</source>

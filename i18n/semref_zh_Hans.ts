@@ -40,6 +40,10 @@
    <translation>--threads 为 {threads}；必须在 1 到 {most} 之间。</translation>
   </message>
   <message>
+   <source>1 feature</source>
+   <translation>1 个要素</translation>
+  </message>
+  <message>
    <source>1 in {count}</source>
    <translation>{count} 次中 1 次</translation>
   </message>
@@ -1728,6 +1732,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>图页标题；留空时取航线图层的名称。</translation>
   </message>
   <message>
+   <source>Heights (Z) left out: {features}.</source>
+   <translation>已舍弃高度 (Z)：{features}。</translation>
+  </message>
+  <message>
    <source>Held by</source>
    <translation>依据</translation>
   </message>
@@ -2170,6 +2178,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Left out, without a class or an area: {count}</source>
    <translation>已舍去（没有类别或面积）：{count}</translation>
+  </message>
+  <message>
+   <source>Left unlabeled, no category in the layer's style: {features}.</source>
+   <translation>未标注，图层样式中无此分类：{features}。</translation>
   </message>
   <message>
    <source>Length</source>
@@ -3452,6 +3464,10 @@ Layers are drawn as they are styled in the project.</source>
    <translation>修复后的标注</translation>
   </message>
   <message>
+   <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
+   <translation>已修复无效几何：{features}，{polygons} 个多边形。</translation>
+  </message>
+  <message>
    <source>Report</source>
    <translation>报告</translation>
   </message>
@@ -3814,6 +3830,22 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
   <message>
    <source>Size in bytes</source>
    <translation>大小（字节）</translation>
+  </message>
+  <message>
+   <source>Skipped, class is NULL: {features}.</source>
+   <translation>已跳过，类别为 NULL：{features}。</translation>
+  </message>
+  <message>
+   <source>Skipped, could not be reprojected: {features}.</source>
+   <translation>已跳过，无法重投影：{features}。</translation>
+  </message>
+  <message>
+   <source>Skipped, without area: {features}.</source>
+   <translation>已跳过，无面积：{features}。</translation>
+  </message>
+  <message>
+   <source>Skipped, without geometry: {features}.</source>
+   <translation>已跳过，无几何：{features}。</translation>
   </message>
   <message>
    <source>Slides windows over a label map and describes each by the topology vector of its landmarks; saves windows, landmarks of the whole map, a reduced map, classes and parameters in one GeoPackage.
@@ -5006,6 +5038,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Used last</source>
    <translation>最近使用</translation>
+  </message>
+  <message>
+   <source>Used: {features}, {multipart} of them multipart.</source>
+   <translation>已使用：{features}，其中 {multipart} 个为多部件。</translation>
   </message>
   <message>
    <source>User guide</source>
@@ -6594,6 +6630,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{number:.0f} touching features of {name} are one polygon with the attributes of feature {id}.</source>
    <translation>{name} 的 {number:.0f} 个相接要素合并为一个多边形，采用要素 {id} 的属性。</translation>
+  </message>
+  <message>
+   <source>{number} features</source>
+   <translation>{number} 个要素</translation>
   </message>
   <message>
    <source>{odds} wrong</source>
