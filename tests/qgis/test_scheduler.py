@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import time
 
 import numpy as np
 import pytest
@@ -66,19 +65,25 @@ def test_a_qgis_without_dask_says_what_to_install(run_algorithm, label_map, tmp_
 
 
 @needs_dask
-def test_a_cancel_is_heeded_at_once_and_leaves_nothing(run_algorithm, label_map, feedback, tmp_path):
-    moments = []
+def test_a_cancel_is_heeded_at_once_and_leaves_neither_files_nor_workers(run_algorithm, label_map, feedback, tmp_path):
+    psutil = pytest.importorskip("psutil")
+    before = psutil.Process().children(recursive=True)
+    others: list[psutil.Process] = []
 
     def cancel(share):
-        if share > 0 and not moments:
+        if share > 0 and not others:
+            others.extend(one for one in psutil.Process().children(recursive=True) if one not in before)
             feedback.cancel()
-            moments.append(time.monotonic())
 
     feedback.progressChanged.connect(cancel)
     asked = {"LABELS": str(label_map), **SETTINGS, "SCHEDULER": "local:1", "DATABASE": str(tmp_path / "a.gpkg")}
     with pytest.raises(QgsProcessingException, match="Canceled"):
         run_algorithm(BUILD, asked, feedback)
     assert list(tmp_path.iterdir()) == []
+    # The command and its worker, at least; they end with the algorithm or soon after, all of them.
+    assert len(others) >= 2
+    _, alive = psutil.wait_procs(others, timeout=60)
+    assert alive == []
 
 
 @needs_dask
