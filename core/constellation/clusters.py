@@ -22,6 +22,9 @@ _GROUP_BITS = 21
 _FIRST_SHARE = 0.25
 """Of the poses, at most, are looked at again at first."""
 
+_FARTHEST = 2.0**30
+"""Half cell beyond which all are one: of an image that would show next to nothing of the map."""
+
 _SPREADING = np.array([0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F], np.uint32)
 """Factors of a cell's whole numbers: cells that are next to each other fall into groups far apart."""
 
@@ -107,7 +110,8 @@ def poses_in_cells(
         least = int(places[2].min())
         edges = settings.cell_of_image * diagonal * np.exp(np.arange(least, int(places[2].max()) + 1) * step)
         halves = (edges / 2)[places[2] - least]
-        places[0], places[1] = np.floor(centers.real / halves), np.floor(centers.imag / halves)
+        for row, part in enumerate((centers.real, centers.imag)):
+            places[row] = np.clip(np.floor(part / halves), -_FARTHEST, _FARTHEST)
         places[3] = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * _cells_around(settings) * 2)
     return Poses(centers, turns, focuses, places)
 

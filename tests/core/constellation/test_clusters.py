@@ -86,6 +86,16 @@ def test_poses_lie_in_cells_that_grow_with_the_pixel_size_by_steps():
     assert len(poses_in_cells(centers[:0], turns[:0], centers[:0], diagonal, CONSTELLATION)) == 0
 
 
+def test_poses_of_next_to_no_pixel_size_are_counted_as_the_farthest():
+    """Two landmarks at one spot, but for rounding, make triangles that no image shows."""
+    centers, turns = np.array([1e6 - 2e6j, 10 + 10j, 12 + 10j]), np.array([1e-12j, 1, 1])
+    with np.errstate(all="raise"):
+        poses = poses_in_cells(centers, turns, centers, 900.0, CONSTELLATION)
+        seeds = clustered([poses], CONSTELLATION, False, 2)
+    assert poses.places[:2, 0].tolist() == [2**30, -(2**30)]
+    assert seeds.votes.tolist() == [2, 1] and seeds.centers[0] == 11 + 10j
+
+
 def test_poses_of_one_cell_are_one_cluster_at_their_mean():
     centers, turns = np.array([10 + 10j, 12 + 14j, 900 + 0j]), np.array([1 + 0j, 1.002 + 0j, 1 + 0j])
     focuses = np.array([0j, 30 + 0j, 7j])
