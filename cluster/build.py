@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import contextlib
 import shlex
-import tempfile
 from argparse import Namespace
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from osgeo import gdal
 
 from ..core.database.build import BuildSettings
@@ -20,7 +17,7 @@ from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..storage.database.notes import source_of, write_notes
-from ..storage.database.overview_file import OverviewFile
+from ..storage.database.overview_file import CACHE_BYTES, HeldOverview, OverviewFile, overview_beside
 from ..storage.database.styles import plain_styles
 from ..storage.database.writer import DatabaseWriter
 from ..storage.files import written_beside
@@ -32,12 +29,6 @@ from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by
 
 _WRITTEN_FROM = 0.85
 """Share of all that is done when writing begins."""
-
-_HELD_OVERVIEW = 256 << 20
-"""Bytes of an overview that is held in memory; a larger one lies in a file until it is written."""
-
-_CACHE_BYTES = 64 << 20
-"""GDAL's, of the process that writes."""
 
 
 def build(options: Namespace, teller: Teller) -> dict[str, Any]:
@@ -60,9 +51,10 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
     frame, before = label_map_frame(labels, path), state(path)
     table = _table(labels, path, options.reference_classes or "", teller)
     # What is read and written here goes through once: by default GDAL's cache is a share of the machine's memory.
-    gdal.SetCacheMax(_CACHE_BYTES)
-    with written_beside(str(Path(options.database).absolute())) as temporary, _folder_beside(temporary) as folder:
-        overview = _overview(frame.reduced(settings.overview_factor).shape_hw, folder)
+    gdal.SetCacheMax(CACHE_BYTES)
+    shape_hw = frame.reduced(settings.overview_factor).shape_hw
+    target = str(Path(options.database).absolute())
+    with written_beside(target) as temporary, overview_beside(temporary, shape_hw) as overview:
         with overview, connected(options.scheduler, options.local, options.worker_memory, teller.say) as client:
             version = plugin_metadata()["version"]
             builder = PartsBuilder(frame, table, settings, version, DaskRunner(client, path), overview.put)
@@ -96,11 +88,6 @@ def _command(options: Namespace, settings: BuildSettings) -> str:
     given += ["--references-per-vector", str(settings.references_per_vector)]
     given += ["--minimum-area", f"{settings.minimum_area:g}", "--map-accuracy", f"{settings.map_accuracy:g}"]
     return f"python -m cluster {shlex.join(given)}"
-
-
-def _folder_beside(path: str) -> tempfile.TemporaryDirectory:
-    """For what is kept meanwhile on the disk that the result goes to."""
-    return tempfile.TemporaryDirectory(dir=Path(path).parent)
 
 
 def _settings(options: Namespace) -> BuildSettings:
@@ -145,31 +132,9 @@ def _complete(builder: PartsBuilder) -> ReferenceDatabase:
 
 
 def _written(
-    path: str, database: ReferenceDatabase, overview: _Held | OverviewFile, changed: tuple[int, float]
+    path: str, database: ReferenceDatabase, overview: HeldOverview | OverviewFile, changed: tuple[int, float]
 ) -> Iterator[tuple[str, float]]:
     """Writes the GeoPackage, dated by the label map: the same map gives the same bytes."""
     degrees = longitudes_latitudes(database.windows.centers, database.parameters.crs)
     styles = plain_styles(database.class_table)
-    labels = overview if isinstance(overview, OverviewFile) else overview.labels
-    yield from DatabaseWriter(path, database, *degrees, labels, styles, moment_of(changed)).steps()
-
-
-class _Held(contextlib.AbstractContextManager):
-    """An overview in memory while its pieces come in."""
-
-    def __init__(self, shape_hw: tuple[int, int]) -> None:
-        self.labels = np.zeros(shape_hw, np.uint8)
-
-    def __exit__(self, *_: object) -> None:
-        """Nothing to close."""
-
-    def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
-        """Takes a piece."""
-        self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
-
-
-def _overview(shape_hw: tuple[int, int], folder: str) -> _Held | OverviewFile:
-    """What takes the pieces of the overview, in memory or, of a large map, in a file."""
-    if shape_hw[0] * shape_hw[1] <= _HELD_OVERVIEW:
-        return _Held(shape_hw)
-    return OverviewFile(str(Path(folder) / "overview.tif"), shape_hw)
+    yield from DatabaseWriter(path, database, *degrees, overview, styles, moment_of(changed)).steps()

@@ -13,7 +13,7 @@ from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
 from ..labels.block_hashes import BlockHasher, map_hash
 from ..labels.class_table import ClassTable
-from ..labels.overview import OVERVIEW_FACTOR, most_frequent_labels
+from ..labels.overview import OVERVIEW_FACTOR, OverviewSink, most_frequent_labels
 from ..labels.sources import LabelSource
 from ..landmarks.catalogue import CatalogueBuilder
 from ..landmarks.landmarks import Landmarks
@@ -76,8 +76,14 @@ class DatabaseBuilder:
     ``compare_windows()`` then adds the windows' distinctiveness to it.
     """
 
-    def __init__(
-        self, source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
+    def __init__(  # noqa: PLR0913 - a map, what is wanted of it, and where the overview goes
+        self,
+        source: LabelSource,
+        frame: MapFrame,
+        table: ClassTable,
+        settings: BuildSettings,
+        plugin_version: str,
+        overview: OverviewSink | None = None,
     ) -> None:
         """Makes the builder; nothing is read yet.
 
@@ -87,6 +93,7 @@ class DatabaseBuilder:
             table: With the reference classes.
             settings: What the user chooses.
             plugin_version: What the database says.
+            overview: Takes the overview band by band; without one it is held in memory, as ``overview``.
 
         Raises:
             WindowError: The windows don't fit the map.
@@ -99,6 +106,7 @@ class DatabaseBuilder:
         self._plugin_version = plugin_version
         self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
         self.overview: np.ndarray | None = None
+        self._overview = overview
         self.database: ReferenceDatabase | None = None
 
     def read_from(self, source: LabelSource) -> None:
@@ -156,13 +164,11 @@ class DatabaseBuilder:
         )
         height, width = self._source.shape_hw
         blocks = BlockHasher(width)
-        # Filled in place: a list of bands would be held twice when it is joined.
-        overview = np.empty((-(-height // factor), -(-width // factor)), np.uint8)
+        put = self._overview or self._held((-(-height // factor), -(-width // factor)))
 
         def reduce(first: int, labels: np.ndarray) -> None:
             blocks.add(labels)
-            reduced = most_frequent_labels(labels, factor)
-            overview[first // factor : first // factor + len(reduced)] = reduced
+            put(0, first // factor, most_frequent_labels(labels, factor))
 
         # One thread hashes and reduces a band while this one looks for objects in the next.
         with ThreadPoolExecutor(1) as pool:
@@ -174,10 +180,19 @@ class DatabaseBuilder:
                 yield 0.9 * n / catalogue.band_count, None
             if reducing is not None:
                 reducing.result()
-        self.overview = overview
         for _ in catalogue.crossing():
             yield 0.9, None
         yield 1.0, (catalogue.objects, blocks.hashes)
+
+    def _held(self, shape_hw: tuple[int, int]) -> OverviewSink:
+        """Fills ``overview`` in place: a list of bands would be held twice when it is joined."""
+        held = self.overview = np.empty(shape_hw, np.uint8)
+
+        def put(column: int, row: int, piece_hw: np.ndarray) -> None:
+            height, width = piece_hw.shape
+            held[row : row + height, column : column + width] = piece_hw
+
+        return put
 
     @property
     def _minimum_area_px(self) -> float:

@@ -16,7 +16,7 @@ import numpy as np
 from ..geometry.frame import MapFrame
 from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, blocks_shape
 from ..labels.class_table import ClassTable
-from ..labels.overview import most_frequent_labels
+from ..labels.overview import OverviewSink, most_frequent_labels
 from ..labels.sources import LabelSource, PartOfMap
 from ..landmarks.catalogue import measure_region
 from ..landmarks.landmarks import (
@@ -54,9 +54,6 @@ COMPARED_A_TASK = 4096
 
 Box = tuple[int, int, int, int]
 """Column, row, width, height of a piece of the map, pixels."""
-
-OverviewSink = Callable[[int, int, np.ndarray], None]
-"""Takes the column and row of a piece of the overview, and the piece (h, w) uint8."""
 
 
 class Runner(Protocol):

@@ -5,6 +5,8 @@ Told in docs/file-formats.md#reference-database.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import cv2
 import numpy as np
 
@@ -13,6 +15,8 @@ from .counts import count_labels
 OVERVIEW_FACTOR = 4
 """Default reduction; 300 km² at 1 m become 4 m pixels."""
 
+OverviewSink = Callable[[int, int, np.ndarray], None]
+"""Takes the column and row of a piece of the overview, and the piece (h, w) uint8."""
 
 _WORD = 0x01010101
 """Times a label: four pixels of that label as one 32-bit word."""

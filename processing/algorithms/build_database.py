@@ -173,6 +173,7 @@ class BuildDatabase(SemRefAlgorithm):
     def _built(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> tuple[int, int, int]:
         """Builds the database; numbers of windows, of landmarks and of windows without a vector."""
         from ...core.database.build import DatabaseBuilder
+        from ...storage.database.overview_file import overview_beside
         from ...storage.database.writer import DatabaseWriter
         from ...storage.rasters import GdalLabels, HeldLabels
         from ..exchange.layers import map_frame
@@ -184,17 +185,19 @@ class BuildDatabase(SemRefAlgorithm):
         table = self._table(values, labels, feedback)
         settings = self._settings(values)
         held = HeldLabels(labels)
-        builder = DatabaseBuilder(labels, frame, table, settings, plugin_version())
-        self._say_rounding(builder, frame, settings, feedback)
-        with outputs.database(self.DATABASE) as path:
-            follow(held.steps(), feedback, 0, 10)
-            builder.read_from(held.source)
-            follow(builder.steps(), feedback, 10, 75)
-            follow(builder.compare_windows(), feedback, 75, 85)
+        shape_hw = frame.of_shape(labels.shape_hw).reduced(settings.overview_factor).shape_hw
+        with outputs.database(self.DATABASE) as path, overview_beside(path, shape_hw) as overview:
+            with overview:
+                builder = DatabaseBuilder(labels, frame, table, settings, plugin_version(), overview.put)
+                self._say_rounding(builder, frame, settings, feedback)
+                follow(held.steps(), feedback, 0, 10)
+                builder.read_from(held.source)
+                follow(builder.steps(), feedback, 10, 75)
+                follow(builder.compare_windows(), feedback, 75, 85)
             database = builder.database
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, values.transform_context)
             styles = database_styles(database.class_table)
-            writer = DatabaseWriter(path, database, *degrees, builder.overview, styles)
+            writer = DatabaseWriter(path, database, *degrees, overview, styles)
             follow(writer.steps(), feedback, 85, 100)
         windows = database.windows
         return len(windows), len(database.references), int((~windows.described).sum())

@@ -1,11 +1,21 @@
-"""The overview of a map that is too large for memory, in a file of its own until it is written."""
+"""The overview of a map until it is written: in memory or, of a large map, in a file of its own."""
 
 from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator
 
 import numpy as np
 from osgeo import gdal
 
 from ..written_raster import WrittenRaster
+
+HELD_PIXELS = 256 << 20
+"""Of an overview that is held in memory while it is made."""
+
+CACHE_BYTES = 64 << 20
+"""Of GDAL, while a map of a larger overview is read and written."""
 
 _OPTIONS = ("TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=YES")
 """Not compressed: pieces come in any order and end within tiles, which would be compressed again and again."""
@@ -41,3 +51,43 @@ class OverviewFile(WrittenRaster):
         )
         made.GetRasterBand(1).SetMetadataItem("source_0", source, "new_vrt_sources")
         return made
+
+
+class HeldOverview(contextlib.AbstractContextManager):
+    """Takes pieces in any order; ``labels`` is the whole."""
+
+    def __init__(self, shape_hw: tuple[int, int]) -> None:
+        """Of (height, width) pixels."""
+        self.labels = np.zeros(shape_hw, np.uint8)
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing to close."""
+
+    def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
+        """Takes a piece (h, w) uint8 whose first pixel lies there."""
+        self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
+
+
+@contextlib.contextmanager
+def overview_beside(path: str, shape_hw: tuple[int, int]) -> Iterator[HeldOverview | OverviewFile]:
+    """Gives what takes the pieces of an overview, within a ``with`` of its own; if it has a file, that goes at the end.
+
+    Args:
+        path: Of the database that it is for.
+        shape_hw: (height, width) in pixels.
+
+    Raises:
+        LabelMapError: GDAL can't write there.
+    """
+    if shape_hw[0] * shape_hw[1] <= HELD_PIXELS:
+        yield HeldOverview(shape_hw)
+        return
+    file, cache = f"{path}.overview.tif", gdal.GetCacheMax()
+    # By default a share of the machine's memory, which a map this large fills with what goes through once.
+    gdal.SetCacheMax(min(cache, CACHE_BYTES))
+    try:
+        yield OverviewFile(file, shape_hw)
+    finally:
+        gdal.SetCacheMax(cache)
+        with contextlib.suppress(OSError):
+            os.unlink(file)

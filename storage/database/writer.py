@@ -17,7 +17,7 @@ from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal, tell_moment
 from . import schema
 from .batches import BATCH
-from .overview_file import OverviewFile
+from .overview_file import HeldOverview, OverviewFile
 from .reader import store_checksums
 from .titles import tell_titles
 
@@ -36,7 +36,7 @@ class DatabaseWriter:
         database: ReferenceDatabase,
         longitudes: np.ndarray,
         latitudes: np.ndarray,
-        overview: np.ndarray | OverviewFile,
+        overview: np.ndarray | HeldOverview | OverviewFile,
         styles: dict[str, str],
         moment: str = "",
     ) -> None:
@@ -47,7 +47,7 @@ class DatabaseWriter:
             database: With the windows' distinctiveness, NaN is written as NULL.
             longitudes: (N,) degrees, of the windows' centers; NaN is written as NULL.
             latitudes: (N,) degrees, as well.
-            overview: (h, w) uint8, or the file that holds it.
+            overview: (h, w) uint8, or what took its pieces.
             styles: QML by table.
             moment: What the file says of when it was written (ISO 8601, UTC), so that the same map gives the same
                 bytes; empty for now.
@@ -57,7 +57,7 @@ class DatabaseWriter:
         self._database = database
         self._longitudes = longitudes
         self._latitudes = latitudes
-        self._overview = overview
+        self._overview = overview.labels if isinstance(overview, HeldOverview) else overview
         self._styles = styles
 
     def steps(self) -> Iterator[tuple[str, float]]:

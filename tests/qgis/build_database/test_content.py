@@ -75,3 +75,19 @@ def test_the_parameters_tell_how_it_was_built(query):
 
 def test_the_same_map_gives_the_same_database(build, label_map, database):
     assert content(build(label_map)["DATABASE"]) == content(database)
+
+
+def test_an_overview_that_is_too_large_for_memory_lies_in_a_file_meanwhile(build, label_map, tmp_path, monkeypatch):
+    from semref.storage.database import overview_file
+
+    monkeypatch.setattr(overview_file, "HELD_PIXELS", 0)
+    caches, before = [], gdal.GetCacheMax()
+    put = overview_file.OverviewFile.put
+    monkeypatch.setattr(
+        overview_file.OverviewFile, "put", lambda *piece: caches.append(gdal.GetCacheMax()) or put(*piece)
+    )
+    built = build(label_map, DATABASE=str(tmp_path / "filed.gpkg"))
+    overview = gdal.Open(f"GPKG:{built['DATABASE']}:overview")
+    np.testing.assert_array_equal(overview.ReadAsArray(), most_frequent(map_labels(), 4))
+    assert set(caches) == {overview_file.CACHE_BYTES} and gdal.GetCacheMax() == before
+    assert [path.name for path in tmp_path.iterdir() if path.suffix != ".qml"] == ["filed.gpkg"]

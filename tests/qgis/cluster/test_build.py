@@ -236,6 +236,7 @@ def test_an_overview_that_lies_in_a_file_meanwhile_gives_the_same_bytes(label_ma
     from argparse import Namespace
 
     from semref.cluster import build as builds
+    from semref.storage.database import overview_file
 
     options = {"labels": str(label_map), "reference_classes": "building;water", "window_size": 320.0, "stride": 140.0}
     options |= {"levels": "1", "references_per_vector": 10, "minimum_area": 40.0, "map_accuracy": 1.1}
@@ -243,7 +244,7 @@ def test_an_overview_that_lies_in_a_file_meanwhile_gives_the_same_bytes(label_ma
     cache = gdal.GetCacheMax()
     try:
         for name, held in (("held.gpkg", 1 << 30), ("filed.gpkg", 0)):
-            monkeypatch.setattr(builds, "_HELD_OVERVIEW", held)
+            monkeypatch.setattr(overview_file, "HELD_PIXELS", held)
             workers = {"scheduler": None, "local": 1, "worker_memory": None}
             builds.build(Namespace(**options, **workers, database=str(tmp_path / name)), SilentTeller())
     finally:
