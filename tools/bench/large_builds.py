@@ -50,11 +50,15 @@ class Built:
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    found = {} if IN_QGIS in run.only else _by_cluster(run)
-    return found if run.only and IN_QGIS not in run.only else found | _in_qgis(run)
+    sections = {}
+    if IN_QGIS not in run.only:
+        sections["large builds"] = _by_cluster(run)
+    if IN_QGIS in run.only or not run.only:
+        sections["large builds in QGIS"] = _in_qgis(run)
+    return sections
 
 
-def _by_cluster(run: inputs.Run) -> dict[str, str]:
+def _by_cluster(run: inputs.Run) -> str:
     chosen = [n for n in EXPONENTS if str(n) in run.only] if run.only else EXPONENTS[: 1 if run.quick else None]
     found = []
     for exponent in chosen:
@@ -65,7 +69,7 @@ def _by_cluster(run: inputs.Run) -> dict[str, str]:
     header = ["map, pixels", "windows / landmarks", "s", "processor s", "memory, starting process", "memory, worker"]
     table = page.table([*header, "database", "B / pixel"], rows)
     about = _ABOUT.format(goal=page.size(GOAL_BYTES), table=table, apart=_APART / 1000)
-    return {"large builds": f"{about}\n\n{_exponents(found)}" if len(found) > 1 else about}
+    return f"{about}\n\n{_exponents(found)}" if len(found) > 1 else about
 
 
 _ABOUT = """\
@@ -76,7 +80,7 @@ libraries and mapped files included). Goal: ≤ {goal} whatever the map's size.
 {table}"""
 
 
-def _in_qgis(run: inputs.Run) -> dict[str, str]:
+def _in_qgis(run: inputs.Run) -> str:
     rows = []
     for exponent in EXPONENTS[: 1 if run.quick else None]:
         path, target = sparse_map(run.work / f"sparse_{exponent}.tif", 10**exponent), run.work / "sparse_in_qgis.gpkg"
@@ -89,7 +93,7 @@ def _in_qgis(run: inputs.Run) -> dict[str, str]:
         target.unlink()
         print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
     header = ["map, pixels", "windows, landmarks", "s", "processor s", "memory", "database"]
-    return {"large builds in QGIS": f"{_ABOUT_QGIS}\n\n{page.table(header, rows)}"}
+    return f"{_ABOUT_QGIS}\n\n{page.table(header, rows)}"
 
 
 _ABOUT_QGIS = """\
