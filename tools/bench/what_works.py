@@ -54,13 +54,8 @@ SHOWN = (
     Shown("real photos: a town, trained on its other half", "own ground", "for 5 minutes, automatic", "right", "wrong"),
     Shown("six parts of a city, trained on the others", "real tiles", "all, network", "right", "wrong"),
     Shown("of these a shore and mangroves", "real tiles", "tile 6, network", "right", "wrong"),
-    Shown(
-        "buildings alone, trained 2½ minutes elsewhere",
-        "real places",
-        "west, buildings, all sizes, net",
-        "right",
-        "wrong",
-    ),
+    Shown("buildings alone, a town's other half", "real places", "west, buildings, all sizes, net", "right", "wrong"),
+    Shown("buildings alone, a country never seen", "real places", "kenya, buildings, all sizes, net", "right", "wrong"),
     Shown("images of other places: none is to be found", "elsewhere", "all 0/", "", "fixes"),
 )
 
