@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from html import escape
 
-from ..core.assessment.squares import verdict_edges
 from . import map_tips
 from .qml import POLYGON, rgba, symbol, vector_style
 
@@ -91,6 +90,9 @@ def success_classes(
         wording: Translates a text.
         number: How percent are written.
     """
+    # Here, as the words above are wanted without OpenCV, too.
+    from ..core.assessment.squares import verdict_edges
+
     edges = verdict_edges(threshold)
     return [
         (low, high, color, f"{wording(word)} ({number(100 * low)}–{number(100 * high)} %)")
