@@ -8,6 +8,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProject,
+    QgsTask,
 )
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
@@ -15,6 +16,9 @@ from ...processing.translation import tr
 
 UNLOAD_WAIT_MS = 2000
 """A cancel takes effect within a second; unloading waits no longer than this."""
+
+STARTS_WITHIN_MS = 3000
+"""A task that QGIS has not begun by then, while none runs, will never begin."""
 
 _BUG_REPORT_BEGINS = "Traceback"
 """How QGIS passes on a Python exception that is not meant for the user."""
@@ -41,6 +45,10 @@ class AlgorithmRun(QObject):
         self._feedback: _Feedback | None = None
         self._context: QgsProcessingContext | None = None
         self._cancel_asked = False
+        self._asked: tuple[str, dict, str] = ("", {}, "")
+        self._watch = QTimer(self)
+        self._watch.setSingleShot(True)
+        self._watch.timeout.connect(self._see_that_it_begins)
 
     @property
     def running(self) -> bool:
@@ -74,7 +82,28 @@ class AlgorithmRun(QObject):
         else:
             self._task.executed.connect(self._finish)
             QgsApplication.taskManager().addTask(self._task)
+            self._asked = algorithm_id, parameters, title
+            self._watch.start(STARTS_WITHIN_MS)
         return True
+
+    def _see_that_it_begins(self) -> None:
+        """Starts the run anew where QGIS has lost its task.
+
+        QGIS takes a task that has ended out of its threads' queue by an address, at which a new one may wait by then:
+        that one never begins (seen in 3.44, once in some hundred walks).
+        """
+        task = self._task
+        if task is None or task.status() != QgsTask.TaskStatus.Queued:
+            return
+        others = QgsApplication.taskManager().activeTasks()
+        if any(other.status() == QgsTask.TaskStatus.Running for other in others):
+            # It waits for its turn.
+            self._watch.start(STARTS_WITHIN_MS)
+            return
+        task.executed.disconnect(self._finish)
+        self._task = None
+        task.cancel()
+        self.start_algorithm(*self._asked)
 
     def cancel(self) -> None:
         if self._task is not None:
@@ -86,6 +115,7 @@ class AlgorithmRun(QObject):
         if self._task is None:
             return
         self.blockSignals(True)
+        self._watch.stop()
         task = self._task
         self.cancel()
         task.waitForFinished(UNLOAD_WAIT_MS)
@@ -95,6 +125,7 @@ class AlgorithmRun(QObject):
             self._finish(False, {})
 
     def _finish(self, succeeded: bool, results: dict) -> None:
+        self._watch.stop()
         context, error = self._context, self._feedback.last_error
         self._task = self._feedback = self._context = None
         if self._cancel_asked:
