@@ -16,8 +16,9 @@ from ..core.database.parts import PartsBuilder
 from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
+from ..core.labels.overview import HeldOverview
 from ..storage.database.notes import source_of, write_notes
-from ..storage.database.overview_file import CACHE_BYTES, HeldOverview, OverviewFile, overview_beside
+from ..storage.database.overview_file import CACHE_BYTES, OverviewFile, overview_beside
 from ..storage.database.styles import plain_styles
 from ..storage.database.writer import DatabaseWriter
 from ..storage.files import written_beside

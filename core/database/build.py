@@ -13,7 +13,7 @@ from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
 from ..labels.block_hashes import BlockHasher, map_hash
 from ..labels.class_table import ClassTable
-from ..labels.overview import OVERVIEW_FACTOR, OverviewSink, most_frequent_labels
+from ..labels.overview import OVERVIEW_FACTOR, HeldOverview, OverviewSink, most_frequent_labels
 from ..labels.sources import LabelSource
 from ..landmarks.catalogue import CatalogueBuilder
 from ..landmarks.landmarks import Landmarks
@@ -164,7 +164,10 @@ class DatabaseBuilder:
         )
         height, width = self._source.shape_hw
         blocks = BlockHasher(width)
-        put = self._overview or self._held((-(-height // factor), -(-width // factor)))
+        put = self._overview
+        if put is None:
+            held = HeldOverview((-(-height // factor), -(-width // factor)))
+            self.overview, put = held.labels, held.put
 
         def reduce(first: int, labels: np.ndarray) -> None:
             blocks.add(labels)
@@ -183,16 +186,6 @@ class DatabaseBuilder:
         for _ in catalogue.crossing():
             yield 0.9, None
         yield 1.0, (catalogue.objects, blocks.hashes)
-
-    def _held(self, shape_hw: tuple[int, int]) -> OverviewSink:
-        """Fills ``overview`` in place: a list of bands would be held twice when it is joined."""
-        held = self.overview = np.empty(shape_hw, np.uint8)
-
-        def put(column: int, row: int, piece_hw: np.ndarray) -> None:
-            height, width = piece_hw.shape
-            held[row : row + height, column : column + width] = piece_hw
-
-        return put
 
     @property
     def _minimum_area_px(self) -> float:

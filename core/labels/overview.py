@@ -6,6 +6,7 @@ Told in docs/file-formats.md#reference-database.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 
 import cv2
 import numpy as np
@@ -17,6 +18,22 @@ OVERVIEW_FACTOR = 4
 
 OverviewSink = Callable[[int, int, np.ndarray], None]
 """Takes the column and row of a piece of the overview, and the piece (h, w) uint8."""
+
+
+class HeldOverview(AbstractContextManager):
+    """An overview in memory: takes pieces in any order within a ``with`` or without; ``labels`` (h, w) is the whole."""
+
+    def __init__(self, shape_hw: tuple[int, int]) -> None:
+        """Of (height, width) pixels."""
+        self.labels = np.zeros(shape_hw, np.uint8)
+
+    def __exit__(self, *_: object) -> None:
+        """Nothing to close."""
+
+    def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
+        """Takes a piece (h, w) uint8 whose first pixel lies there."""
+        self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
+
 
 _WORD = 0x01010101
 """Times a label: four pixels of that label as one 32-bit word."""

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 from osgeo import gdal
 
+from ...core.labels.overview import HeldOverview
 from ..written_raster import WrittenRaster
 
 HELD_PIXELS = 256 << 20
@@ -51,21 +52,6 @@ class OverviewFile(WrittenRaster):
         )
         made.GetRasterBand(1).SetMetadataItem("source_0", source, "new_vrt_sources")
         return made
-
-
-class HeldOverview(contextlib.AbstractContextManager):
-    """Takes pieces in any order; ``labels`` is the whole."""
-
-    def __init__(self, shape_hw: tuple[int, int]) -> None:
-        """Of (height, width) pixels."""
-        self.labels = np.zeros(shape_hw, np.uint8)
-
-    def __exit__(self, *_: object) -> None:
-        """Nothing to close."""
-
-    def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
-        """Takes a piece (h, w) uint8 whose first pixel lies there."""
-        self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
 
 
 @contextlib.contextmanager

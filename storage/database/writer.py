@@ -12,12 +12,13 @@ from osgeo import gdal, gdal_array, ogr, osr
 
 from ...core.database.model import ReferenceDatabase
 from ...core.errors import DatabaseError
+from ...core.labels.overview import HeldOverview
 from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal, tell_moment
 from . import schema
 from .batches import BATCH
-from .overview_file import HeldOverview, OverviewFile
+from .overview_file import OverviewFile
 from .reader import store_checksums
 from .titles import tell_titles
 

@@ -93,7 +93,7 @@ class AlgorithmRun(QObject):
         that one never begins (seen in 3.44, once in some hundred walks).
         """
         task = self._task
-        if task is None or task.status() != QgsTask.TaskStatus.Queued:
+        if task is None or self._cancel_asked or task.status() != QgsTask.TaskStatus.Queued:
             return
         others = QgsApplication.taskManager().activeTasks()
         if any(other.status() == QgsTask.TaskStatus.Running for other in others):
