@@ -207,6 +207,35 @@ def slow(monkeypatch, area):
     monkeypatch.setattr(rasters, "image_files", lambda paths: paths * 1000)
 
 
+class LosingManager:
+    """QGIS's manager of tasks, which loses the first one that it gets."""
+
+    def __init__(self, manager):
+        self.manager, self.lost = manager, []
+
+    def addTask(self, task):
+        if self.lost:
+            self.manager.addTask(task)
+        else:
+            self.lost.append(task)
+
+    def __getattr__(self, name):
+        return getattr(self.manager, name)
+
+
+@pytest.fixture
+def first_task_lost(qgis_app, monkeypatch):
+    """QGIS never begins the first task that it gets; the list of the one it lost."""
+    from qgis.core import QgsApplication
+
+    from semref.ui.running import begin_watch
+
+    manager = LosingManager(QgsApplication.taskManager())
+    monkeypatch.setattr(QgsApplication, "taskManager", lambda: manager)
+    monkeypatch.setattr(begin_watch, "BEGINS_WITHIN_MS", 50)
+    return manager.lost
+
+
 @pytest.fixture
 def issues(qgis_app, dock):
     """Three findings in a row, 100 m apart, as “Check annotation” gives them."""

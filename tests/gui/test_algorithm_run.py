@@ -61,30 +61,9 @@ def test_parameters_that_are_missing_are_told(run):
     assert name == "failed" and sentence
 
 
-class Losing:
-    """QGIS's manager of tasks, which loses the first one that it gets."""
+def test_a_run_whose_task_qgis_never_begins_is_started_anew_and_ends_once(run, first_task_lost, monkeypatch):
+    from qgis.core import QgsVectorLayer
 
-    def __init__(self, manager):
-        self.manager, self.lost = manager, []
-
-    def addTask(self, task):
-        if self.lost:
-            self.manager.addTask(task)
-        else:
-            self.lost.append(task)
-
-    def __getattr__(self, name):
-        return getattr(self.manager, name)
-
-
-def test_a_run_whose_task_qgis_never_begins_is_started_anew_and_ends_once(run, monkeypatch):
-    from qgis.core import QgsApplication, QgsVectorLayer
-
-    from semref.ui.running import algorithm_run
-
-    manager = Losing(QgsApplication.taskManager())
-    monkeypatch.setattr(algorithm_run.QgsApplication, "taskManager", lambda: manager)
-    monkeypatch.setattr(algorithm_run, "STARTS_WITHIN_MS", 50)
     begun, parameters = [], {"INPUT": QgsVectorLayer("Point?crs=EPSG:32632", "p", "memory"), "OUTPUT": "memory:"}
     whole = run.start_algorithm
     monkeypatch.setattr(run, "start_algorithm", lambda *asked: begun.append(asked) or whole(*asked))
@@ -92,5 +71,5 @@ def test_a_run_whose_task_qgis_never_begins_is_started_anew_and_ends_once(run, m
     assert run.start_algorithm(*asked)
     wait_until(lambda: not run.running, "the end")
     settle()
-    assert begun == [asked, asked] and len(manager.lost) == 1
+    assert begun == [asked, asked] and len(first_task_lost) == 1
     assert [name for name, *_ in run.ends] == ["done"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, settle
+from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, settle, wait_until
 
 
 @pytest.fixture
@@ -230,7 +230,6 @@ def test_numbers_are_those_of_the_users_language(qgis_app):
 
 
 def test_the_image_is_zoomed_by_keys(dock, iface, area, tab, qgis_app):
-    from dock_area import wait_until
     from qgis.PyQt.QtTest import QTest
 
     choose_method(dock, CONSTELLATION)
@@ -345,9 +344,8 @@ def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_
         assert table.model().rowCount() == 2 and table.selected() is not None
         table.selectRow(1)
         table.selectRow(0)
-        settle()
         assert table.selected().image.endswith("on_window.tif")
-        assert tab.results.image.canvas.scene().items()
+        wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
     finally:
         qgis_app.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 

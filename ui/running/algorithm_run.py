@@ -8,17 +8,14 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProject,
-    QgsTask,
 )
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
 from ...processing.translation import tr
+from .begin_watch import BeginWatch
 
 UNLOAD_WAIT_MS = 2000
 """A cancel takes effect within a second; unloading waits no longer than this."""
-
-STARTS_WITHIN_MS = 3000
-"""A task that QGIS has not begun by then, while none runs, will never begin."""
 
 _BUG_REPORT_BEGINS = "Traceback"
 """How QGIS passes on a Python exception that is not meant for the user."""
@@ -46,9 +43,8 @@ class AlgorithmRun(QObject):
         self._context: QgsProcessingContext | None = None
         self._cancel_asked = False
         self._asked: tuple[str, dict, str] = ("", {}, "")
-        self._watch = QTimer(self)
-        self._watch.setSingleShot(True)
-        self._watch.timeout.connect(self._see_that_it_begins)
+        self._watch = BeginWatch(self)
+        self._watch.lost.connect(self._begin_anew)
 
     @property
     def running(self) -> bool:
@@ -83,25 +79,15 @@ class AlgorithmRun(QObject):
             self._task.executed.connect(self._finish)
             QgsApplication.taskManager().addTask(self._task)
             self._asked = algorithm_id, parameters, title
-            self._watch.start(STARTS_WITHIN_MS)
+            self._watch.watch(self._task)
         return True
 
-    def _see_that_it_begins(self) -> None:
-        """Starts the run anew where QGIS has lost its task.
-
-        QGIS takes a task that has ended out of its threads' queue by an address, at which a new one may wait by then:
-        that one never begins (seen in 3.44, once in some hundred walks).
-        """
-        task = self._task
-        if task is None or self._cancel_asked or task.status() != QgsTask.TaskStatus.Queued:
+    def _begin_anew(self) -> None:
+        """QGIS has lost the task."""
+        if self._task is None or self._cancel_asked:
             return
-        others = QgsApplication.taskManager().activeTasks()
-        if any(other.status() == QgsTask.TaskStatus.Running for other in others):
-            # It waits for its turn.
-            self._watch.start(STARTS_WITHIN_MS)
-            return
+        task, self._task = self._task, None
         task.executed.disconnect(self._finish)
-        self._task = None
         task.cancel()
         self.start_algorithm(*self._asked)
 

@@ -12,6 +12,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...core.errors import SemRefError
 from ...processing.wording.sentences import worded
 from .algorithm_run import UNLOAD_WAIT_MS
+from .begin_watch import BeginWatch
 
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
@@ -33,8 +34,11 @@ class Reader(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._task: _Task | None = None
+        self._asked: tuple | None = None
         self._next: tuple | None = None
         self._is_wanted = False
+        self._watch = BeginWatch(self)
+        self._watch.lost.connect(self._begin_anew)
 
     def read(self, title: str, function: Callable, *arguments) -> None:
         self._next = title, function, arguments
@@ -50,20 +54,37 @@ class Reader(QObject):
     def shut_down(self) -> None:
         """Forgets, and waits until no code of the plugin runs in the background any more."""
         self.forget()
+        task = self._given_up()
+        if task is not None:
+            task.waitForFinished(UNLOAD_WAIT_MS)
+
+    def _start(self) -> None:
+        self._asked, self._next = self._next, None
+        self._is_wanted = True
+        self._task = _Task(*self._asked)
+        self._task.done.connect(self._take)
+        QgsApplication.taskManager().addTask(self._task)
+        self._watch.watch(self._task)
+
+    def _given_up(self) -> _Task | None:
+        """The task, which says nothing any more."""
+        self._watch.stop()
         task, self._task = self._task, None
         if task is not None:
             task.done.disconnect(self._take)
             task.cancel()
-            task.waitForFinished(UNLOAD_WAIT_MS)
+        return task
 
-    def _start(self) -> None:
-        (title, function, arguments), self._next = self._next, None
-        self._is_wanted = True
-        self._task = _Task(title, function, arguments)
-        self._task.done.connect(self._take)
-        QgsApplication.taskManager().addTask(self._task)
+    def _begin_anew(self) -> None:
+        """QGIS has lost the task; what is wanted by now is read instead."""
+        self._given_up()
+        if self._next is None and self._is_wanted:
+            self._next = self._asked
+        if self._next is not None:
+            self._start()
 
     def _take(self) -> None:
+        self._watch.stop()
         task, self._task = self._task, None
         if self._next is not None:
             self._start()

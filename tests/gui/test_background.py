@@ -1,0 +1,100 @@
+"""Reading in the background answers once, with what was asked last, whatever QGIS does with its tasks."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+from dock_area import settle, wait_until
+
+
+@pytest.fixture
+def reader(qgis_app):
+    """A Reader with what it said: (signal, what came with it)."""
+    from qgis.PyQt.QtCore import QObject
+
+    from semref.ui.running.background import Reader
+
+    parent = QObject()
+    made, said = Reader(parent), []
+    for name in ("answered", "failed", "broke"):
+        getattr(made, name).connect(lambda told, name=name: said.append((name, told)))
+    made.said = said
+    yield made
+    made.shut_down()
+    parent.deleteLater()
+
+
+def ended(reader) -> list:
+    wait_until(lambda: reader.said, "an answer")
+    settle()
+    return reader.said
+
+
+def test_what_was_asked_is_answered_once(reader):
+    reader.read("Reading", len, "four")
+    assert ended(reader) == [("answered", 4)]
+
+
+def test_a_sentence_and_a_bug_are_told_apart(reader):
+    from semref.core.errors import LabelMapError
+
+    def refuses():
+        raise LabelMapError("labels.image_unreadable", path="photo.jpg", reason="no image")
+
+    reader.read("Reading", refuses)
+    ((name, sentence),) = ended(reader)
+    assert name == "failed" and "photo.jpg" in sentence
+    reader.said.clear()
+    reader.read("Reading", lambda: 1 / 0)
+    ((name, report),) = ended(reader)
+    assert name == "broke" and "ZeroDivisionError" in report
+
+
+def test_of_many_that_are_asked_while_one_runs_the_last_is_answered(reader):
+    waits, read = threading.Event(), []
+
+    def slowly(number):
+        waits.wait(20)
+        read.append(number)
+        return number
+
+    for number in range(5):
+        reader.read("Reading", slowly, number)
+    waits.set()
+    assert ended(reader) == [("answered", 4)]
+    assert read == [0, 4]
+
+
+def test_what_is_forgotten_is_not_answered(reader):
+    waits = threading.Event()
+    reader.read("Reading", waits.wait, 20)
+    reader.forget()
+    waits.set()
+    wait_until(lambda: reader._task is None, "the end")
+    settle()
+    assert reader.said == []
+
+
+def test_a_reading_whose_task_qgis_never_begins_is_started_anew(reader, first_task_lost):
+    reader.read("Reading", len, "four")
+    assert ended(reader) == [("answered", 4)]
+    assert len(first_task_lost) == 1
+
+
+def test_what_was_asked_since_is_read_instead_of_a_lost_one(reader, first_task_lost):
+    read = []
+    reader.read("Reading", read.append, 1)
+    reader.read("Reading", read.append, 2)
+    assert ended(reader) == [("answered", None)]
+    assert read == [2] and len(first_task_lost) == 1
+
+
+def test_a_lost_reading_that_was_forgotten_is_not_begun_anew_and_the_next_is_read(reader, first_task_lost):
+    read = []
+    reader.read("Reading", read.append, 1)
+    reader.forget()
+    wait_until(lambda: reader._task is None, "the loss to be seen")
+    reader.read("Reading", read.append, 2)
+    assert ended(reader) == [("answered", None)]
+    assert read == [2]
