@@ -122,6 +122,11 @@ def _column(values: tuple) -> Iterator[np.ndarray | bytes]:
     yield b"".join(parts)
 
 
+def has_checksums(connection: sqlite3.Connection) -> bool:
+    """Whether a database has checksums at all."""
+    return bool(_stated(connection))
+
+
 def keeps_shown(connection: sqlite3.Connection) -> bool:
     """Whether a database has the sums of what only QGIS reads."""
     return any(name in stated for stated in _stated(connection) for name in _LATER)

@@ -17,15 +17,15 @@ from osgeo import gdal, osr
 
 from ...core.database.checks import require_sound
 from ...core.database.joined import joined_database, joined_overview, joined_parameters
-from ...core.database.model import MapLandmarks, ReferenceDatabase, Windows, first_pixels_of
+from ...core.database.model import ReferenceDatabase
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
 from ...core.kept.digests import digest
-from ...core.labels.class_table import MAXIMUM_VALUE, class_table_from_csv
+from ...core.labels.class_table import class_table_from_csv
 from ...core.values import read_json, short_text
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
-from .batches import columns_of, points_of
+from .batches import columns_of
 from .checksums import (
     CHECKSUMS,
     checksums_of,
@@ -35,6 +35,8 @@ from .checksums import (
     shown_checksums,
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
+from .kept_columns import Columns, kept_columns
+from .rows import read_references, read_windows
 from .sets import is_set, parts_of
 
 _Read = TypeVar("_Read")
@@ -63,7 +65,7 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
 
 
 def _read_one(connection: Snapshot, path: str, with_overview: bool, with_bounds: bool) -> ReferenceDatabase:
-    database = _read(connection, path)
+    database = _read(connection, path, is_kept=True)
     if with_bounds:
         bounds = _checked_bounds(connection, database, path)
         database = replace(database, references=replace(database.references, bounds_px=bounds))
@@ -163,16 +165,28 @@ def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
         return _overview(connection, path)
 
 
-def _read(connection: sqlite3.Connection, path: str, is_checked: bool = True) -> ReferenceDatabase:
-    """What a database holds, without the overview; raises what ``snapshot`` makes a DatabaseError of."""
+def _read(connection: Snapshot, path: str, is_checked: bool = True, is_kept: bool = False) -> ReferenceDatabase:
+    """What a database holds, without the overview; raises what ``snapshot`` makes a DatabaseError of.
+
+    Args:
+        connection: To it.
+        path: Its file.
+        is_checked: Whether its tables have to be what its checksums say.
+        is_kept: Whether the columns of a large one may be those that were kept beside it, else they are read.
+    """
     parameters = _read_parameters(connection, path)
     table = class_table_from_csv(_class_csv(connection), f"the class table of {path}")
-    windows, landmarks = _read_windows(connection, parameters, path), _read_references(connection)
-    require_sound(windows, landmarks, parameters, table)
-    if is_checked:
-        require_unchanged(connection, checksums_of(connection, windows, landmarks))
-        if keeps_shown(connection):
-            require_unchanged(connection, shown_checksums(connection))
+
+    def read() -> Columns:
+        windows, landmarks = read_windows(connection, parameters, path), read_references(connection)
+        require_sound(windows, landmarks, parameters, table)
+        if is_checked:
+            require_unchanged(connection, checksums_of(connection, windows, landmarks))
+            if keeps_shown(connection):
+                require_unchanged(connection, shown_checksums(connection))
+        return windows, landmarks
+
+    windows, landmarks = kept_columns(connection, path, parameters, read) if is_kept else read()
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 
@@ -216,44 +230,6 @@ def _class_csv(connection: sqlite3.Connection) -> str:
     writer.writerow(schema.CLASS_COLUMNS)
     writer.writerows(["" if cell is None else cell for cell in row] for row in rows)
     return text.getvalue()
-
-
-def _read_windows(connection: sqlite3.Connection, parameters: BuildParameters, path: str) -> Windows:
-    length = 3 * parameters.references_per_vector
-
-    def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
-        levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
-        if any(blob is not None and len(blob) != 4 * length for blob in blobs):
-            raise DatabaseError("storage.vector_length", path=path, length=length)
-        described = np.array([blob is not None for blob in blobs], bool)
-        vectors = np.zeros((len(rows), length), np.float32)
-        vectors[described] = np.frombuffer(b"".join(filter(None, blobs)), "<f4").reshape(-1, length)
-        places = np.array([sizes, xs, ys], np.float64).reshape(3, -1).T
-        # NULL becomes NaN.
-        distinct = np.array(distinctiveness, np.float64)
-        return np.array(levels, np.int64), places, np.array(counts, np.int64), vectors, described, distinct
-
-    levels, places, counts, vectors, described, distinctiveness = columns_of(connection, _WINDOWS, arrays)
-    if not np.isfinite(places).all():
-        raise ValueError("a window has no place or size")
-    sizes, centers = np.ascontiguousarray(places[:, 0]), np.ascontiguousarray(places[:, 1:])
-    first = first_pixels_of(centers, sizes, parameters.frame)
-    return Windows(first, levels, sizes, centers, counts, vectors, described, distinctiveness)
-
-
-_WINDOWS = "SELECT level, size, center_x, center_y, reference_count, vector, distinctiveness FROM windows ORDER BY fid"
-
-
-def _read_references(connection: sqlite3.Connection) -> MapLandmarks:
-    def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
-        blobs, classes, areas, touches = zip(*rows) if rows else ((),) * 4
-        values = np.array(classes, np.int64)
-        if not ((values >= 0) & (values <= MAXIMUM_VALUE)).all():
-            raise ValueError("a landmark has a class that is no reference class")
-        return points_of(blobs), values.astype(np.uint8), np.array(areas, np.float64), np.array(touches, bool)
-
-    query = 'SELECT geom, class, area, touches_edge FROM "references" ORDER BY fid'
-    return MapLandmarks(*columns_of(connection, query, arrays))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,198 @@
+"""A large database's columns, kept beside it, are those of its rows to the last bit, or they are not used."""
+
+from __future__ import annotations
+
+import gzip
+import os
+import shutil
+import sqlite3
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from semref.core.errors import DatabaseError
+from semref.storage.database import kept_columns, reader
+from semref.storage.database.connection import snapshot
+from semref.storage.database.reader import read_database, read_stored_database, store_checksums
+
+KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
+BESIDE = "area.gpkg.semref-columns"
+
+
+@pytest.fixture(autouse=True)
+def own_cache(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setattr(kept_columns, "FEWEST", 100)
+
+
+@pytest.fixture
+def path(tmp_path):
+    folder = tmp_path / "maps"
+    folder.mkdir()
+    path = folder / "area.gpkg"
+    path.write_bytes(gzip.decompress((KEPT / "database.gpkg.gz").read_bytes()))
+    store_checksums(str(path))
+    return str(path)
+
+
+@pytest.fixture
+def times_read(monkeypatch):
+    """How often rows were read; a list that grows."""
+    read, times = reader.read_references, []
+
+    def counted(connection):
+        times.append(1)
+        return read(connection)
+
+    monkeypatch.setattr(reader, "read_references", counted)
+    return times
+
+
+def beside(path) -> list[str]:
+    return sorted(name for name in os.listdir(Path(path).parent) if name != "area.gpkg")
+
+
+def assert_same(found, expected):
+    for part in ("windows", "references"):
+        of_found, of_expected = getattr(found, part), getattr(expected, part)
+        for field in fields(of_expected):
+            if field.name == "bounds_px":
+                # They are read by themselves where they are asked for.
+                continue
+            value, wanted = getattr(of_found, field.name), getattr(of_expected, field.name)
+            assert (value.dtype, value.shape) == (wanted.dtype, wanted.shape), field.name
+            np.testing.assert_array_equal(value, wanted, err_msg=field.name)
+    assert found.class_table == expected.class_table and found.parameters == expected.parameters
+
+
+def edit(path, *statements):
+    """As another program does: the checksums stay."""
+    connection = sqlite3.connect(path)
+    for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
+        connection.execute(f'DROP TRIGGER "{name}"')
+    for statement in statements:
+        connection.execute(statement)
+    connection.commit()
+    connection.close()
+
+
+def test_rows_are_read_once_and_their_columns_opened_from_then_on(path, times_read):
+    first = read_database(path)
+    assert beside(path) == [BESIDE]
+    again = read_database(path)
+    assert len(times_read) == 1 and len(again.references) == 417 and len(again.windows) == 36
+    assert not again.references.positions.flags.writeable
+    assert_same(again, first)
+    assert_same(again, read_stored_database(path).database)
+
+
+def test_columns_come_with_bounds_and_overview_where_they_are_asked_for(path, times_read):
+    read_database(path)
+    found = read_database(path, with_overview=True, with_bounds=True)
+    assert found.references.bounds_px.shape == (417, 4) and found.overview is not None
+    assert len(times_read) == 1
+
+
+def test_what_another_program_changed_is_refused_though_columns_are_kept(path):
+    read_database(path)
+    edit(path, 'UPDATE "references" SET area = area * 2 WHERE fid = 5')
+    with pytest.raises(DatabaseError, match="checksum"):
+        read_database(path)
+
+
+def test_a_change_that_waits_in_a_journal_is_seen(path):
+    read_database(path)
+    edit(path, "PRAGMA journal_mode=WAL")
+    read_database(path)
+    writer = sqlite3.connect(path)
+    writer.execute("UPDATE windows SET level = 3 WHERE fid = 1")
+    writer.commit()
+    assert os.path.getsize(f"{path}-wal") > 0
+    with pytest.raises(DatabaseError):
+        read_database(path)
+    writer.close()
+
+
+def test_another_database_in_its_place_is_read_though_it_is_as_large_and_as_old(path, tmp_path, times_read):
+    other = str(tmp_path / "other.gpkg")
+    shutil.copyfile(path, other)
+    edit(other, 'UPDATE "references" SET area = area + 1')
+    store_checksums(other)
+    wanted = read_stored_database(other).database
+    read_database(path)
+    times_read.clear()
+    then = os.stat(path)
+    with open(path, "r+b") as file:
+        content = Path(other).read_bytes()
+        assert len(content) == then.st_size
+        file.write(content)
+    os.utime(path, ns=(then.st_atime_ns, then.st_mtime_ns))
+    assert_same(read_database(path), wanted)
+    assert len(times_read) == 1
+
+
+def test_a_class_that_was_renamed_is_refused_though_columns_are_kept(path):
+    read_database(path)
+    then = os.stat(path)
+    edit(path, "UPDATE classes SET name = 'tower' WHERE fid = 1")
+    os.utime(path, ns=(then.st_atime_ns, then.st_mtime_ns))
+    with pytest.raises(DatabaseError, match="checksum"):
+        read_database(path)
+
+
+def test_columns_of_other_shapes_are_not_used(path, times_read, monkeypatch):
+    read_database(path)
+    whole = kept_columns._WINDOWS
+    monkeypatch.setattr(kept_columns, "_WINDOWS", (*whole[:1], ("sizes", "<f4"), *whole[2:]))
+    read_database(path)
+    assert len(times_read) == 2
+
+
+def test_files_of_somebody_else_and_damaged_ones_are_not_believed(path, times_read, monkeypatch, tmp_path):
+    read_database(path)
+    file = Path(path).parent / BESIDE
+    content = bytearray(file.read_bytes())
+    content[-100] ^= 1
+    file.write_bytes(content)
+    read_database(path)
+    assert len(times_read) == 2
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "another user"))
+    read_database(path)
+    assert len(times_read) == 3
+
+
+def test_small_databases_and_those_without_checksums_are_always_read(path, times_read, monkeypatch):
+    monkeypatch.setattr(kept_columns, "FEWEST", 1000)
+    read_database(path)
+    monkeypatch.setattr(kept_columns, "FEWEST", 100)
+    edit(path, "DELETE FROM parameters WHERE key = 'checksums'")
+    read_database(path)
+    assert beside(path) == [] and len(times_read) == 2
+
+
+def test_of_a_set_each_database_has_its_own(path, times_read):
+    from semref.storage.database.sets import SUFFIX, set_text
+
+    read_database(path)
+    times_read.clear()
+    together = Path(path).parent / f"all{SUFFIX}"
+    together.write_text(set_text(str(together), [path]), encoding="utf-8")
+    found = read_database(str(together))
+    assert len(found.references) == 417 and times_read == []
+
+
+def test_where_nothing_can_be_written_it_is_read_each_time_and_said(path, times_read, monkeypatch, caplog):
+    from semref.core.kept import arrays
+
+    monkeypatch.setattr(arrays, "_write_whole", lambda *_: (_ for _ in ()).throw(OSError("read-only")))
+    monkeypatch.setattr(arrays, "user_secret", lambda: b"s" * 32)
+    read_database(path)
+    read_database(path)
+    assert len(times_read) == 2 and "not_kept" in caplog.messages
+
+
+def test_rows_are_counted_from_their_last_number(path):
+    with snapshot(path) as connection:
+        assert kept_columns._rows(connection) == 417 + 36
