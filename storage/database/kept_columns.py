@@ -1,4 +1,4 @@
-"""Windows and landmarks of a large database, kept beside it as columns: opened by memory mapping, not row by row.
+"""Windows and landmarks of a large database, or set, kept beside it as columns: opened by memory mapping, not read.
 
 Told in docs/file-formats.md#kept-beside-a-database.
 """
@@ -6,11 +6,11 @@ Told in docs/file-formats.md#kept-beside-a-database.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 
-from ...core.database.model import MapLandmarks, Windows, first_pixels_of
-from ...core.database.parameters import BuildParameters
+from ...core.database.model import MapLandmarks, Windows
 from ...core.kept.arrays import Arrays, kept_path, opened_or_made
 from ...core.kept.digests import digest
 from .checksums import has_checksums
@@ -27,78 +27,99 @@ FEWEST = 100_000
 Columns = tuple[Windows, MapLandmarks]
 
 
-def kept_columns(
-    connection: Snapshot, path: str, parameters: BuildParameters, read: Callable[[], Columns]
-) -> Columns:
-    """The columns of a database: opened where they are kept, else read and, of many rows, kept.
+@dataclass(frozen=True)
+class Content:
+    """What a database holds, without reading its rows.
 
-    What is kept was read of these very files: as large, as old, with the same parameters, classes and checksums of all
-    tables. A database without checksums, of an older version, is always read.
+    Attributes:
+        rows: About how many there are: counting them takes long, and fids begin at 1.
+        key: SHA-256 of all that a change of the database changes: its file's size and age, parameters, classes and the
+            checksums of all tables. None in a database of an older version, which has none.
+    """
+
+    rows: int
+    key: str | None
+
+
+def content_of(connection: Snapshot) -> Content:
+    """What a database holds."""
+    query = 'SELECT (SELECT max(fid) FROM windows), (SELECT max(fid) FROM "references")'
+    rows = sum(fid or 0 for fid in connection.execute(query).fetchone())
+    if not has_checksums(connection):
+        return Content(rows, None)
+    told = [
+        connection.execute("SELECT key, value FROM parameters ORDER BY key, value").fetchall(),
+        connection.execute("SELECT * FROM classes ORDER BY fid").fetchall(),
+    ]
+    return Content(rows, digest([json.dumps(connection.state).encode(), repr(told).encode("utf-8")]))
+
+
+def kept_columns(path: str, contents: Sequence[Content], vector_length: int, read: Callable[[], Columns]) -> Columns:
+    """Windows and landmarks: opened where they are kept, else read and, of many rows, kept.
 
     Args:
-        connection: To it.
-        path: Its file.
-        parameters: Of it.
-        read: Reads and checks its rows; whatever that raises goes on.
+        path: The database, or the set.
+        contents: Of the database, or of the set's databases in their order.
+        vector_length: Of a topology vector.
+        read: Reads and checks the rows; whatever that raises goes on.
     """
-    if _rows(connection) < FEWEST or not has_checksums(connection):
+    keys = [content.key for content in contents]
+    if sum(content.rows for content in contents) < FEWEST or None in keys:
         return read()
 
     def make() -> Arrays:
-        windows, landmarks = read()
         return {
-            **{f"windows_{name}": getattr(windows, name) for name, *_ in _WINDOWS},
-            **{f"landmarks_{name}": getattr(landmarks, name) for name, *_ in _LANDMARKS},
+            f"{table}_{name}": getattr(of_table, name)
+            for (table, columns), of_table in zip(_COLUMNS.items(), read())
+            for name in columns
+            if getattr(of_table, name) is not None
         }
 
-    fit = partial(_fit, vector_length=3 * parameters.references_per_vector)
-    arrays = opened_or_made(kept_path(path, SUFFIX), _key(connection), make, fit, path)
-    of_windows = {name: arrays[f"windows_{name}"] for name, *_ in _WINDOWS}
-    first = first_pixels_of(of_windows["centers"], of_windows["sizes"], parameters.frame)
-    return (
-        Windows(first_pixels=first, **of_windows),
-        MapLandmarks(**{name: arrays[f"landmarks_{name}"] for name, *_ in _LANDMARKS}),
+    key = digest([json.dumps([VERSION, *keys]).encode()])
+    arrays = opened_or_made(kept_path(path, SUFFIX), key, make, partial(_fit, vector_length=vector_length), path)
+    windows, landmarks = (
+        {name: arrays.get(f"{table}_{name}") for name in columns} for table, columns in _COLUMNS.items()
     )
+    return Windows(**windows), MapLandmarks(**landmarks)
 
 
 _VECTOR = -1
 """Stands for the length of a topology vector."""
 
-_WINDOWS = (
-    ("levels", "<i8"),
-    ("sizes", "<f8"),
-    ("centers", "<f8", 2),
-    ("counts", "<i8"),
-    ("vectors", "<f4", _VECTOR),
-    ("described", "|b1"),
-    ("distinctiveness", "<f8"),
-)
-_LANDMARKS = (("positions", "<f8", 2), ("classes", "|u1"), ("areas_m2", "<f8"), ("touches_edge", "|b1"))
-"""Name, kind and, where there is one, length of a row."""
+_COLUMNS = {
+    "windows": {
+        "first_pixels": ("<i8", 2),
+        "levels": ("<i8",),
+        "sizes": ("<f8",),
+        "centers": ("<f8", 2),
+        "counts": ("<i8",),
+        "vectors": ("<f4", _VECTOR),
+        "described": ("|b1",),
+        "distinctiveness": ("<f8",),
+    },
+    "landmarks": {
+        "positions": ("<f8", 2),
+        "classes": ("|u1",),
+        "areas_m2": ("<f8",),
+        "touches_edge": ("|b1",),
+        "bounds_px": ("<i8", 4),
+    },
+}
+"""Kind and, where there is one, length of a row."""
 
-
-def _rows(connection: Snapshot) -> int:
-    """About how many there are: counting them takes long, and fids begin at 1."""
-    query = 'SELECT (SELECT max(fid) FROM windows), (SELECT max(fid) FROM "references")'
-    return sum(fid or 0 for fid in connection.execute(query).fetchone())
-
-
-def _key(connection: Snapshot) -> str:
-    """What tells the columns from others: of all that a change of the database changes."""
-    told = [
-        connection.execute("SELECT key, value FROM parameters ORDER BY key, value").fetchall(),
-        connection.execute("SELECT * FROM classes ORDER BY fid").fetchall(),
-    ]
-    return digest([json.dumps([VERSION, connection.state]).encode(), repr(told).encode("utf-8")])
+_OPTIONAL = {"windows_distinctiveness", "landmarks_bounds_px"}
+"""Sets have bounds and no distinctiveness, databases the other way round."""
 
 
 def _fit(arrays: Arrays, vector_length: int) -> bool:
-    """Whether the arrays have the shapes and kinds of a database's columns."""
+    """Whether the arrays have the shapes and kinds of columns."""
     expected = {}
-    for table, columns in (("windows", _WINDOWS), ("landmarks", _LANDMARKS)):
-        first = arrays.get(f"{table}_{columns[0][0]}")
+    for table, columns in _COLUMNS.items():
+        first = arrays.get(f"{table}_{next(iter(columns))}")
         count = 0 if first is None else len(first)
-        for name, kind, *row in columns:
+        for name, (kind, *row) in columns.items():
             lengths = [vector_length if length == _VECTOR else length for length in row]
             expected[f"{table}_{name}"] = kind, (count, *lengths)
-    return {name: (array.dtype.str, array.shape) for name, array in arrays.items()} == expected
+    if not set(expected) - _OPTIONAL <= set(arrays) <= set(expected):
+        return False
+    return all((array.dtype.str, array.shape) == expected[name] for name, array in arrays.items())

@@ -21,7 +21,7 @@ from ...core.database.model import ReferenceDatabase
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
 from ...core.kept.digests import digest
-from ...core.labels.class_table import class_table_from_csv
+from ...core.labels.class_table import ClassTable, class_table_from_csv
 from ...core.values import read_json, short_text
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
@@ -35,7 +35,7 @@ from .checksums import (
     shown_checksums,
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
-from .kept_columns import Columns, kept_columns
+from .kept_columns import Columns, Content, content_of, kept_columns
 from .rows import read_references, read_windows
 from .sets import is_set, parts_of
 
@@ -72,21 +72,20 @@ def _read_one(connection: Snapshot, path: str, with_overview: bool, with_bounds:
     return replace(database, overview=_overview(connection, path)) if with_overview else database
 
 
-def read_parts(parts: Sequence[str], with_overview: bool = False) -> list[ReferenceDatabase]:
+def read_parts(parts: Sequence[str]) -> list[ReferenceDatabase]:
     """Databases that are to be used as one, from the oldest to the newest, with the bounds of their landmarks.
 
     Each is read by itself, and none may change meanwhile.
 
     Args:
         parts: Their files; of equally old ones the last is the newest.
-        with_overview: Whether their overviews are read, too.
 
     Raises:
         DatabaseError: One can't be read, or they are in different CRS.
     """
 
     def read(connection: Snapshot, part: str) -> ReferenceDatabase:
-        return _read_one(connection, part, with_overview, with_bounds=True)
+        return _read_one(connection, part, with_overview=False, with_bounds=True)
 
     found = _parts(parts, read)
     _require_one_crs([(part.source or "", part.parameters) for part in found])
@@ -94,12 +93,36 @@ def read_parts(parts: Sequence[str], with_overview: bool = False) -> list[Refere
 
 
 def _read_set(path: str, with_overview: bool) -> ReferenceDatabase:
-    parts = read_parts(parts_of(path), with_overview)
-    database = joined_database(parts, path)
-    if not with_overview:
-        return database
-    parameters, overviews = [part.parameters for part in parts], [part.overview for part in parts]
-    return replace(database, overview=joined_overview(parameters, overviews, database.parameters))
+    parts = parts_of(path)
+    heads = _parts(parts, _head)
+    named = [(head.name, head.parameters) for head in heads]
+
+    def read() -> Columns:
+        found = joined_database(read_parts(parts), path)
+        if found.parameters != joined_parameters(named):
+            raise DatabaseChangedError("storage.database_changed", path=path)
+        return found.windows, found.references
+
+    newest = heads[-1]
+    length = 3 * newest.parameters.references_per_vector
+    windows, landmarks = kept_columns(path, [head.content for head in heads], length, read)
+    parameters = joined_parameters(named)
+    overview = _read_set_overview(path, parameters) if with_overview else None
+    return ReferenceDatabase(windows, landmarks, newest.class_table, parameters, path, overview)
+
+
+@dataclass(frozen=True)
+class _Head:
+    """What a database of a set says of itself."""
+
+    name: str
+    parameters: BuildParameters
+    class_table: ClassTable
+    content: Content
+
+
+def _head(connection: Snapshot, path: str) -> _Head:
+    return _Head(path, _read_parameters(connection, path), _class_table(connection, path), content_of(connection))
 
 
 def _read_set_overview(path: str, of: BuildParameters | None) -> np.ndarray:
@@ -175,7 +198,7 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_kept: boo
         is_kept: Whether the columns of a large one may be those that were kept beside it, else they are read.
     """
     parameters = _read_parameters(connection, path)
-    table = class_table_from_csv(_class_csv(connection), f"the class table of {path}")
+    table = _class_table(connection, path)
 
     def read() -> Columns:
         windows, landmarks = read_windows(connection, parameters, path), read_references(connection)
@@ -186,7 +209,8 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_kept: boo
                 require_unchanged(connection, shown_checksums(connection))
         return windows, landmarks
 
-    windows, landmarks = kept_columns(connection, path, parameters, read) if is_kept else read()
+    length = 3 * parameters.references_per_vector
+    windows, landmarks = kept_columns(path, [content_of(connection)], length, read) if is_kept else read()
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 
@@ -223,13 +247,13 @@ def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParamete
         raise DatabaseError("storage.no_readable_parameter", path=path, reason=reason) from None
 
 
-def _class_csv(connection: sqlite3.Connection) -> str:
+def _class_table(connection: sqlite3.Connection, path: str) -> ClassTable:
     rows = connection.execute("SELECT value, name, color, role, draw_order, hsv_min, hsv_max FROM classes").fetchall()
     text = io.StringIO()
     writer = csv.writer(text)
     writer.writerow(schema.CLASS_COLUMNS)
     writer.writerows(["" if cell is None else cell for cell in row] for row in rows)
-    return text.getvalue()
+    return class_table_from_csv(text.getvalue(), f"the class table of {path}")
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ import gzip
 import os
 import shutil
 import sqlite3
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import numpy as np
@@ -62,6 +62,9 @@ def assert_same(found, expected):
                 # They are read by themselves where they are asked for.
                 continue
             value, wanted = getattr(of_found, field.name), getattr(of_expected, field.name)
+            if wanted is None:
+                assert value is None, field.name
+                continue
             assert (value.dtype, value.shape) == (wanted.dtype, wanted.shape), field.name
             np.testing.assert_array_equal(value, wanted, err_msg=field.name)
     assert found.class_table == expected.class_table and found.parameters == expected.parameters
@@ -144,8 +147,7 @@ def test_a_class_that_was_renamed_is_refused_though_columns_are_kept(path):
 
 def test_columns_of_other_shapes_are_not_used(path, times_read, monkeypatch):
     read_database(path)
-    whole = kept_columns._WINDOWS
-    monkeypatch.setattr(kept_columns, "_WINDOWS", (*whole[:1], ("sizes", "<f4"), *whole[2:]))
+    monkeypatch.setitem(kept_columns._COLUMNS["windows"], "sizes", ("<f4",))
     read_database(path)
     assert len(times_read) == 2
 
@@ -172,15 +174,52 @@ def test_small_databases_and_those_without_checksums_are_always_read(path, times
     assert beside(path) == [] and len(times_read) == 2
 
 
-def test_of_a_set_each_database_has_its_own(path, times_read):
+@pytest.fixture
+def together(path):
+    """Path of a set of two databases of the same ground."""
     from semref.storage.database.sets import SUFFIX, set_text
 
-    read_database(path)
+    older = Path(path).parent / "older.gpkg"
+    shutil.copyfile(path, older)
+    found = Path(path).parent / f"all{SUFFIX}"
+    found.write_text(set_text(str(found), [str(older), path]), encoding="utf-8")
+    return str(found)
+
+
+def test_a_set_is_joined_once_and_its_columns_opened_from_then_on(together, path, times_read, monkeypatch):
+    first = read_database(together, with_overview=True)
+    assert f"{Path(together).name}.semref-columns" in beside(path)
+    monkeypatch.setattr(reader, "joined_database", lambda *_: pytest.fail("it was joined"))
+    again = read_database(together, with_overview=True)
+    assert len(times_read) == 2 and len(again.references) == 417
+    assert not again.references.positions.flags.writeable
+    assert_same(again, first)
+    np.testing.assert_array_equal(again.references.bounds_px, first.references.bounds_px)
+    np.testing.assert_array_equal(again.overview, first.overview)
+    assert again.windows.distinctiveness is None and again.source == together
+
+
+def test_a_set_one_database_of_which_was_updated_is_joined_anew(together, path, times_read):
+    before = read_database(together)
+    edit(path, 'UPDATE "references" SET area = area + 1')
+    store_checksums(path)
     times_read.clear()
-    together = Path(path).parent / f"all{SUFFIX}"
-    together.write_text(set_text(str(together), [path]), encoding="utf-8")
-    found = read_database(str(together))
-    assert len(found.references) == 417 and times_read == []
+    after = read_database(together)
+    np.testing.assert_allclose(after.references.areas_m2, before.references.areas_m2 + 1)
+    # The other one's columns are kept.
+    assert len(times_read) == 1
+
+
+def test_a_set_whose_database_changes_while_it_is_read_is_refused(together, monkeypatch):
+    joined = reader.joined_database
+
+    def changed(parts, source):
+        found = joined(parts, source)
+        return replace(found, parameters=replace(found.parameters, map_hash="another"))
+
+    monkeypatch.setattr(reader, "joined_database", changed)
+    with pytest.raises(DatabaseError, match="changed"):
+        read_database(together)
 
 
 def test_where_nothing_can_be_written_it_is_read_each_time_and_said(path, times_read, monkeypatch, caplog):
@@ -195,4 +234,4 @@ def test_where_nothing_can_be_written_it_is_read_each_time_and_said(path, times_
 
 def test_rows_are_counted_from_their_last_number(path):
     with snapshot(path) as connection:
-        assert kept_columns._rows(connection) == 417 + 36
+        assert kept_columns.content_of(connection).rows == 417 + 36

@@ -1,7 +1,7 @@
 """Writing and opening databases of 10⁴ to 10⁷ landmarks: time, memory, bytes.
 
     python tools/bench/large_databases.py write SOURCE COUNT DATABASE
-    python tools/bench/large_databases.py open DATABASE
+    python tools/bench/large_databases.py open DATABASE_OR_SET
 
 does one of these in a process of its own, as the benchmark does, and prints JSON.
 """
@@ -24,11 +24,12 @@ if __name__ == "__main__":
 
 import numpy as np
 
-from semref.core.kept.arrays import kept_path
-from semref.storage.database.kept_columns import SUFFIX
-
 from bench import inputs, page
 from bench.child import peak_bytes
+from semref.core.kept.arrays import kept_path
+from semref.storage.database.kept_columns import SUFFIX
+from semref.storage.database.sets import SUFFIX as SET_SUFFIX
+from semref.storage.database.sets import set_text
 
 PAGE = "benchmarks.md"
 SIZES = (10_000, 100_000, 1_000_000, 10_000_000)
@@ -37,15 +38,29 @@ OVERVIEW_FACTOR = 64
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    source, rows, landmarks, seconds = run.database(run.area.stride), [], [], []
+    source, rows, of_sets, landmarks, seconds = run.database(run.area.stride), [], [], [], []
     for size in SIZES[:1] if run.quick else [size for size in SIZES if run.wants(f"10^{round(math.log10(size))}")]:
         path = run.work / f"large_{size}.gpkg"
         written = _in_child("write", str(source), str(size), str(path))
         opened, again = _in_child("open", str(path)), _in_child("open", str(path))
-        bytes_of, beside = path.stat().st_size, kept_path(str(path), SUFFIX)
-        kept = page.size(beside.stat().st_size) if beside.exists() else "–"
-        path.unlink()
-        beside.unlink(missing_ok=True)
+        kept, bytes_of = _taken_away(path), path.stat().st_size
+        together = path.with_suffix(SET_SUFFIX)
+        together.write_text(set_text(str(together), [str(path)]), encoding="utf-8")
+        joined, opened_set = _in_child("open", str(together)), _in_child("open", str(together))
+        kept_of_set = _taken_away(together)
+        _taken_away(path)
+        for left in (path, together):
+            left.unlink()
+        of_sets.append(
+            [
+                f"{joined['landmarks']:,} / {joined['windows']:,}",
+                f"{joined['processor']:.2f}",
+                page.size(joined["peak"] - joined["before"]),
+                f"{opened_set['processor']:.3f}",
+                page.size(opened_set["peak"] - opened_set["before"]),
+                kept_of_set,
+            ]
+        )
         rows.append(
             [
                 f"{opened['landmarks']:,} / {opened['windows']:,}",
@@ -55,22 +70,27 @@ def measure(run: inputs.Run) -> dict[str, str]:
                 f"{bytes_of / opened['landmarks']:.0f}",
                 f"{opened['processor']:.2f}",
                 page.size(opened["peak"] - opened["before"]),
-                f"{again['processor']:.2f}",
+                f"{again['processor']:.3f}",
                 page.size(again["peak"] - again["before"]),
                 kept,
             ]
         )
         landmarks.append(opened["landmarks"])
         seconds.append((written["processor"], opened["processor"], again["processor"]))
-        print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
-    table = page.table(_HEADER, rows)
-    return {"large databases": f"{_ABOUT}\n\n{table}\n\n{_exponents(landmarks, seconds)}".rstrip()}
+        for row in (rows[-1], of_sets[-1]):
+            print("  " + " | ".join(row), file=sys.stderr, flush=True)
+    parts = _ABOUT, page.table(_HEADER, rows), _exponents(landmarks, seconds), _ABOUT_SETS
+    return {"large databases": "\n\n".join(filter(None, (*parts, page.table(_HEADER_OF_SETS, of_sets))))}
 
+
+_OPENED = ("memory that takes", "opened again, processor s", "memory that takes", "kept beside")
 
 _HEADER = [
     *("landmarks / windows", "written, processor s", "memory, all of the process", "file", "B a landmark"),
-    *("opened first, processor s", "memory that takes", "opened again, processor s", "memory that takes", "kept beside"),
+    *("opened first, processor s", *_OPENED),
 ]
+
+_HEADER_OF_SETS = ["landmarks / windows of the set", "joined first, processor s", *_OPENED]
 
 _ABOUT = """\
 Databases of the area's landmarks and windows, repeated side by side, with an overview of 64 m: written by the writer
@@ -79,6 +99,9 @@ against its checksum, then again, by the columns that the first kept beside a la
 ([format](file-formats.md#kept-beside-a-database)). Memory is the largest resident one (`VmHWM`); of writing with what
 is written, of opening less that before it."""
 
+_ABOUT_SETS = """\
+A set of this database alone: its rows, bounds of landmarks included, are read, checked and joined at first."""
+
 
 def _exponents(landmarks: list[int], seconds: list[tuple[float, float]]) -> str:
     if len(landmarks) < 2:
@@ -86,6 +109,16 @@ def _exponents(landmarks: list[int], seconds: list[tuple[float, float]]) -> str:
     ratio = math.log(landmarks[-1] / landmarks[-2])
     told = (math.log(last / before) / ratio for before, last in zip(*seconds[-2:]))
     return "Exponents of the last step: written {:.2f}, opened first {:.2f}, again {:.2f}.".format(*told)
+
+
+def _taken_away(path: Path) -> str:
+    """Size of the columns that are kept beside a database or set; they are removed."""
+    beside = kept_path(str(path), SUFFIX)
+    if not beside.exists():
+        return "–"
+    size = page.size(beside.stat().st_size)
+    beside.unlink()
+    return size
 
 
 def _in_child(*order: str) -> dict:
@@ -145,7 +178,7 @@ def written(source: str, count: int, target: str) -> dict:
 
 
 def opened(path: str) -> dict:
-    """Opens a database."""
+    """Opens a database, or a set."""
     from semref.storage.database.reader import read_database
 
     before, begin = peak_bytes(), time.process_time()
