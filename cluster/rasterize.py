@@ -9,7 +9,7 @@ from ..core.errors import ParameterError
 from ..storage.annotation_file import filled_beneath, read_annotation
 from ..storage.burning import burn_job
 from ..storage.pixel_grid import Bounds, pixel_grid, union_of_bounds
-from ..storage.rasters import read_class_table
+from ..storage.text_tables import read_class_table
 from .burn import burnt
 from .inputs import Teller, require_apart, require_unchanged, state
 

@@ -16,7 +16,7 @@ from ..core.segmentation.class_bias import class_bias_text
 from ..core.segmentation.tiling import Tiles
 from ..storage.files import written_beside
 from ..storage.label_map_file import LabelMapFile, whole_tile_rows
-from ..storage.rasters import read_class_table
+from ..storage.text_tables import read_class_table
 from .engine import DaskRunner, connected
 from .inputs import Teller, require_apart, require_unchanged, seen_by_workers, state
 from .photos import Opened, Opening, opened

@@ -10,8 +10,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import ClassTableError, LabelMapError, ParameterError
-from ..core.flight.table import MOST_BYTES, bytes_of
+from ..core.errors import LabelMapError
 from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
@@ -21,7 +20,6 @@ from ..core.labels.class_table import (
 )
 from ..core.labels.counts import count_labels
 from ..core.labels.image_files import require_kind_of_name
-from ..core.labels.openstreetmap import Rules, rules_from_csv
 from ..core.labels.sources import ArrayLabels, LabelSource
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import CLASS_TABLE_ITEM
@@ -316,24 +314,3 @@ def image_files(paths: list[str]) -> list[str]:
             raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)
         found += images
     return found
-
-
-def read_class_table(path: str) -> ClassTable:
-    """A class-table CSV in UTF-8 (or, failing that, Latin-1); raises ClassTableError."""
-    return class_table_from_csv(_table_text(path), path)
-
-
-def read_rules(path: str) -> Rules:
-    """Rules from OpenStreetMap's tags to classes, a CSV as class tables are; raises ClassTableError, ParameterError."""
-    return rules_from_csv(_table_text(path), path)
-
-
-def _table_text(path: str) -> str:
-    try:
-        data = bytes_of(path, MOST_BYTES)
-    except ParameterError as error:
-        raise ClassTableError(error.sentence) from None
-    try:
-        return data.decode("utf-8")
-    except UnicodeDecodeError:
-        return data.decode("latin-1")

@@ -58,7 +58,7 @@ def training_at_hand(project: QgsProject, model: str = "") -> dict[str, str]:
 
 def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
     """The annotation's classes, in small letters; of a table beside it, or else what its text field says."""
-    from ..storage.rasters import read_class_table
+    from ..storage.text_tables import read_class_table
 
     if "CLASS_TABLE" in found:
         try:

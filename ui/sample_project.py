@@ -13,7 +13,6 @@ from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.exchange.styles import annotation_renderer
 from ..processing.inspection.models import SHIPPED
 from ..processing.translation import tr
-from ..storage.rasters import read_class_table
 from ..storage.sample_files import (
     ANNOTATION_FILE,
     CLASS_FIELD,
@@ -24,6 +23,7 @@ from ..storage.sample_files import (
     PIXEL_SIZE_M,
     PRIORITY_FIELD,
 )
+from ..storage.text_tables import read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.messages import TAG, Messages

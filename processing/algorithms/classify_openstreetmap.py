@@ -97,7 +97,7 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         self._source = values.source(self.INPUT, POLYGONS_OF_OSM)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ...storage.rasters import read_rules
+        from ...storage.text_tables import read_rules
         from ..exchange.layer_looks import land_cover_look
 
         rules = read_rules(values.file(self.RULES) or str(RULES_PATH))

@@ -26,7 +26,7 @@ class Preset:
 
     def table(self) -> ClassTable:
         """Its classes."""
-        from ...storage.rasters import read_class_table
+        from ...storage.text_tables import read_class_table
 
         return read_class_table(self.path)
 

@@ -163,7 +163,7 @@ class Values:
 
     def class_table(self, key: str) -> ClassTable | None:
         """The class table of a CSV; None if it was left out. Raises ClassTableError."""
-        from ...storage.rasters import read_class_table
+        from ...storage.text_tables import read_class_table
 
         path = self.file(key)
         return read_class_table(path) if path else None

@@ -35,7 +35,7 @@ class ClassRow:
 
 def read_rows(path: str) -> list[ClassRow]:
     """The classes of a file; none without one. Raises ClassTableError."""
-    from ...storage.rasters import read_class_table
+    from ...storage.text_tables import read_class_table
 
     return _rows(read_class_table(path).to_csv()) if path else []
 

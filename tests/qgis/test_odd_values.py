@@ -45,7 +45,7 @@ def test_an_odd_plan_is_refused(qgis_app, tmp_path, text):
 @pytest.mark.parametrize("cell", ["x" * 140_000, '"' + "x\n" * 70_000], ids=["letters", "lines"])
 def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
     from semref.core.flight.cameras import read_cameras
-    from semref.storage.rasters import read_class_table
+    from semref.storage.text_tables import read_class_table
 
     (tmp_path / "cameras.csv").write_text(f"image,roll,pitch\na.png,{cell},0\n", encoding="utf-8")
     (tmp_path / "classes.csv").write_text(f"value,name\n1,{cell}\n", encoding="utf-8")
@@ -61,7 +61,7 @@ def test_a_table_with_a_huge_field_is_refused(qgis_app, tmp_path, cell):
 @pytest.mark.parametrize("kind", ["cameras", "class table", "rules"])
 def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
     from semref.core.flight.cameras import read_cameras
-    from semref.storage.rasters import read_class_table, read_rules
+    from semref.storage.text_tables import read_class_table, read_rules
 
     read = {"cameras": partial(read_cameras, ["a.png"]), "class table": read_class_table, "rules": read_rules}[kind]
     huge, pipe = tmp_path / "huge.csv", tmp_path / "pipe.csv"

@@ -21,8 +21,9 @@ import numpy as np
 from bench import footprints, inputs, new_places, page, reliability, two_dates
 from bench.correlation import BUILDINGS, ON_A_TILE
 from bench.elsewhere import aerial_labels, sample_labels
-from bench.ground import GOAL, Ground, Image, tile_ground, tile_paths
+from bench.ground import GOAL, Ground, Image
 from bench.kept import parts
+from bench.tiles import tile_ground, tile_paths
 from semref.core.correlation import decision, places
 from semref.core.correlation.class_pyramid import EvidenceLevel, mirrored_level
 from semref.core.correlation.detail import detail_at

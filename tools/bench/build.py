@@ -95,7 +95,8 @@ class Comparison:
 
         from semref.core.database.build import BuildSettings, DatabaseBuilder
         from semref.core.geometry.frame import MapFrame
-        from semref.storage.rasters import GdalLabels, HeldLabels, read_class_table
+        from semref.storage.rasters import GdalLabels, HeldLabels
+        from semref.storage.text_tables import read_class_table
 
         dataset = gdal.Open(str(self._path))
         frame = MapFrame(dataset.GetProjection(), tuple(dataset.GetGeoTransform()))

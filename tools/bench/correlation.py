@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from bench import inputs, page
-from bench.ground import ANY, COLUMNS, NONE, TILE_SCALES, Case, Ground, Wanted, cells, tile_ground, tile_paths, tried
+from bench.ground import ANY, COLUMNS, NONE, Case, Ground, Wanted, cells, tried
+from bench.tiles import TILE_SCALES, tile_ground, tile_paths
 from semref.core.evaluation.trial import Trial, judge
 from semref.core.localization import Method, Prior
 from semref.core.simulation.noise import MODEST, STRONG

@@ -10,7 +10,8 @@ import numpy as np
 
 from bench import inputs, own_buildings, photos, real_places, two_dates
 from bench.correlation import ON_A_TILE
-from bench.ground import ANY, Ground, Image, Wanted, tile_ground, tile_paths
+from bench.ground import ANY, Ground, Image, Wanted
+from bench.tiles import tile_ground, tile_paths
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.localization import Method, Prior
 from semref.storage.database.reader import read_database

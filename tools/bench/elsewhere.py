@@ -11,7 +11,8 @@ import cv2
 import numpy as np
 
 from bench import inputs, kept, page
-from bench.ground import GOAL, NONE, REACH_PX, Case, Ground, Image, Wanted, tile_paths
+from bench.ground import GOAL, NONE, REACH_PX, Case, Ground, Image, Wanted
+from bench.tiles import tile_paths
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.sample.classes import CLASSES as SAMPLE_CLASSES

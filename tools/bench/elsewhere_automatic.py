@@ -17,7 +17,8 @@ import numpy as np
 from bench import inputs, kept, page
 from bench.correlation import BUILDINGS, ON_THE_MAP
 from bench.elsewhere import LATTICE_KINDS, lattice, sample_area
-from bench.ground import GOAL, REACH_PX, Ground, Image, tile_paths
+from bench.ground import GOAL, REACH_PX, Ground, Image
+from bench.tiles import tile_paths
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.localization import Method
 from semref.core.simulation.noise import STRONG, LabelNoise

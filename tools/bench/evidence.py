@@ -18,8 +18,9 @@ import numpy as np
 
 from bench import inputs, page
 from bench.correlation import ON_A_TILE, best_right, place_is_right
-from bench.ground import Ground, Image, accuracy, milliseconds, tile_ground, tile_paths
+from bench.ground import Ground, Image, accuracy, milliseconds
 from bench.photos import Network, as_seen, seen
+from bench.tiles import tile_ground, tile_paths
 from semref.core.evaluation.trial import Trial
 from semref.core.labels.class_shares import SeenLabels
 from semref.core.localization import Method

@@ -8,7 +8,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
@@ -306,27 +305,6 @@ def memory_ground(labels_hw: np.ndarray, classes_csv: str, settings: object, pix
 
 
 # --- aerial label maps of Dubai ---
-
-TILE_SCALES, TILE_SEARCHED = (0.9, 1.1), (0.7, 1.4)
-"""Pixels of the tile an image's pixel shows: true, and looked for."""
-
-TILE_PIXEL_M = 0.5
-"""Assumed; the tiles state none."""
-
-
-def tile_paths(run: inputs.Run) -> list[Path]:
-    """Annotated label maps, none where the data is not here."""
-    return sorted((run.data / inputs.TILES).glob("tile*_label.tif"))
-
-
-def tile_ground(path: Path) -> Ground:
-    """An annotated tile with a database of it, all classes as landmarks."""
-    from semref.core.database.build import BuildSettings
-
-    ground = memory_ground(inputs.read_labels(path), inputs.TILE_CLASSES, BuildSettings(512, 128, 60))
-    ground.prior, ground.meters = Prior(pixel_size_range=TILE_SEARCHED), TILE_PIXEL_M
-    return ground
-
 
 # --- tables ---
 

@@ -24,7 +24,8 @@ from bench.photos import Network, agreement, as_seen, seen
 from semref.core.database.build import BuildSettings
 from semref.core.labels.training_tiles import fitting_tiles
 from semref.core.localization import Method, Prior
-from semref.storage.rasters import RasterFile, read_class_table
+from semref.storage.rasters import RasterFile
+from semref.storage.text_tables import read_class_table
 from semref.storage.training_tiles import TileExport
 from semref.training.job import LITE0, PACKAGED
 

@@ -20,7 +20,8 @@ from bench.photos import TRUE_LABELS, Network, as_seen, seen
 from bench.real_places import BUILDING, PIXEL_M, PlaceGround
 from semref.core.labels.training_tiles import fitting_tiles
 from semref.core.localization import Method
-from semref.storage.rasters import RasterFile, read_class_table
+from semref.storage.rasters import RasterFile
+from semref.storage.text_tables import read_class_table
 from semref.storage.training_tiles import TileExport
 
 PAGE = "benchmarks.md"

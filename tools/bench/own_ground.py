@@ -18,12 +18,14 @@ import numpy as np
 
 from bench import inputs, page
 from bench.correlation import ON_A_TILE
-from bench.ground import COLUMNS, Ground, cells, tile_ground
+from bench.ground import COLUMNS, Ground, cells
 from bench.photos import TRUE_LABELS, Network, agreement, as_seen, seen
+from bench.tiles import tile_ground
 from semref.core.evaluation.trial import Trial
 from semref.core.labels.training_tiles import fitting_tiles
 from semref.core.localization import Method
-from semref.storage.rasters import RasterFile, read_class_table
+from semref.storage.rasters import RasterFile
+from semref.storage.text_tables import read_class_table
 from semref.storage.training_tiles import TileExport
 from semref.training.job import LITE0, PACKAGED, SMALL, Job
 

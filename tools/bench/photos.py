@@ -15,7 +15,8 @@ import numpy as np
 
 from bench import inputs, page
 from bench.correlation import ON_A_TILE
-from bench.ground import COLUMNS, Ground, Image, cells, memory_ground, tile_ground, tile_paths
+from bench.ground import COLUMNS, Ground, Image, cells, memory_ground
+from bench.tiles import tile_ground, tile_paths
 from semref.core.database.build import BuildSettings
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.geometry.error_settings import NETWORK_SPREAD

@@ -20,10 +20,11 @@ import numpy as np
 
 from bench import inputs, kept, page, photo_places, real_places
 from bench.flights import WRONG_SHARE, is_wrong
-from bench.ground import Ground, tile_ground, tile_paths
+from bench.ground import Ground
 from bench.motion import exposed
 from bench.photos import TRUE_LABELS, Network, seen
 from bench.real_tiles import networks
+from bench.tiles import tile_ground, tile_paths
 from semref.core.assessment.flights import SIZE_KNOWN
 from semref.core.flight.flight import localize_flight
 from semref.core.flight.model import FlightImage

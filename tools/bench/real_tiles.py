@@ -20,8 +20,9 @@ import numpy as np
 from bench import inputs, kept, page
 from bench.correlation import ON_A_TILE
 from bench.evidence import why
-from bench.ground import accuracy, tile_ground, tile_paths
+from bench.ground import accuracy
 from bench.photos import SEED, TRUE_LABELS, Network, agreement, as_seen, seen
+from bench.tiles import tile_ground, tile_paths
 from semref.core.evaluation.trial import Trial
 from semref.core.localization import Method
 

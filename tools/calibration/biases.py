@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 from bench import inputs, page
-from bench.ground import TILE_PIXEL_M, tile_paths
 from bench.photos import SHIPPED, sample_sun_deg
+from bench.tiles import TILE_PIXEL_M, tile_paths
 
 from semref.core.geometry.error_settings import ClassBias
 from semref.core.labels.class_table import ClassTable, class_table_from_csv

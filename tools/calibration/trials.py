@@ -10,7 +10,8 @@ from bench import inputs, localization, page, reliability
 from bench.automatic import CASES as AUTOMATIC_CASES
 from bench.automatic import POOR_CASES
 from bench.correlation import AERIAL, COUNTRY, ELSEWHERE, SEED, country, place_is_right, tried_on_tiles
-from bench.ground import Case, Ground, Image, tile_ground, tile_paths, tried
+from bench.ground import Case, Ground, Image, tried
+from bench.tiles import tile_ground, tile_paths
 
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.correlation.decision import lead, position_error_95

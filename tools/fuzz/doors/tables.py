@@ -63,7 +63,7 @@ KML = (
 
 def class_tables(world: World) -> Tools:
     from semref.core.labels.class_table import class_table_from_csv
-    from semref.storage.rasters import read_class_table
+    from semref.storage.text_tables import read_class_table
 
     placed = Placed(world.folder, "classes.csv")
 
