@@ -97,7 +97,7 @@ Databases of the area's landmarks and windows, repeated side by side, with an ov
 of builds, and opened as localizing opens them, each in a process of its own: first row by row, every table checked
 against its checksum, then again, by the columns that the first kept beside a large one
 ([format](file-formats.md#kept-beside-a-database)). Memory is the largest resident one (`VmHWM`); of writing with what
-is written, of opening less that before it."""
+is written, of opening less that before it; of a mapped file the pages count that the system may take back."""
 
 _ABOUT_SETS = """\
 A set of this database alone: its rows, bounds of landmarks included, are read, checked and joined at first."""
