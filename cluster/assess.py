@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import sqlite3
 from argparse import Namespace
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,9 @@ from ..storage.database.reader import read_database, read_overview
 from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
-from ..storage.squares_file import write_squares
+from ..storage.metadata import plugin_metadata
+from ..storage.notes import database_source, history, write_notes
+from ..storage.squares_file import ABOUT_SQUARES, write_squares
 from ..storage.squares_style import squares_qml
 from .engine import DaskRunner, connected
 from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
@@ -68,15 +71,17 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
             assessment.estimate(cells.centers, trials, correlated, cells.size)
             for assessment, (trials, correlated) in zip(assessments, tried)
         ]
-        squares = _squares(database, cells, footprints, estimates, threshold)
+        moment = moment_of(max(before.values(), key=lambda found: found[1]))
         write_squares(
             temporary,
             FIELDS,
-            squares,
+            _squares(database, cells, footprints, estimates, threshold),
             database.parameters.crs,
-            moment_of(max(before.values(), key=lambda found: found[1])),
+            moment,
             squares_qml(threshold, footprints[0], len(footprints) == 1),
         )
+        made = history(moment, plugin_metadata()["version"], _command(options, footprints, given, correlation))
+        _tell(temporary, read, database.parameters.crs, made, moment)
     success = estimates[0].success
     return {
         "output": options.output,
@@ -84,6 +89,26 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
         "localizable_fraction": float((success >= threshold).mean()),
         "mean_success": float(success.mean()),
     }
+
+
+def _command(
+    options: Namespace, footprints: Sequence[float], given: Mapping[str, float], correlation: bool
+) -> list[str]:
+    """What makes the same squares again, wherever they go to and whoever does it."""
+    command = ["assess", options.database, "--footprints", ";".join(f"{edge:g}" for edge in footprints)]
+    command += [] if options.spacing is None else ["--spacing", f"{options.spacing:g}"]
+    command += ["--trials", str(options.trials), "--threshold", f"{options.threshold:g}", "--seed", str(options.seed)]
+    command += [part for name, value in given.items() for part in (f"--{name}", f"{value:g}")]
+    return command if correlation else [*command, "--without-map-correlation"]
+
+
+def _tell(path: str, read: Sequence[str], crs_wkt: str, made: str, moment: str) -> None:
+    """Writes what the squares are, what made them, and the licenses of the databases they are of."""
+    sources = [source for source in map(database_source, read) if source is not None]
+    try:
+        write_notes(path, {Path(path).stem: ABOUT_SQUARES}, sources, crs_wkt, made, moment)
+    except sqlite3.Error as error:
+        raise ParameterError("storage.file_unwritable", path=path, reason=str(error).rstrip(".")) from None
 
 
 def _usual() -> Iterator[tuple[str, float]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 from argparse import Namespace
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,13 +16,14 @@ from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.overview import HeldOverview
-from ..storage.database.notes import source_of, write_notes
+from ..storage.database.notes import write_notes
 from ..storage.database.overview_file import CACHE_BYTES, OverviewFile, overview_beside
 from ..storage.database.styles import plain_styles
 from ..storage.database.writer import DatabaseWriter
 from ..storage.files import written_beside
 from ..storage.map_frames import label_map_frame, longitudes_latitudes
 from ..storage.metadata import plugin_metadata
+from ..storage.notes import history, raster_source
 from ..storage.rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, count_values
 from .engine import DaskRunner, connected
 from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
@@ -68,8 +68,8 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
             teller.step(text, _WRITTEN_FROM + (1 - _WRITTEN_FROM) * share)
         if not options.without_note:
             moment = moment_of(before)
-            history = f"{moment[:10]} {moment[11:16]} UTC, SemRef {version}: {_command(options, settings)}"
-            write_notes(temporary, source_of(path), database.parameters.crs, history, moment)
+            made = history(moment, version, _command(options, settings))
+            write_notes(temporary, raster_source(path), database.parameters.crs, made, moment)
     windows = database.windows
     return {
         "database": options.database,
@@ -79,7 +79,7 @@ def build(options: Namespace, teller: Teller) -> dict[str, Any]:
     }
 
 
-def _command(options: Namespace, settings: BuildSettings) -> str:
+def _command(options: Namespace, settings: BuildSettings) -> list[str]:
     """What makes the same database again, wherever it goes to and whoever does it."""
     given = ["build", options.labels]
     if options.reference_classes:
@@ -88,7 +88,7 @@ def _command(options: Namespace, settings: BuildSettings) -> str:
     given += ["--levels", ";".join(f"{level:g}" for level in settings.levels)]
     given += ["--references-per-vector", str(settings.references_per_vector)]
     given += ["--minimum-area", f"{settings.minimum_area:g}", "--map-accuracy", f"{settings.map_accuracy:g}"]
-    return f"python -m cluster {shlex.join(given)}"
+    return given
 
 
 def _settings(options: Namespace) -> BuildSettings:

@@ -13,7 +13,17 @@ from osgeo import gdal, ogr, osr
 from ..core.errors import ParameterError
 from .database.schema import STYLE_FIELDS, STYLES, create_layer, field_definition, square_wkb, write_feature
 from .gdal_errors import close, gdal_failures
+from .notes import LayerText
 from .vector_files import STYLE_OF_SEMREF, leave_wal, tell_moment
+
+ABOUT_SQUARES = LayerText(
+    "Expected success",
+    "Squares of ground; of several footprints one square each, of which the first footprint’s are drawn.\n\n"
+    "Shows where images will be localized with a reference database, and where not: expected success and error of "
+    "each square of ground under the noise that you state, number of landmarks, look-alikes, and the reason where it "
+    "fails.",
+)
+"""What *Assess reference database* says of its squares and of itself."""
 
 
 def write_squares(  # noqa: PLR0913 - what a file holds

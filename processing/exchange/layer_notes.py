@@ -13,7 +13,8 @@ from pathlib import Path
 
 from qgis.core import QgsBox3d, QgsLayerMetadata, QgsMapLayer, QgsProviderRegistry, QgsVectorLayer
 
-from ...storage.database.notes import QGIS_STANDARD, SENTENCES_OF_SOURCES, SENTENCES_OF_TABLES, SENTENCES_OF_TITLES
+from ...storage.database.notes import SENTENCES_OF_TABLES, SENTENCES_OF_TITLES
+from ...storage.notes import QGIS_STANDARD, SENTENCES_OF_SOURCES
 from ...storage.vector_files import leave_wal
 from ..translation import tr
 from .database_layers import REFERENCES, WINDOWS

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import sqlite3
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime, timezone
@@ -20,16 +18,13 @@ from qgis.core import (
 )
 from qgis.PyQt.QtXml import QDomDocument
 
-from ...storage.database.notes import LONGEST_NOTE, QGIS_STANDARD
 from ...storage.database.sets import files_of, is_set
+from ...storage.notes import note_text
 
 LONGEST_COMMAND = 20_000
 """Characters of a lineage: a run of thousands of images names each."""
 
 _LAYERS = "source", "vector", "raster", "multilayer"
-_STEPS_TO_READ = 200_000
-"""Of SQLite's machine: a note is found in some hundred; who made the file may have made it hard on purpose."""
-
 _MOST_FILES = 200
 """Inputs that are asked for notes: photos, of which there are thousands, have none."""
 
@@ -126,32 +121,9 @@ def _told_by(layer: QgsMapLayer) -> QgsLayerMetadata:
 
 def note_of_file(source: str) -> QgsLayerMetadata | None:
     """What QGIS has noted of a file that no layer is loaded of: beside a raster, in a GeoPackage; None without it."""
-    path, _, rest = source.partition("|")
-    text = ""
-    with contextlib.suppress(OSError, ValueError, sqlite3.Error):
-        if path.lower().endswith(".gpkg") and Path(path).is_file():
-            text = _note_in_geopackage(path, rest.partition("layername=")[2].partition("|")[0])
-        else:
-            beside = Path(path).with_suffix(".qmd")
-            if beside.is_file() and beside.stat().st_size <= LONGEST_NOTE:
-                text = beside.read_text(encoding="utf-8")
+    text = note_text(source)
     document, told = QDomDocument(), QgsLayerMetadata()
     # Qt 6.5 and later have another type of answer; false in both where it is no XML.
     if not text or not document.setContent(text) or not told.readMetadataXml(document.documentElement()):
         return None
     return told
-
-
-def _note_in_geopackage(path: str, table: str) -> str:
-    """That of a table, or the first without a name; empty without one. Raises sqlite3.Error, ValueError."""
-    uri = f"{Path(path).resolve().as_uri()}?mode=ro&immutable=1"
-    with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
-        connection.execute("PRAGMA trusted_schema=OFF")
-        connection.set_progress_handler(lambda: 1, _STEPS_TO_READ)
-        row = connection.execute(
-            "SELECT m.metadata FROM gpkg_metadata m JOIN gpkg_metadata_reference r ON r.md_file_id = m.id "
-            "WHERE m.md_standard_uri = ? AND length(m.metadata) <= ? AND (? = '' OR r.table_name = ?) "
-            "ORDER BY m.id LIMIT 1",
-            (QGIS_STANDARD, LONGEST_NOTE, table, table),
-        ).fetchone()
-    return str(row[0]) if row else ""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import sqlite3
 
 import pytest
 from built_database import NAMES
@@ -56,6 +58,30 @@ def test_it_holds_what_the_algorithm_tells_with_its_defaults(assessed, area, run
     assert sum(values["success"] for values, _ in found) > 0
     share = float(said.partition("localizable_fraction: ")[2].split()[0])
     assert share == pytest.approx(expected["LOCALIZABLE_FRACTION"])
+
+
+def test_it_tells_what_it_is_what_made_it_and_of_what_as_the_algorithm_does(assessed, area, run_algorithm, tmp_path):
+    path, _ = assessed
+    asked = {"DATABASE": area, "TRIALS": 20, "OUTPUT": str(tmp_path / "qgis.gpkg")}
+    output = run_algorithm("semref:assessdatabase", asked)["OUTPUT"]
+    found, wanted = (QgsVectorLayer(str(one), "squares", "ogr").metadata() for one in (path, output))
+    assert (found.title(), found.abstract()) == (wanted.title(), wanted.abstract())
+    assert found.extent().spatialExtents()[0].extentCrs == wanted.extent().spatialExtents()[0].extentCrs
+    (line,) = found.history()
+    assert f"python -m cluster assess {area} --footprints '160;120' --spacing 80 --trials 60" in line
+    assert "--missed 20" in line and "without" not in line
+
+
+def test_its_metadata_are_registered_as_gdal_registers_them(assessed, area):
+    for path in (assessed[0], area):
+        with contextlib.closing(sqlite3.connect(path)) as connection:
+            rows = connection.execute(
+                "SELECT table_name, column_name, extension_name, definition, scope FROM gpkg_extensions "
+                "WHERE extension_name = 'gpkg_metadata' ORDER BY table_name"
+            ).fetchall()
+        definition = "http://www.geopackage.org/spec120/#extension_metadata"
+        tables = "gpkg_metadata", "gpkg_metadata_reference"
+        assert rows == [(table, None, "gpkg_metadata", definition, "read-write") for table in tables]
 
 
 @pytest.mark.slow
