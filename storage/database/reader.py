@@ -72,20 +72,21 @@ def _read_one(connection: Snapshot, path: str, with_overview: bool, with_bounds:
     return replace(database, overview=_overview(connection, path)) if with_overview else database
 
 
-def read_parts(parts: Sequence[str]) -> list[ReferenceDatabase]:
+def read_parts(parts: Sequence[str], with_overview: bool = False) -> list[ReferenceDatabase]:
     """Databases that are to be used as one, from the oldest to the newest, with the bounds of their landmarks.
 
     Each is read by itself, and none may change meanwhile.
 
     Args:
         parts: Their files; of equally old ones the last is the newest.
+        with_overview: Whether their overviews are read, too.
 
     Raises:
         DatabaseError: One can't be read, or they are in different CRS.
     """
 
     def read(connection: Snapshot, part: str) -> ReferenceDatabase:
-        return _read_one(connection, part, with_overview=False, with_bounds=True)
+        return _read_one(connection, part, with_overview, with_bounds=True)
 
     found = _parts(parts, read)
     _require_one_crs([(part.source or "", part.parameters) for part in found])
