@@ -61,7 +61,7 @@ class LayerText(NamedTuple):
 
 @dataclass(frozen=True)
 class Source:
-    """What a file tells of itself by the note that QGIS keeps beside it.
+    """What a file tells of itself by the note that QGIS keeps beside or in it.
 
     Attributes:
         title: Its name, where it tells none.
