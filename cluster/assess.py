@@ -23,11 +23,11 @@ from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.metadata import plugin_metadata
-from ..storage.notes import database_source, history, write_notes
+from ..storage.notes import database_sources, history, write_notes
 from ..storage.squares_file import ABOUT_SQUARES, write_squares
 from ..storage.squares_style import squares_qml
 from .engine import DaskRunner, connected
-from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
+from .inputs import Teller, moment_of, plain, require_apart, require_unchanged, seen_by_workers, state
 from .order import answered
 
 
@@ -81,7 +81,7 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
             squares_qml(threshold, footprints[0], len(footprints) == 1),
         )
         made = history(moment, plugin_metadata()["version"], _command(options, footprints, given, correlation))
-        _tell(temporary, read, database.parameters.crs, made, moment)
+        _tell(temporary, database, made, moment)
     success = estimates[0].success
     return {
         "output": options.output,
@@ -95,18 +95,18 @@ def _command(
     options: Namespace, footprints: Sequence[float], given: Mapping[str, float], correlation: bool
 ) -> list[str]:
     """What makes the same squares again, wherever they go to and whoever does it."""
-    command = ["assess", options.database, "--footprints", ";".join(f"{edge:g}" for edge in footprints)]
-    command += [] if options.spacing is None else ["--spacing", f"{options.spacing:g}"]
-    command += ["--trials", str(options.trials), "--threshold", f"{options.threshold:g}", "--seed", str(options.seed)]
-    command += [part for name, value in given.items() for part in (f"--{name}", f"{value:g}")]
+    command = ["assess", options.database, "--footprints", ";".join(map(plain, footprints))]
+    command += [] if options.spacing is None else ["--spacing", plain(options.spacing)]
+    command += ["--trials", str(options.trials), "--threshold", plain(options.threshold), "--seed", str(options.seed)]
+    command += [part for name, value in given.items() for part in (f"--{name}", plain(value))]
     return command if correlation else [*command, "--without-map-correlation"]
 
 
-def _tell(path: str, read: Sequence[str], crs_wkt: str, made: str, moment: str) -> None:
+def _tell(path: str, database: ReferenceDatabase, made: str, moment: str) -> None:
     """Writes what the squares are, what made them, and the licenses of the databases they are of."""
-    sources = [source for source in map(database_source, read) if source is not None]
+    texts, sources = {Path(path).stem: ABOUT_SQUARES}, database_sources(database.source or "")
     try:
-        write_notes(path, {Path(path).stem: ABOUT_SQUARES}, sources, crs_wkt, made, moment)
+        write_notes(path, texts, sources, database.parameters.crs, made, moment)
     except sqlite3.Error as error:
         raise ParameterError("storage.file_unwritable", path=path, reason=str(error).rstrip(".")) from None
 

@@ -26,7 +26,7 @@ from ..storage.metadata import plugin_metadata
 from ..storage.notes import history, raster_source
 from ..storage.rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, count_values
 from .engine import DaskRunner, connected
-from .inputs import Teller, moment_of, require_apart, require_unchanged, seen_by_workers, state
+from .inputs import Teller, moment_of, plain, require_apart, require_unchanged, seen_by_workers, state
 
 _WRITTEN_FROM = 0.85
 """Share of all that is done when writing begins."""
@@ -84,10 +84,10 @@ def _command(options: Namespace, settings: BuildSettings) -> list[str]:
     given = ["build", options.labels]
     if options.reference_classes:
         given += ["--reference-classes", options.reference_classes]
-    given += ["--window-size", f"{settings.window_size:g}", "--stride", f"{settings.stride:g}"]
-    given += ["--levels", ";".join(f"{level:g}" for level in settings.levels)]
+    given += ["--window-size", plain(settings.window_size), "--stride", plain(settings.stride)]
+    given += ["--levels", ";".join(map(plain, settings.levels))]
     given += ["--references-per-vector", str(settings.references_per_vector)]
-    given += ["--minimum-area", f"{settings.minimum_area:g}", "--map-accuracy", f"{settings.map_accuracy:g}"]
+    given += ["--minimum-area", plain(settings.minimum_area), "--map-accuracy", plain(settings.map_accuracy)]
     return given
 
 

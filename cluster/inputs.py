@@ -26,6 +26,11 @@ def seen_by_workers(path: str) -> str:
     return path if path.startswith("/vsi") else str(Path(path).absolute())
 
 
+def plain(number: float) -> str:
+    """A number as an option takes it, with all the digits that somebody may have given."""
+    return f"{number:.15g}"
+
+
 def require_apart(path: str, output: str) -> None:
     """Raises ParameterError where a file would be replaced by what is made of it."""
     if Path(path).exists() and Path(output).exists() and Path(path).samefile(output):

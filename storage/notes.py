@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 from osgeo import gdal, osr
 
+from .database.sets import is_set, parts_of
 from .gdal_errors import gdal_failures
 
 SENTENCES_OF_SOURCES = {"made_of": "Made of: {sources}"}
@@ -25,6 +26,9 @@ QGIS_STANDARD = "http://mrcc.com/qgis.dtd"
 
 LONGEST_NOTE = 1_000_000
 """Bytes of a note that is read."""
+
+MOST_SOURCES = 200
+"""That are asked for their notes: photos, of which there are thousands, have none."""
 
 _DOCTYPE = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
 
@@ -117,10 +121,11 @@ def raster_source(path: str) -> Source:
     return Source((titles or (Path(path).stem,))[0], _texts(told, "license"), _texts(told, "rights"))
 
 
-def database_source(path: str) -> Source | None:
-    """What is known of a database, called as its file: its note is of one of its layers. None without a note."""
-    told = _told(path)
-    return Source(Path(path).stem, _texts(told, "license"), _texts(told, "rights")) if told else None
+def database_sources(path: str) -> list[Source]:
+    """What is known of a database, or of each of a set, that has a note: called as its file, the note is a layer's."""
+    files = parts_of(path) if is_set(path) else [path]
+    told = [(Path(file).stem, _told(file)) for file in files[:MOST_SOURCES]]
+    return [Source(name, _texts(own, "license"), _texts(own, "rights")) for name, own in told if own]
 
 
 def _told(path: str) -> list[tuple[str, str]]:

@@ -19,14 +19,12 @@ from qgis.core import (
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.database.sets import files_of, is_set
-from ...storage.notes import note_text
+from ...storage.notes import MOST_SOURCES, note_text
 
 LONGEST_COMMAND = 20_000
 """Characters of a lineage: a run of thousands of images names each."""
 
 _LAYERS = "source", "vector", "raster", "multilayer"
-_MOST_FILES = 200
-"""Inputs that are asked for notes: photos, of which there are thousands, have none."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +92,7 @@ def _told_by_inputs(
         value = parameters.get(definition.name())
         if definition.isDestination() or definition.type() not in (*_LAYERS, "file"):
             continue
-        for one in _each(value)[:_MOST_FILES]:
+        for one in _each(value)[:MOST_SOURCES]:
             if isinstance(one, QgsProcessingFeatureSourceDefinition):
                 one = one.source.staticValue()
             layer = one if isinstance(one, QgsMapLayer) else None

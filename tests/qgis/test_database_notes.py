@@ -108,15 +108,25 @@ def test_what_is_made_of_a_set_has_the_licenses_of_its_databases(database, run_a
 
 
 def test_licenses_are_read_without_qgis_too(database, label_map, tmp_path):
-    from semref.storage.notes import database_source, raster_source
+    from semref.storage.notes import database_sources, raster_source
 
-    of_database, of_raster = database_source(database), raster_source(str(label_map))
+    (of_database,), of_raster = database_sources(database), raster_source(str(label_map))
     assert (of_database.text, of_database.rights) == ("area (ODbL 1.0)", ("© OpenStreetMap contributors",))
     assert (of_raster.text, of_raster.rights) == ("Land cover of Erewhon (ODbL 1.0)", of_database.rights)
     plain = tmp_path / "plain.gpkg"
     plain.write_bytes(b"no note")
-    assert database_source(str(plain)) is None
+    assert database_sources(str(plain)) == []
     assert raster_source(str(tmp_path / "bare.tif")).text == "bare"
+
+
+def test_sources_of_a_set_are_its_databases_and_no_file_of_its_name(database, label_map):
+    from semref.storage.database.sets import set_text
+    from semref.storage.notes import database_sources
+
+    # Called as the label map, whose note lies beside it.
+    path = label_map.with_suffix(".semrefset")
+    path.write_text(set_text(str(path), [database]), encoding="utf-8")
+    assert [source.text for source in database_sources(str(path))] == ["area (ODbL 1.0)"]
 
 
 def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):

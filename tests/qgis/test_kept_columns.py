@@ -136,6 +136,15 @@ def test_another_database_in_its_place_is_read_though_it_is_as_large_and_as_old(
     assert len(times_read) == 1
 
 
+def test_of_rows_that_were_changed_and_whose_file_was_set_back_in_age_those_that_were_checked_are_used(path):
+    first = read_database(path)
+    then = os.stat(path)
+    edit(path, 'UPDATE "references" SET area = area * 2 WHERE fid = 5')
+    os.utime(path, ns=(then.st_atime_ns, then.st_mtime_ns))
+    assert os.stat(path).st_size == then.st_size
+    assert_same(read_database(path), first)
+
+
 def test_a_class_that_was_renamed_is_refused_though_columns_are_kept(path):
     read_database(path)
     then = os.stat(path)

@@ -54,10 +54,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
         of_sets.append(
             [
                 f"{joined['landmarks']:,} / {joined['windows']:,}",
-                f"{joined['processor']:.2f}",
-                page.size(joined["peak"] - joined["before"]),
-                f"{opened_set['processor']:.3f}",
-                page.size(opened_set["peak"] - opened_set["before"]),
+                *_both(joined, opened_set),
                 kept_of_set,
             ]
         )
@@ -68,10 +65,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
                 page.size(written["peak"]),
                 page.size(bytes_of),
                 f"{bytes_of / opened['landmarks']:.0f}",
-                f"{opened['processor']:.2f}",
-                page.size(opened["peak"] - opened["before"]),
-                f"{again['processor']:.3f}",
-                page.size(again["peak"] - again["before"]),
+                *_both(opened, again),
                 kept,
             ]
         )
@@ -109,6 +103,13 @@ def _exponents(landmarks: list[int], seconds: list[tuple[float, float]]) -> str:
     ratio = math.log(landmarks[-1] / landmarks[-2])
     told = (math.log(last / before) / ratio for before, last in zip(*seconds[-2:]))
     return "Exponents of the last step: written {:.2f}, opened first {:.2f}, again {:.2f}.".format(*told)
+
+
+def _both(first: dict, again: dict) -> list[str]:
+    """Time and memory of opening first and again."""
+    seconds = f"{first['processor']:.2f}", f"{again['processor']:.3f}"
+    memory = [page.size(opened["peak"] - opened["before"]) for opened in (first, again)]
+    return [seconds[0], memory[0], seconds[1], memory[1]]
 
 
 def _taken_away(path: Path) -> str:

@@ -15,7 +15,7 @@ from qgis.core import QgsVectorLayer
 
 SIZE = 160
 LABELS = scattered_objects(420, 480, 300, seed=21, background=0)
-ASKED = ["--footprints", "160;120", "--spacing", "80", "--trials", 60]
+ASKED = ["--footprints", "160;120.0000001", "--spacing", "80", "--trials", 60]
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +41,7 @@ def rows(path):
 
 def test_it_holds_what_the_algorithm_tells_with_its_defaults(assessed, area, run_algorithm, tmp_path):
     path, said = assessed
-    asked = {"DATABASE": area, "TRIALS": 60, "FOOTPRINT": "160;120", "SPACING": 80, "SCHEDULER": "local:1"}
+    asked = {"DATABASE": area, "TRIALS": 60, "FOOTPRINT": "160;120.0000001", "SPACING": 80, "SCHEDULER": "local:1"}
     expected = run_algorithm("semref:assessdatabase", {**asked, "OUTPUT": str(tmp_path / "qgis.gpkg")})
     found, wanted = rows(path), rows(expected["OUTPUT"])
     layers = [QgsVectorLayer(str(one), "squares", "ogr") for one in (path, expected["OUTPUT"])]
@@ -68,7 +68,7 @@ def test_it_tells_what_it_is_what_made_it_and_of_what_as_the_algorithm_does(asse
     assert (found.title(), found.abstract()) == (wanted.title(), wanted.abstract())
     assert found.extent().spatialExtents()[0].extentCrs == wanted.extent().spatialExtents()[0].extentCrs
     (line,) = found.history()
-    assert f"python -m cluster assess {area} --footprints '160;120' --spacing 80 --trials 60" in line
+    assert f"python -m cluster assess {area} --footprints '160;120.0000001' --spacing 80 --trials 60" in line
     assert "--missed 20" in line and "without" not in line
 
 
