@@ -99,7 +99,6 @@ def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
 
 def test_qgis_s_own_locator_takes_the_prefix(dock, iface, area):
     from qgis.core import QgsLocator, QgsLocatorContext
-    from qgis.PyQt.QtCore import QCoreApplication
 
     (ours,) = iface.locator_filters
     locator, found = QgsLocator(), []
@@ -108,10 +107,7 @@ def test_qgis_s_own_locator_takes_the_prefix(dock, iface, area):
     dock.prepare(area.database, "", [])
     name = str(dock.read_database().windows.names[0])
     locator.fetchResults(f"srw {name}", QgsLocatorContext())
-    for _ in range(2000):
-        QCoreApplication.processEvents()
-        if found and not locator.isRunning():
-            break
+    wait_until(lambda: found and not locator.isRunning(), "QGIS's locator's answer")
     assert name in found
 
 
