@@ -22,6 +22,10 @@ LEAST_RISK = 1e-12
 """No probability of being wrong is told to be smaller: beyond, a confidence could not be told from 1."""
 
 
+MORE_LIKELY_WRONG = 0.5
+"""Error probability above which places are no candidates: ``ambiguous`` means that two places are both plausible."""
+
+
 def risk_of(log_odds: float) -> float:
     """Probability that a place is wrong, from ln of the odds that it is right; ``LEAST_RISK`` at least."""
     return max(LEAST_RISK, 1 / (1 + math.exp(min(log_odds, 700.0))))

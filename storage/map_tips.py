@@ -28,7 +28,7 @@ def file_name(column: str) -> str:
 def worded(column: str, words: dict[str, str]) -> str:
     """Expression of the words for a column's key; a key without words, of another version, stands for itself."""
     cases = " ".join(
-        f"WHEN \"{column}\" = '{_quoted(key)}' THEN '{_quoted(escape(said))}'" for key, said in words.items()
+        f"WHEN \"{column}\" = '{quoted(key)}' THEN '{quoted(escape(said))}'" for key, said in words.items()
     )
     return f"CASE {cases} ELSE {text(column)} END"
 
@@ -47,7 +47,7 @@ def tip(heading: str, rows: Sequence[tuple[str, str]], picture: str = "") -> str
 
 
 def _row(title: str, expression: str) -> str:
-    cells = f"'<tr><td>{_quoted(escape(title))}</td><td><b>' || ({expression}) || '</b></td></tr>'"
+    cells = f"'<tr><td>{quoted(escape(title))}</td><td><b>' || ({expression}) || '</b></td></tr>'"
     return f"[% coalesce({cells}, '') %]"
 
 
@@ -66,6 +66,6 @@ def _escaped(expression: str) -> str:
     return f"replace(replace({expression}, '&', '&amp;'), map('<', '&lt;', '>', '&gt;'))"
 
 
-def _quoted(said: str) -> str:
+def quoted(said: str) -> str:
     """A text as it may stand between the quotes of an expression inside [% %]."""
     return said.replace("'", "''").replace("%]", "% ]")

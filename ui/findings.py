@@ -10,10 +10,9 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, Qgs
 
 from ..core.localization import Method, Status
 from ..processing.compat import is_null
-from ..processing.framework.localized_image import ERROR, fixes_per_error, label_image_names
+from ..processing.framework.localized_image import ERROR, error_probability, label_image_names
 from ..processing.translation import tr
 from ..processing.wording.sentences import worded
-from .widgets.numbers import number_text
 
 Point = tuple[float, float]
 
@@ -102,11 +101,9 @@ class Finding:
         return self.status == Status.FIX and not self.is_verified and not self.track
 
     @property
-    def fixes_per_error(self) -> float | None:
-        """In how many fixes as sure as this one is wrong, to two digits; None without a fix that was verified."""
-        if self.confidence is None or self.status != Status.FIX or not self.is_verified:
-            return None
-        return fixes_per_error(self.confidence)
+    def probability(self) -> float | None:
+        """Probability that a fix is right; None without a fix that was verified."""
+        return self.confidence if self.status == Status.FIX and self.is_verified else None
 
     @property
     def corners(self) -> tuple[Point, ...] | None:
@@ -184,11 +181,9 @@ def _read_matches(layer: QgsVectorLayer | None) -> dict[str, Matches]:
     return {image: Matches(*zip(*rows)) for image, rows in found.items()}
 
 
-def odds_text(finding: Finding) -> str:
-    """“1 in 10,000”: one of so many fixes as sure as this one is wrong; empty where that is not known."""
-    if finding.fixes_per_error is None:
-        return ""
-    return tr("1 in {count}").format(count=number_text(finding.fixes_per_error))
+def error_text(finding: Finding) -> str:
+    """Return the error probability in words, such as "below 1 in 10,000"; empty where it is unknown."""
+    return "" if finding.probability is None else error_probability(finding.probability)
 
 
 def status_text(finding: Finding) -> str:

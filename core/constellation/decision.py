@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..localization import Status, risk_of
+from ..localization import MORE_LIKELY_WRONG, Status, risk_of
 from ..sentences import Sentence
 from .settings import ConstellationSettings
 
@@ -87,6 +87,6 @@ def verdict(
     if not may_be_a_fix(opponents, allowed, settings):
         log_odds = opponents.log_odds
         return Status.NO_MATCH, Sentence("localization.risk_too_high", log_odds=log_odds, risk=risk, allowed=allowed)
-    if rivals:
+    if rivals and risk_against(opponents, opponents.mirror, settings) <= MORE_LIKELY_WRONG:
         return Status.AMBIGUOUS, Sentence("localization.rivals", count=rivals)
-    return Status.AMBIGUOUS, Sentence("localization.mirror_fits")
+    return Status.NO_MATCH, Sentence("localization.mirror_fits")

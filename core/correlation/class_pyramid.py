@@ -4,7 +4,8 @@ Told in docs/method.md#map-correlation.
 
 A label raster becomes, per class, the fraction of each coarse pixel that the class covers. Area overlap survives what
 centers of gravity don't: merged houses, ragged edges, missing roads. Pixels without a label say nothing: they are
-counted neither for nor against a class, so that the edge of a map is not its most striking feature.
+counted neither for nor against a class, so that the edge of a map is not its most striking feature. On a map with a
+single class they count as a class of their own.
 
 Fractions are not compared class by class but as *evidence*: at most ``MAXIMUM_CHANNELS`` numbers a pixel, the fractions
 less what is usual on this map, weighted by how informative each class is, and turned to the few directions in which
@@ -36,7 +37,7 @@ class ClassSpace:
     """How the labels of a map become evidence. K classes, C ≤ MAXIMUM_CHANNELS channels.
 
     Attributes:
-        values: (K,) uint8, class values of the map, without 0.
+        values: (K,) uint8, class values of the map; 0 (unlabeled) only beside a single class.
         usual: (K,) float64, share of the labeled area that each covers.
         projection: (C, K) float32, evidence of fractions less the usual ones.
     """
@@ -177,7 +178,9 @@ def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts
         rarity_exponent: As of CorrelationSettings.
     """
     values = np.unique(labels_hw)
-    values = values[values != UNLABELED]
+    if (values != UNLABELED).sum() > 1:
+        # On a map of one class alone, ground without a label is the other class: all that it can be compared by.
+        values = values[values != UNLABELED]
     # Whole blocks only: the rest of the last one counts as unlabeled.
     block = STORED_REDUCTION
     height, width = labels_hw.shape

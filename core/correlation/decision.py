@@ -14,7 +14,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..localization import RISK, CorrelationPeaks, Status, risk_of
+from ..localization import MORE_LIKELY_WRONG, RISK, CorrelationPeaks, Status, risk_of
 from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
 
@@ -121,6 +121,10 @@ def decide(
     if peaks.mirror >= peaks.runner_up:
         mirror = peaks.mirror
         reason = Sentence("localization.mirror_agrees", score=score, mirror=mirror, risk=risk, allowed=allowed_risk)
+        return Status.NO_MATCH, reason
+    over_chance = risk_of(log_odds_over_chance(replace(peaks, runner_up=0.0), settings))
+    if over_chance > MORE_LIKELY_WRONG:
+        reason = Sentence("localization.agreement_too_low", score=score, risk=risk, allowed=allowed_risk)
         return Status.NO_MATCH, reason
     runner_up = peaks.runner_up
     return Status.AMBIGUOUS, Sentence("localization.two_places_agree", score=score, runner_up=runner_up, risk=risk)

@@ -26,7 +26,7 @@ from .settings import CorrelationSettings
 
 SUFFIX = ".semref-pyramid"
 
-VERSION = 1
+VERSION = 2
 """Raised whenever the same overview gives other evidence, and so another answer."""
 
 FEWEST_PIXELS = 64_000_000

@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .class_table import UNLABELED
+
 FULL = 255
 """A share of 1 in 8 bits."""
 
@@ -23,12 +25,15 @@ class ClassShares:
     shares: np.ndarray
 
     def of(self, values: np.ndarray) -> np.ndarray:
-        """(h, w, N) uint8 shares of N classes, 0 for those that aren't told."""
+        """Return (h, w, N) uint8 shares of N classes: 0 for absent ones, what remains for value 0 (unlabeled)."""
         found = np.zeros((*self.shares.shape[:2], len(values)), np.uint8)
         for number, value in enumerate(values):
             told = np.flatnonzero(self.values == value)
             if len(told):
                 found[..., number] = self.shares[..., told[0]]
+            elif value == UNLABELED:
+                others = self.shares[..., np.isin(self.values, values)]
+                found[..., number] = FULL - np.minimum(others.sum(axis=-1, dtype=np.int64), FULL)
         return found
 
 
@@ -39,7 +44,9 @@ class SeenLabels:
     Attributes:
         labels_hw: (H, W) uint8 labels.
         shares: Of a photo whose network tells how sure it is.
+        trained_on: Places that the network of a photo was trained on, empty where unknown; None for label images.
     """
 
     labels_hw: np.ndarray
     shares: ClassShares | None = None
+    trained_on: tuple[str, ...] | None = None

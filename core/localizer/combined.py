@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..localization import Localization, Place, Prior, Status, log_odds_of, risk_of
+from ..localization import MORE_LIKELY_WRONG, Localization, Place, Prior, Status, log_odds_of, risk_of
 from ..sentences import Sentence
 from .settings import LOCALIZER, LocalizerSettings
 
@@ -39,10 +39,9 @@ def checked_by_areas(
         reason = Sentence(
             "localization.areas_speak_against", agreement=agreement, risk=risk, allowed=settings.allowed_risk
         )
-        places = () if found.best is None else (found.best,)
-        return replace(
-            found, status=Status.AMBIGUOUS, reason=reason, confidence=None, is_doubted=True, alternatives=places
-        )
+        status = Status.NO_MATCH if risk > MORE_LIKELY_WRONG else Status.AMBIGUOUS
+        places = () if found.best is None or status is Status.NO_MATCH else (found.best,)
+        return replace(found, status=status, reason=reason, confidence=None, is_doubted=True, alternatives=places)
     return _as_fix(found, risk) if found.is_fix or found.is_doubted and risk <= settings.allowed_risk else found
 
 

@@ -54,7 +54,7 @@ def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
     if shares is not None:
         height, width = seen.labels_hw.shape
         shares = ClassShares(shares.values, way.level_planes(shares.shares, (height, width)))
-    return SeenLabels(way.level(seen.labels_hw), shares)
+    return SeenLabels(way.level(seen.labels_hw), shares, seen.trained_on)
 
 
 def of_leveled(prior: Prior, way: Leveling) -> Prior:

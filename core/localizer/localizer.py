@@ -118,6 +118,11 @@ class Localizer:
         """
         self.errors = replace(self.errors, class_biases=class_biases, class_spread=class_spread)
 
+    @property
+    def landmark_classes(self) -> tuple[str, ...]:
+        """Names of the classes whose areas are landmarks."""
+        return tuple(one.name for one in self._database.class_table if one.is_reference)
+
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
         """The published method, exactly: nearest topology vector, accepted up to distance T.
 

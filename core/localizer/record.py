@@ -45,18 +45,20 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
     }
 
 
-MOST_TOLD = 1e6
-"""Nobody is told that a fix is wrong more rarely than once in so many: what was tried tells of thousands, the rest is
-the tail that follows from it (docs/method.md#probability). ``confidence`` keeps its digits, to rank fixes by."""
+TESTED = 10_000
+"""Fixes that the error probability was tested on: SemRef shows no smaller one. ``confidence`` keeps all digits."""
 
 
-def fixes_per_error(confidence: float) -> float:
-    """In how many fixes with this probability of being right one is wrong, to two digits: 12,000 for 0.999917.
+def error_probability(confidence: float) -> Sentence:
+    """Return the error probability of a fix in words: "1 in 1,200", or "below 1 in 10,000".
 
-    ``MOST_TOLD`` for those that are wrong still more rarely.
+    Args:
+        confidence: Probability that the fix is right.
     """
-    times = min(1 / max(1 - confidence, LEAST_RISK), MOST_TOLD)
-    return float(f"{times:.1e}")
+    times = 1 / max(1 - confidence, LEAST_RISK)
+    if times >= TESTED:
+        return Sentence("localization.below_one_in", count=TESTED)
+    return Sentence("localization.one_in", count=float(f"{times:.1e}"))
 
 
 CAUSES = {

@@ -10,6 +10,7 @@ from ..localization import Localization, Method, Prior
 from ..sentences import Sentence
 from .leveled import localize_leveled, prior_of
 from .localizer import Localizer
+from .network_reason import name_network
 
 
 @dataclass(frozen=True)
@@ -54,8 +55,10 @@ class Search:
         height, width = labels_hw.shape
         prior, way = self.prior_of(localizer, camera, (height, width)), camera.leveling((height, width))
         if way is None:
-            return localizer.localize(labels_hw, method, prior, self.with_matches, shares)
-        return localize_leveled(localizer, labels_hw, method, prior, way, self.with_matches, shares)
+            found = localizer.localize(labels_hw, method, prior, self.with_matches, shares)
+        else:
+            found = localize_leveled(localizer, labels_hw, method, prior, way, self.with_matches, shares)
+        return name_network(found, seen.trained_on, localizer.landmark_classes)
 
 
 @dataclass(frozen=True)

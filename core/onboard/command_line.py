@@ -18,7 +18,7 @@ from ..flight.settings import FLIGHT
 from ..labels.image_files import image_files
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
 from ..localizer.localizer import Localizer
-from ..localizer.record import fixes_per_error
+from ..localizer.record import error_probability
 from ..localizer.settings import LOCALIZER
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
@@ -351,7 +351,7 @@ def _line(found: dict[str, Any]) -> str:
     if found["distance"] is not None:
         texts.append(f"confidence {found['confidence']:.2f}")
     else:
-        texts.append(f"wrong once in {fixes_per_error(found['confidence']):,.0f}")
+        texts.append(f"error probability {error_probability(found['confidence'])}")
     return f"{found['image']}: {found['status']}, {found['x']:.2f} {found['y']:.2f}, {', '.join(texts)}"
 
 

@@ -20,6 +20,7 @@ from ..labels.image_source import ArrayImage
 from ..localization import Localization, Method, Prior
 from ..localizer.leveled import localize_leveled, prior_of
 from ..localizer.localizer import Localizer
+from ..localizer.network_reason import name_network
 from ..localizer.record import record
 from ..segmentation.class_bias import KnownBiases, known_biases
 from ..segmentation.devices import AUTO
@@ -114,9 +115,10 @@ class Finding:
         height, width = seen.labels_hw.shape
         way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
         if way is None:
-            return self.told(self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares))
-        found = localize_leveled(self.localizer, seen.labels_hw, self.method, prior, way, shares=seen.shares)
-        return self.told(found)
+            found = self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares)
+        else:
+            found = localize_leveled(self.localizer, seen.labels_hw, self.method, prior, way, shares=seen.shares)
+        return self.told(name_network(found, seen.trained_on, self.localizer.landmark_classes))
 
     def told(self, result: Localization) -> dict[str, Any]:
         """A result as a record, with longitude and latitude where they are known."""

@@ -15,6 +15,7 @@ from .certainty import are_probabilities, softmax
 from .class_bias import read_class_bias
 from .devices import AUTO, CPU, Device, device_of, devices_to_try
 from .metadata import named_channels, read_classes, read_settings
+from .model_card import card_of_texts
 from .onnx_file import header_of
 from .session import available_providers, failures_of_a_run, open_session, reason_of
 
@@ -42,7 +43,7 @@ class SegmentationModel:
     how many of them best. ``runs_at_once``: how many threads may call ``scores`` at a time with gain. ``device``: what
     runs it. ``fallbacks``: why other devices don't, as far as they were asked for or tried. ``class_bias``: how far off
     it shows its classes, by name in small letters, as far as it says so. ``notes``: sentences on metadata that were
-    overruled. ``tiles_seen``: how many images it was given so far.
+    overruled. ``trained_on``: names of places, as far as it says so. ``tiles_seen``: images that it was given so far.
     """
 
     def __init__(self, path: str, threads: int, class_table: ClassTable | None = None, device: str = AUTO) -> None:
@@ -66,6 +67,7 @@ class SegmentationModel:
             channels = len(names or class_table or ())
         self.classes = read_classes(texts, channels, path, class_table)
         self.class_bias = read_class_bias(texts, self.classes.names, path)
+        self.trained_on = tuple(ground.place for ground in card_of_texts(texts, path).trained_on)
 
     @property
     def temperature(self) -> float | None:

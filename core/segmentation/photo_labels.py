@@ -89,7 +89,12 @@ class PhotoLabels:
         """Labels and shares, for who needn't follow the steps."""
         for _ in self.steps():
             continue
-        return SeenLabels(self.labels_hw, self.shares)
+        return self.seen_labels
+
+    @property
+    def seen_labels(self) -> SeenLabels:
+        """Labels and shares, after the steps."""
+        return SeenLabels(self.labels_hw, self.shares, self._model.trained_on)
 
 
 def _believed(pixel_size_m: float | None, resolution_m: float) -> float | None:

@@ -17,13 +17,20 @@ SENTENCES = {
     "localization.shows_whole_landmarks": Plural(
         "The image shows {count} whole landmark", "The image shows {count} whole landmarks"
     ),
+    "localization.network_found": Plural(
+        "The network found {count} landmark ({classes})", "The network found {count} landmarks ({classes})"
+    ),
+    "localization.trained_on": "The network was trained on: {places}.",
+    "localization.then": "{first} {second}",
+    "localization.one_in": "1 in {count:,.0f}",
+    "localization.below_one_in": "below 1 in {count:,.0f}",
     "localization.more_needed": Plural("at least {count} more is needed", "at least {count} more are needed"),
     # Topology vector
     "localization.vector_too_far": "The nearest window has distance {distance:.3f}, more than {threshold:g}.",
     # Constellation
     "localization.no_triangles": "No place on the map has triangles like the image's.",
     "localization.risk_too_high": (
-        "The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; "
+        "The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; "
         "at most {allowed:.2g} is allowed."
     ),
     "localization.one_side_elsewhere": (
@@ -52,7 +59,7 @@ SENTENCES = {
         "In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of it): "
         "changed, mistaken, or another place. The fix holds for the rest."
     ),
-    "localization.too_few_classes": ("The map has fewer than two classes, so that no place differs from another."),
+    "localization.too_few_classes": "The map has one class everywhere, so that no place differs from another.",
     "localization.too_little_ground": (
         "The image shows too little ground to search this whole map for it; give a prior position."
     ),
@@ -64,16 +71,16 @@ SENTENCES = {
     ),
     "localization.nothing_under_image": "No place of the map has labels under at least half of the image.",
     "localization.agreement_too_low": (
-        "The best place agrees with the image only by {score:.2f}: "
-        "it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
+        "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; "
+        "at most {allowed:.2g} is allowed."
     ),
     "localization.mirror_agrees": (
-        "The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): "
-        "it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
+        "The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error "
+        "probability {risk:.2g}; at most {allowed:.2g} is allowed."
     ),
     "localization.two_places_agree": (
-        "Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a "
-        "probability of {risk:.2g}; a prior position could tell them apart."
+        "Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the "
+        "better one. Set a prior position to choose between them."
     ),
     "localization.direction_unknown": ("One place agrees, but the image doesn't tell its position in all directions."),
     "localization.map_ends": (
@@ -85,8 +92,8 @@ SENTENCES = {
     ),
     # Both roads
     "localization.areas_speak_against": (
-        "Landmarks agree with one place, but class areas only by {agreement:.2f} there: "
-        "together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed."
+        "Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; "
+        "at most {allowed:.2g} is allowed."
     ),
     "localization.neither_road": "{constellation} Map correlation has no fix either: {correlation:clause}",
     # What was searched

@@ -75,10 +75,10 @@ class RasterizeAnnotation(AnnotationAlgorithm):
             ),
             Switch(
                 self.OTHER_GROUND,
-                tr("Ground without a polygon is something else"),
+                tr("Treat ground without a polygon as class “other”"),
                 tr(
-                    "Such ground, within the extent of the polygons, becomes the class “other”. Only where everything "
-                    "that is of a class was drawn. With a single class, such as buildings, map correlation needs it."
+                    "Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. "
+                    "SemRef always does it for a layer with a single class, such as buildings."
                 ),
                 default=False,
             ),
@@ -100,6 +100,9 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         crs = self.label_map_crs(values, feedback, values.crs(self.TARGET_CRS))
         polygons, table = self.burn_polygons(values, feedback, crs, READING_SHARE)
         drawn, frame = len(polygons), self._frame(values, crs, polygons)
+        if sum(bool(one.value) for one in table) == 1:
+            feedback.pushInfo(tr("The layer has a single class: ground without a polygon becomes class “other”."))
+            table = table.with_filling()
         table = table.with_filling() if values.switch(self.OTHER_GROUND) else table
         if table.filling is not None:
             polygons.insert(0, filling_polygon(table.filling.value, [polygon.bounds for polygon in polygons]))
@@ -123,13 +126,6 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         )
         if not labeled:
             feedback.pushWarning(tr("No polygon lies in the extent: the label map is empty."))
-        elif len(present) == 1:
-            feedback.pushWarning(
-                tr(
-                    "The label map has one class alone, and map correlation needs two. If everything of this class was "
-                    "drawn, switch “Ground without a polygon is something else” on: more images will be found."
-                )
-            )
         return {self.CLASS_COUNT: len(present), self.LABELED_FRACTION: labeled / (width * height)}
 
     def _burnt(

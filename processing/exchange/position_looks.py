@@ -6,9 +6,11 @@ from qgis.core import QgsFillSymbol, QgsMarkerSymbol, QgsRuleBasedRenderer, QgsS
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QColor
 
+from ...core.sentences import template_of
 from ...storage import map_tips
 from ..translation import tr
 from ..wording.columns import method_words, status_words
+from ..wording.sentences import worded
 from .output_style import Look
 from .palette import BAD, CASING, FIX, WARNING
 from .pose_symbols import CROSS, DISC, FILLED, pose_symbol
@@ -38,17 +40,23 @@ def position_pages(*first: str) -> tuple[tuple[str, tuple[str, ...]], ...]:
 
 def position_tip(is_timed: bool, *more: tuple[str, str]) -> str:
     """The map tip of a position with its picture and, with times, its time; ``more``: (title, expression) of lines."""
-    from ...core.localizer.record import MOST_TOLD
+    from ...core.localizer.record import TESTED, error_probability
 
     is_probability = "\"method\" <> 'topology vector'"
-    odds = f'1 / max(1 - "confidence", 1.0 / {MOST_TOLD:.0f})'
-    rounded = f"round({odds}, 1 - to_int(floor(log10({odds}))))"
+    times = f'1 / max(1 - "confidence", 1.0 / {TESTED})'
+    rounded = f"round({times}, 1 - to_int(floor(log10({times}))))"
+    below, one_in = error_probability(1.0), tr(template_of(error_probability(0.0)))
+    before, _, after = map_tips.quoted(one_in).partition("{count:,.0f}")
+    error = (
+        f"CASE WHEN \"confidence\" >= {1 - 1 / TESTED} THEN '{map_tips.quoted(worded(below))}' "
+        f"ELSE '{before}' || format_number({rounded}, 0) || '{after}' END"
+    )
     rows = [
         (tr("Status"), map_tips.worded("status", status_words())),
         (tr("95 % radius"), map_tips.number("error_95", 1, unit="m")),
         (tr("Heading"), "format_number(\"heading\", 1) || '°'"),
         (tr("Pixel size"), map_tips.number("pixel_size", 2, unit="m")),
-        (tr("Wrong once in"), f"CASE WHEN {is_probability} THEN format_number({rounded}, 0) END"),
+        (tr("Error probability"), f"CASE WHEN {is_probability} THEN {error} END"),
         (tr("Method"), map_tips.worded("method", method_words())),
         (tr("Reason"), map_tips.text("reason")),
         *more,

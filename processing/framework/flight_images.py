@@ -134,6 +134,7 @@ class FlightReader:
         from ...core.flight.model import FlightImage
         from ...core.flight.pixel_features import features_of
         from ...core.localizer.leveled import level_labels, of_leveled
+        from ...core.localizer.network_reason import name_network
 
         localizer = self._localizer
         try:
@@ -145,6 +146,7 @@ class FlightReader:
             if way is not None:
                 seen, prior = level_labels(seen, way), of_leveled(prior, way)
             own = localizer.localize(seen.labels_hw, self._method, prior, self._with_matches, seen.shares)
+            own = name_network(own, seen.trained_on, localizer.landmark_classes)
             flown = FlightImage(os.path.basename(path), seen.labels_hw, own, camera.time_s, prior)
             features = features_of(seen.labels_hw, pixels, way)
         except SemRefError as error:

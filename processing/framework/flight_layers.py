@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsGeometry, QgsPointXY
 
 from ..compat import LINE, POINT
-from .localized_image import FIELDS, LocalizedImage, fixes_per_error, row
+from .localized_image import FIELDS, LocalizedImage, error_probability, row
 from .localized_layers import moment, position_rows
 
 if TYPE_CHECKING:
@@ -157,5 +157,5 @@ def _report_point(number: int, one: FlownImage) -> FlightPoint:
         height=size * focal_px if size and focal_px else None,
         ellipse=ellipse and (ellipse.semi_major, ellipse.semi_minor, ellipse.orientation_deg),
         radius_95=item.result.error_95_m,
-        fixes_per_error=item.result.confidence and fixes_per_error(item.result.confidence),
+        error_probability=error_probability(item.result.confidence) if item.result.confidence else "",
     )

@@ -256,11 +256,11 @@ def alternatives(item: LocalizedImage) -> list[PlacedRow]:
     ]
 
 
-def fixes_per_error(confidence: float) -> float:
-    """In how many fixes with this probability of being right one is wrong, to two digits."""
+def error_probability(confidence: float) -> str:
+    """Return the error probability of a fix in the user's language: "1 in 1,200", or "below 1 in 10,000"."""
     from ...core.localizer import record
 
-    return record.fixes_per_error(confidence)
+    return worded(record.error_probability(confidence))
 
 
 def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
@@ -290,7 +290,10 @@ def say(item: LocalizedImage, feedback: QgsProcessingFeedback) -> None:
         (result.pixel_size_m, tr("pixel size {value:.3g} m")),
         (result.error_95_m, tr("within {value:.2f} m (95 %)")),
         (result.confidence if result.risk is None else None, tr("confidence {value:.2f}")),
-        (result.confidence and result.risk and fixes_per_error(result.confidence), tr("wrong once in {value:,.0f}")),
+        (
+            error_probability(result.confidence) if result.confidence and result.risk else None,
+            tr("error probability {value}"),
+        ),
     )
     texts = [text.format(value=value) for value, text in details if value is not None]
     x, y = result.position

@@ -134,7 +134,6 @@ class PhotoLabels:
 
     def _seen(self, path: str, photo: GdalImage, source: ImageSource, camera: Camera | None) -> SeenLabels:
         """Labels of a photo whose pixels come from ``source``."""
-        from ...core.labels.class_shares import SeenLabels
         from ...core.segmentation.photo_labels import PhotoLabels as Labels
         from ..exchange.images import pixel_size_m, stated_crs
 
@@ -147,7 +146,7 @@ class PhotoLabels:
         for _ in labels.steps():
             check_canceled(self._feedback)
         self._seconds += time.perf_counter() - begun
-        return SeenLabels(labels.labels_hw, labels.shares)
+        return labels.seen_labels
 
     def _say_told_size(self, path: str, labels: Labels) -> None:
         """Of the first photo: the others are of the same flight."""

@@ -30,7 +30,7 @@ class FlightPoint:
         height: Of the camera above the ground, map units, from lens and pixel size.
         ellipse: (longer semi-axis, shorter one, direction of the longer one in degrees clockwise from grid north).
         radius_95: Map units.
-        fixes_per_error: Once in how many such positions one is wrong.
+        error_probability: In words; empty without a position.
         time: When it was taken, as text.
         reason: Why there is no position, or what of its own fix does not hold.
     """
@@ -46,7 +46,7 @@ class FlightPoint:
     height: float | None = None
     ellipse: tuple[float, float, float] | None = None
     radius_95: float | None = None
-    fixes_per_error: float | None = None
+    error_probability: str = ""
     time: str = ""
     reason: str = ""
 
@@ -156,7 +156,7 @@ def _image_table(points: Sequence[FlightPoint]) -> list[str]:
         tr("y"),
         tr("heading"),
         tr("95 % radius"),
-        tr("wrong once in"),
+        tr("error probability"),
         tr("remark"),
     ]
     rows = [
@@ -170,7 +170,7 @@ def _image_table(points: Sequence[FlightPoint]) -> list[str]:
             *([page.NOTHING] * (0 if point.position else 2)),
             page.NOTHING if point.heading_deg is None else f"{shown(point.heading_deg, '.1f')}°",
             page.NOTHING if point.radius_95 is None else f"{shown(point.radius_95, ',.2f')}{page.NO_BREAK}m",
-            page.NOTHING if point.fixes_per_error is None else shown(point.fixes_per_error, ",.0f"),
+            point.error_probability or page.NOTHING,
             point.reason,
         ]
         for point in points[:MOST_ROWS]

@@ -64,9 +64,9 @@ def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
 def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, area, tab):
     choose_method(dock, AUTOMATIC)
     localize(dock, area.database, [area.image])
-    ((image, odds, error, heading, status, window, distance),) = table(dock)
+    ((image, probability, error, heading, status, window, distance),) = table(dock)
     assert (image, status, window, distance) == ("on_window.tif", "Fix", "", "")
-    assert odds.startswith("1 in ") and int(odds[5:].replace(",", "")) >= 10_000
+    assert probability == "below 1 in 10,000"
     # The map states no accuracy: 1.1 m are taken for it.
     assert 0 < float(error) < 3 and heading in ("0.0", "360.0")
     details = tab.results.details.toPlainText()

@@ -35,11 +35,11 @@ def test_a_wide_dock_has_all_columns_that_say_something(dock, iface, found):
     as_wide_as(dock, iface, 800)
     table = found.results.table
     assert not table.is_narrow and table.horizontalHeader().isVisible()
-    assert headings(table) == ["Image", "Status", "Longitude, latitude", "Error (m)", "Wrong", "Heading"]
+    assert headings(table) == ["Image", "Status", "Longitude, latitude", "Radius (m)", "Error probability", "Heading"]
     assert table.horizontalScrollBar().maximum() == 0
 
 
-def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_odds(dock, iface, found):
+def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_error_probability(dock, iface, found):
     as_wide_as(dock, iface, 320)
     table = found.results.table
     assert table.is_narrow and not table.horizontalHeader().isVisible()
@@ -48,7 +48,7 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_odds(dock, i
     from semref.ui.tabs.localize.results_model import SUMMARY
 
     first, second = (table.model().index(row, SUMMARY).data().split("\n") for row in range(2))
-    assert first[0].startswith("on_window.tif · Fix · 1 in ") and first[0].endswith(" wrong")
+    assert first[0] == "on_window.tif · Fix · error below 1 in 10,000"
     assert first[1].startswith("7.6") and " ± " in first[1] and first[1].endswith(" m")
     assert second[0] == "broken.tif · Unreadable" and "can't be read" in second[1]
 
@@ -66,7 +66,7 @@ def test_both_lines_of_a_row_are_painted(dock, iface, found):
     assert inked[-1] - inked[0] > 1.3 * table.fontMetrics().height()
 
 
-@pytest.mark.parametrize("odds", ["1 in 1,000,000 wrong", "1 von 1.000.000 falsch", "1 sur 1 000 000 est fausse"])
+@pytest.mark.parametrize("odds", ["error below 1 in 10,000", "Irrtum unter 1 : 10.000", "erreur < 1 sur 10 000"])
 @pytest.mark.parametrize("width", [320, 400])
 def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
     from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX, fitted
@@ -85,7 +85,7 @@ def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, widt
 def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface, found, status):
     from semref.ui.tabs.localize.results_table import fitted
 
-    metrics, odds = found.results.table.fontMetrics(), "1 de cada 1.000.000 errónea"
+    metrics, odds = found.results.table.fontMetrics(), "error inferior a 1 de 10.000"
     text = f"photo_01.jpg · {status} · {odds}"
     wide = metrics.horizontalAdvance(text)
     # A text is a little less wide than its parts together, which are measured.
@@ -99,7 +99,7 @@ def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface
 def test_photos_of_a_flight_are_told_apart_where_their_names_do_not_fit(dock, iface, found):
     from semref.ui.tabs.localize.results_table import fitted
 
-    metrics, odds = found.results.table.fontMetrics(), " · 1 in 1,000,000 wrong"
+    metrics, odds = found.results.table.fontMetrics(), " · error below 1 in 10,000"
     room = metrics.horizontalAdvance("photo_01" + odds) + 4
     shown = [fitted(f"photo_0{n}.jpg{odds}", f"photo_0{n}.jpg", metrics, room).strip() for n in (1, 2)]
     assert shown == [f"photo_01{odds}", f"photo_02{odds}"]

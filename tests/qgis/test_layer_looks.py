@@ -98,22 +98,22 @@ def test_every_column_has_a_title_that_is_not_its_key(qgis_app, geometry, fields
     assert len(set(titles)) == len(titles)
 
 
-def test_the_map_tip_tells_status_radius_and_odds_in_words(positions):
+def test_the_map_tip_shows_status_radius_and_error_probability(positions):
     values = {"image": "/photos/a & b.jpg", "status": "fix", "method": "constellation", "error_95": 2.34}
-    tip = tip_of(positions, feature_of(positions, **values, confidence=1 - 1 / 123456))
+    tip = tip_of(positions, feature_of(positions, **values, confidence=1 - 1 / 1234))
     assert "<b>a &amp; b.jpg</b>" in tip
     assert "<b>Fix</b>" in tip and "<b>Constellation</b>" in tip
     assert "2.3\u00a0m" in tip
-    assert "120,000" in tip
+    assert "<b>1 in 1,200</b>" in tip
     # Nothing is known of the heading: the line is left out.
     assert "Heading" not in tip
 
 
 @pytest.mark.parametrize("risk", [1e-6, 1e-9, 1e-12, 0.0])
-def test_nobody_is_told_by_a_map_tip_that_a_fix_is_wrong_more_rarely_than_was_tried(positions, risk):
+def test_a_map_tip_shows_no_smaller_error_probability_than_was_tested(positions, risk):
     values = {"image": "a.tif", "status": "fix", "method": "constellation", "confidence": 1 - risk}
     tip = tip_of(positions, feature_of(positions, **values))
-    assert "<td>Wrong once in</td><td><b>1,000,000</b></td>" in tip
+    assert "<td>Error probability</td><td><b>below 1 in 10,000</b></td>" in tip
 
 
 def test_a_sentence_has_as_many_lines_in_a_form_as_it_takes(positions):

@@ -145,7 +145,7 @@ def _error(fix: dict, truth: dict) -> float | None:
 
 
 def _cell(fix: dict, error: float | None) -> str:
-    from semref.core.localizer.record import fixes_per_error
+    from semref.core.localizer.record import error_probability
 
     if error is None:
         return fix["status"]
@@ -153,7 +153,7 @@ def _cell(fix: dict, error: float | None) -> str:
     if fix["method"] == "topology vector":
         # It has a confidence of its own making, which is no probability.
         return f"{error:7.2f} m off, confidence {fix['confidence']:.2f}{wrong}"
-    return f"{error:7.2f} m off, wrong once in {fixes_per_error(fix['confidence']):,.0f}{wrong}"
+    return f"{error:7.2f} m off, error probability {error_probability(fix['confidence'])}{wrong}"
 
 
 if __name__ == "__main__":

@@ -96,7 +96,7 @@ def other_ground():
     """Whether ground without a polygon is a class of its own."""
     from qgis.core import QgsProcessingParameterBoolean
 
-    return QgsProcessingParameterBoolean("OTHER_GROUND", "Ground without a polygon is something else", False)
+    return QgsProcessingParameterBoolean("OTHER_GROUND", "Treat ground without a polygon as class “other”", False)
 
 
 def same(*names: str) -> dict:

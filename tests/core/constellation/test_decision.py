@@ -41,7 +41,8 @@ def test_a_larger_map_and_a_capped_search_ask_for_more():
         ({}, 0, Status.FIX, None),
         ({"log_odds": 8.0}, 0, Status.NO_MATCH, "localization.risk_too_high"),
         ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "localization.rivals"),
-        ({"mirror": 199.0}, 0, Status.AMBIGUOUS, "localization.mirror_fits"),
+        ({"mirror": 199.0}, 0, Status.NO_MATCH, "localization.mirror_fits"),
+        ({"mirror": 199.0, "runner_up": 199.0}, 1, Status.NO_MATCH, "localization.mirror_fits"),
     ],
 )
 def test_the_reason_tells_what_is_missing(changed, rivals, status, code):

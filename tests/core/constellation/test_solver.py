@@ -289,5 +289,5 @@ def test_a_smaller_risk_that_is_allowed_refuses_more(ground):
     objects = ground.see(seen_from(1400, 1600, 77.0)).select(np.arange(9))
     asked = {risk: localize(objects, (SIZE, SIZE), ground.index, PRIOR, None, risk) for risk in (0.4, 1e-11)}
     assert [found.status for found in asked.values()] == [Status.FIX, Status.NO_MATCH]
-    assert "is wrong with a probability of" in str(asked[1e-11].reason)
+    assert "error probability of" in str(asked[1e-11].reason)
     assert asked[1e-11].is_doubted

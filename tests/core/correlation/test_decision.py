@@ -26,6 +26,7 @@ from semref.core.localization import CorrelationPeaks, Status
         (CorrelationPeaks(0.1, 0.0, 0.0), Status.NO_MATCH, "localization.agreement_too_low"),
         (CorrelationPeaks(0.7, 0.3, 0.65), Status.NO_MATCH, "localization.mirror_agrees"),
         (CorrelationPeaks(0.7, 0.69, 0.3, 30.0, 29.0), Status.AMBIGUOUS, "localization.two_places_agree"),
+        (CorrelationPeaks(0.41, 0.4, 0.38), Status.NO_MATCH, "localization.agreement_too_low"),
     ],
 )
 def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(peaks, status, code):

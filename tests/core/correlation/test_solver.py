@@ -107,6 +107,14 @@ def test_a_map_that_is_alike_everywhere_has_too_little_information(labels, value
     assert "map" in str(result.reason)
 
 
+def test_an_image_is_found_on_a_map_of_buildings_alone_by_what_lies_between_them(labels):
+    buildings = np.where(labels == 1, labels, 0)
+    center = 1203.7, 905.2
+    pyramid = MapPyramid(most_frequent_labels(buildings), FRAME)
+    result = localize(view(buildings, center, 101.3, 0.83, (640, 560)), pyramid, PRIOR)
+    assert result.status == "fix" and error_m(result.best, center) < 2.0
+
+
 def test_a_place_that_is_on_the_map_twice_is_ambiguous_with_the_other_place_told(labels):
     doubled = labels.copy()
     doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]

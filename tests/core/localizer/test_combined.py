@@ -237,12 +237,12 @@ AREAS = replace(
 
 @pytest.mark.parametrize(
     ("agreement", "status"),
-    [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.AMBIGUOUS)],
+    [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.NO_MATCH)],
 )
 def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
     found = checked_by_areas(STARS, agreement)
     # What is refused for its risk alone stays open to what map correlation finds.
-    assert (found.status, found.is_doubted) == (status, status == Status.AMBIGUOUS)
+    assert (found.status, found.is_doubted) == (status, status == Status.NO_MATCH)
 
 
 def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_risk_alone():

@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from datetime import datetime, timezone
 
+import pytest
+
 from semref.core.geometry.pose import Ellipse, PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
-from semref.core.localizer.record import fixes_per_error, gga_sentence, record
+from semref.core.localizer.record import error_probability, gga_sentence, record
 from semref.core.sentences import Sentence
 
 PLACE = Place((600250.0, 5199600.0), heading_deg=90.0, pixel_size_m=0.5, log_odds=12.5, inliers=7)
@@ -52,9 +54,19 @@ def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
     assert not {"error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"} & set(found)
 
 
-def test_a_probability_is_told_as_one_wrong_fix_in_so_many():
-    assert [fixes_per_error(value) for value in (0.5, 0.9, 1 - 8.3e-5, 1 - 1e-9)] == [2, 10, 12_000, 1e6]
-    assert fixes_per_error(1.0) == 1e6
+@pytest.mark.parametrize(
+    ("confidence", "words"),
+    [
+        (0.5, "1 in 2"),
+        (0.9, "1 in 10"),
+        (1 - 1 / 1234, "1 in 1,200"),
+        (1 - 1e-4, "below 1 in 10,000"),
+        (1 - 1e-9, "below 1 in 10,000"),
+        (1.0, "below 1 in 10,000"),
+    ],
+)
+def test_an_error_probability_is_shown_no_smaller_than_it_was_tested(confidence, words):
+    assert str(error_probability(confidence)) == words
 
 
 def test_a_fix_tells_what_its_radius_is_made_of():

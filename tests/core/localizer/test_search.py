@@ -14,6 +14,8 @@ LABELS = np.zeros((40, 60), np.uint8)
 class Localizer:
     """Notes what it is asked."""
 
+    landmark_classes = ("building",)
+
     def __init__(self):
         self.asked = []
 

@@ -118,7 +118,7 @@ def test_several_values_of_one_category_are_one_class(rasterize, tmp_path):
     layer = styled_layer(path, [(["hut", "house"], "Buildings", "#ff0000")])
     results = rasterize(layer)
     assert set(read_pixels(results["OUTPUT"]).ravel().tolist()) == {1}
-    assert category_names(results["OUTPUT"]) == ["unlabeled", "Buildings"]
+    assert category_names(results["OUTPUT"]) == ["unlabeled", "Buildings", "other"]
 
 
 def test_a_style_with_all_other_values_leaves_the_others_unlabeled_and_says_so(labels, tmp_path, feedback):
@@ -209,12 +209,15 @@ def test_the_map_of_such_a_table_is_made_again_without_being_asked(rasterize, tm
     np.testing.assert_array_equal(read_pixels(again)[0], [1] * 4 + [2] + [1] * 4 + [2] * 3 + [1] * 4)
 
 
-def test_a_map_of_one_class_warns_that_map_correlation_needs_two(rasterize, tmp_path, feedback):
-    layer = write_layer(tmp_path / "a.gpkg", TWO)
-    rasterize(layer, OTHER_GROUND=True)
-    assert "map correlation needs two" not in feedback.textLog()
-    rasterize(layer)
-    assert "map correlation needs two" in feedback.textLog()
+def test_ground_around_a_single_class_becomes_other_without_being_asked(rasterize, tmp_path, feedback):
+    results = rasterize(write_layer(tmp_path / "a.gpkg", TWO))
+    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
+    assert "ground without a polygon becomes class “other”" in feedback.textLog()
+
+
+def test_ground_around_several_classes_stays_unlabeled_unless_asked(labels, tmp_path):
+    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(12, 0, 4), "water")])
+    np.testing.assert_array_equal(labels(layer)[0], [1] * 4 + [0] * 8 + [2] * 4)
 
 
 def test_what_became_of_features_is_told_in_the_users_language(qgis_app, monkeypatch):

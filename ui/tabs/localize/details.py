@@ -13,7 +13,7 @@ from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 from ....processing.inspection.image import RunnerUp
 from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
-from ...findings import Finding, odds_text, status_text
+from ...findings import Finding, error_text, status_text
 from ...widgets.numbers import number_text
 from .position_formats import DATABASE, DEGREES, position_text
 
@@ -58,7 +58,7 @@ def _lines(finding: Finding) -> list[str]:
     """Lines of HTML."""
     how_sure = _joined(
         (finding.confidence if finding.is_by_vector else None, tr("confidence {value:.2f}")),
-        (odds_text(finding) or None, tr("{value} wrong")),
+        (error_text(finding) or None, tr("error probability {value}")),
         (finding.error_95, tr("within {value:.2f} m (95 %)")),
     )
     head = f"<b>{escape(finding.name)}</b>: {escape(status_text(finding))}"

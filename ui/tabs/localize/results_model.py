@@ -12,14 +12,14 @@ from ....core.annotation import findings as annotation
 from ....core.localization import Status
 from ....processing.framework.localized_image import ERROR as UNREAD
 from ....processing.translation import tr
-from ...findings import Finding, odds_text, status_text
+from ...findings import Finding, error_text, status_text
 from ...widgets.numbers import number_text
 from ...widgets.severity_icons import severity_icon
 from ...widgets.tips import plain_tip
 
-IMAGE, ODDS, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
+IMAGE, PROBABILITY, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
 COLUMN_COUNT = 9
-ORDER = (SUMMARY, IMAGE, STATUS, POSITION, ERROR, ODDS, HEADING, WINDOW, DISTANCE)
+ORDER = (SUMMARY, IMAGE, STATUS, POSITION, ERROR, PROBABILITY, HEADING, WINDOW, DISTANCE)
 """From left to right. SUMMARY has two lines with what matters of a result, for where there is no room for columns."""
 
 _DECIMALS = {ERROR: 1, HEADING: 1, DISTANCE: 3}
@@ -29,7 +29,7 @@ _DEGREE_DECIMALS = 5
 SORT_ROLE = Qt.ItemDataRole.UserRole
 NAME_ROLE = SORT_ROLE + 1
 """Of SUMMARY: the image's name, which its text begins with and may be shortened in its middle."""
-NUMBER_COLUMNS = (ODDS, ERROR, HEADING, DISTANCE)
+NUMBER_COLUMNS = (PROBABILITY, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
 _ICONS = {Status.FIX.key: "/mIconSuccess.svg", UNREAD: annotation.ERROR}
@@ -104,8 +104,8 @@ def _drawn(name: str) -> QIcon:
 def _headers() -> list[str]:
     return [
         tr("Image"),
-        tr("Wrong"),
-        tr("Error (m)"),
+        tr("Error probability"),
+        tr("Radius (m)"),
         tr("Heading"),
         tr("Status"),
         tr("Window"),
@@ -118,14 +118,14 @@ def _headers() -> list[str]:
 def _header_help() -> list[str]:
     return [
         tr("File name of the image"),
-        tr("In how many fixes as sure as this one is wrong"),
-        tr("Radius that holds the true position in 95 % of fixes, in meters"),
+        tr("Probability that the position is wrong"),
+        tr("Radius in meters that contains the true position in 95 % of fixes"),
         tr("Where the image’s top points to, in degrees clockwise from grid north"),
         tr("Whether a position was found"),
         tr("Name of the matched window: its first column and row on the map"),
         tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
         tr("Of the image’s center, in degrees (WGS 84)"),
-        tr("File name, status, position with its radius, and in how many such fixes one is wrong"),
+        tr("File name, status, error probability, and position with its 95 % radius"),
     ]
 
 
@@ -136,8 +136,8 @@ def _text(finding: Finding, column: int) -> str:
         return status_text(finding)
     if column == WINDOW:
         return finding.window or ""
-    if column == ODDS:
-        return odds_text(finding)
+    if column == PROBABILITY:
+        return error_text(finding)
     if column == POSITION:
         return _position(finding)
     if column == SUMMARY:
@@ -147,8 +147,8 @@ def _text(finding: Finding, column: int) -> str:
 
 def _figure(finding: Finding, column: int) -> float | None:
     """What a number column shows."""
-    if column == ODDS:
-        return finding.fixes_per_error
+    if column == PROBABILITY:
+        return finding.probability
     return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
 
 
@@ -165,10 +165,10 @@ def _position(finding: Finding) -> str:
 
 def _summary(finding: Finding) -> str:
     """Name, status and how surely, below them where it is and how exactly; the reason where it is nowhere."""
-    position, odds = _position(finding), odds_text(finding)
+    position, error = _position(finding), error_text(finding)
     if position and finding.error_95 is not None:
         position = f"{position} ± {number_text(finding.error_95, 1)} m"
-    sure = tr("{odds} wrong").format(odds=odds) if odds else ""
+    sure = tr("error {probability}").format(probability=error) if error else ""
     status, below = status_text(finding), position or finding.reason or ""
     if finding.speaks_against:
         # The first line may leave the status to the mark, which can't tell what it is.

@@ -1,0 +1,41 @@
+"""Reasons that name the network first: of all links of the chain it is the most likely to be the weakest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..localization import Localization
+from ..sentences import Sentence
+
+_COUNTED = "localization.shows_whole_landmarks", "localization.shows_landmarks"
+
+
+def name_network(found: Localization, trained_on: Sequence[str] | None, classes: Sequence[str]) -> Localization:
+    """Return a result whose reason begins with what the network found and what it was trained on.
+
+    Args:
+        found: Of an image.
+        trained_on: Places; None for label images, empty where the network does not say.
+        classes: Names of the database's landmark classes.
+    """
+    if found.is_fix or found.reason is None or trained_on is None:
+        return found
+    reason = _counted_by_network(found.reason, tuple(classes))
+    if trained_on:
+        told = Sentence("localization.trained_on", places=tuple(trained_on))
+        counts = reason != found.reason
+        first, second = (reason, told) if counts else (told, reason)
+        reason = Sentence("localization.then", first=first, second=second)
+    return replace(found, reason=reason)
+
+
+def _counted_by_network(sentence: Sentence, classes: tuple[str, ...]) -> Sentence:
+    """The same sentence, and those in it, where landmarks are what a network found."""
+    values = {
+        name: _counted_by_network(value, classes) if isinstance(value, Sentence) else value
+        for name, value in sentence.values
+    }
+    if sentence.code in _COUNTED:
+        return Sentence("localization.network_found", count=values["count"], classes=classes)
+    return Sentence(sentence.code, **values)

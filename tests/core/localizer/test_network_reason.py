@@ -1,0 +1,70 @@
+"""Reasons name the network first, because it is the most likely cause."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from semref.core.geometry.camera import Camera
+from semref.core.labels.class_shares import SeenLabels
+from semref.core.localization import Localization, Method, Status
+from semref.core.localizer.network_reason import name_network
+from semref.core.localizer.search import Search
+from semref.core.sentences import Sentence
+
+PLACES, CLASSES = ("made-up areas", "Banepa"), ("building", "water")
+TOO_FEW = Localization(
+    Status.TOO_FEW_REFERENCES,
+    Method.CONSTELLATION,
+    1,
+    Sentence(
+        "localization.too_few_landmarks",
+        shown=Sentence("localization.shows_whole_landmarks", count=1),
+        needed=Sentence("localization.more_needed", count=7),
+    ),
+)
+NO_MATCH = replace(TOO_FEW, status=Status.NO_MATCH, reason=Sentence("localization.no_triangles"))
+
+
+def test_too_few_landmarks_of_a_photo_are_what_the_network_found():
+    assert str(name_network(TOO_FEW, PLACES, CLASSES).reason) == (
+        "The network found 1 landmark (building, water); at least 7 more are needed. "
+        "The network was trained on: made-up areas, Banepa."
+    )
+
+
+def test_a_reason_within_a_reason_counts_what_the_network_found_too():
+    both = Sentence("localization.neither_road", constellation=TOO_FEW.reason, correlation=NO_MATCH.reason)
+    said = str(name_network(replace(TOO_FEW, reason=both), (), CLASSES).reason)
+    assert said.startswith("The network found 1 landmark (building, water); at least 7 more are needed. Map")
+
+
+def test_any_other_reason_follows_what_the_network_was_trained_on():
+    said = str(name_network(NO_MATCH, PLACES, CLASSES).reason)
+    assert said.startswith("The network was trained on: made-up areas, Banepa. No place on the map")
+
+
+@pytest.mark.parametrize("found", [NO_MATCH, TOO_FEW])
+def test_label_images_and_networks_that_say_nothing_are_not_blamed(found):
+    assert name_network(found, None, CLASSES) == found
+    assert "trained" not in str(name_network(found, (), CLASSES).reason)
+
+
+def test_a_fix_keeps_its_remark():
+    fix = replace(NO_MATCH, status=Status.FIX)
+    assert name_network(fix, PLACES, CLASSES) == fix
+
+
+class Nowhere:
+    """A localizer that finds no image."""
+
+    landmark_classes = CLASSES
+
+    def localize(self, *_):
+        return NO_MATCH
+
+
+def test_a_photo_that_is_not_found_names_its_network():
+    seen = SeenLabels(np.zeros((40, 60), np.uint8), None, PLACES)
+    found = Search(Method.CONSTELLATION).localized(Nowhere(), seen, Camera())
+    assert "trained on" in str(found.reason)
