@@ -9,6 +9,8 @@ import hashlib
 import io
 import logging
 import os
+import shutil
+import tempfile
 import time
 import warnings
 import zipfile
@@ -23,6 +25,7 @@ import cloudpickle
 import dask
 from distributed import Client, LocalCluster, as_completed
 from distributed.scheduler import KilledWorker
+from distributed.security import Security
 
 from ..core import errors
 from ..core.errors import SemRefError
@@ -40,6 +43,9 @@ _LOOKED_EVERY_S = 1.0
 _DIED_AT_MOST = 3
 """Workers that may die over one task before it is given up: Dask's own number."""
 
+_NO_PAGES = {"distributed.scheduler.http.routes": [], "distributed.worker.http.routes": []}
+"""Dask starts a server of web pages with each scheduler and worker in any case."""
+
 _LEFT_OPEN: list[contextlib.ExitStack] = []
 """What is not closed when the user interrupts: closing waits for workers."""
 
@@ -49,6 +55,9 @@ _Tell = Callable[[str], None]
 @contextlib.contextmanager
 def connected(scheduler: str | None, local: int | None, worker_memory: str | None, tell: _Tell) -> Iterator[Client]:
     """A client of workers that have SemRef's code.
+
+    Who reaches a scheduler or a worker runs code there. Those that are started here therefore listen on this machine
+    alone, to those who have the certificate of this run; no dashboard is started.
 
     Args:
         scheduler: Its address; None to start workers here.
@@ -63,13 +72,17 @@ def connected(scheduler: str | None, local: int | None, worker_memory: str | Non
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     settings = {"distributed.scheduler.allowed-failures": _DIED_AT_MOST, "distributed.worker.daemon": True}
     with dask.config.set(settings), contextlib.ExitStack() as stack:
+        folder = ""
         if scheduler is None:
+            folder = tempfile.mkdtemp(prefix="semref-")
+            stack.callback(shutil.rmtree, folder, ignore_errors=True)
+            stack.enter_context(dask.config.set({**_NO_PAGES, "temporary-directory": folder}))
             cluster = stack.enter_context(_local(local or 1, worker_memory))
             client = stack.enter_context(Client(cluster))
         else:
             client = stack.enter_context(_remote(scheduler))
-        if client.dashboard_link:
-            tell(f"Dashboard: {client.dashboard_link}")
+            if client.dashboard_link:
+                tell(f"Dashboard: {client.dashboard_link}")
         _wait_for_workers(client, tell)
         client.register_plugin(_code())
         try:
@@ -77,6 +90,7 @@ def connected(scheduler: str | None, local: int | None, worker_memory: str | Non
         except KeyboardInterrupt:
             # Who asked waits no longer: workers end with the process, which __main__.py ends at once.
             _LEFT_OPEN.append(stack.pop_all())
+            shutil.rmtree(folder, ignore_errors=True)
             raise
 
 
@@ -89,10 +103,13 @@ def _local(count: int, worker_memory: str | None) -> LocalCluster:
             n_workers=count,
             threads_per_worker=1,
             memory_limit=worker_memory or "auto",
-            dashboard_address=":0",
+            host="127.0.0.1",
+            security=Security.temporary(),
+            dashboard_address="127.0.0.1:0",
+            scheduler_kwargs={"dashboard": False},
             silence_logs=logging.CRITICAL,
         )
-    except (OSError, ValueError, RuntimeError) as error:
+    except (ImportError, OSError, ValueError, RuntimeError) as error:
         raise SemRefError("cluster.not_started", reason=reason_of(error)) from None
 
 

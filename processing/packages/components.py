@@ -159,9 +159,21 @@ DASK = Package(
         *("zict", "zipp"),
     ),
 )
+CRYPTOGRAPHY = Package(
+    title="cryptography",
+    module="cryptography",
+    pip_name="cryptography",
+    debian="python3-cryptography",
+    fedora="python3-cryptography",
+    arch="python-cryptography",
+    conda="cryptography",
+    limits=">=38,<51",
+    limits_before_numpy_2=">=38,<51",
+    comes_with=("cffi", "pycparser", "typing_extensions"),
+)
 
-PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME, DASK)
-OPTIONAL = (DASK,)
+PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY)
+OPTIONAL = (DASK, CRYPTOGRAPHY)
 """Not suggested: nothing but SCHEDULER needs them."""
 
 
@@ -172,6 +184,7 @@ def purpose(package: Package) -> str:
         SHAPELY: tr("Checking and repairing annotations, making the sample project"),
         ONNXRUNTIME: tr("Segmenting photos with a network"),
         DASK: tr("Building databases and label maps by many processes or machines"),
+        CRYPTOGRAPHY: tr("Dask on this machine: keeps other users out of its processes"),
     }[package]
 
 

@@ -54,7 +54,7 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
     from semref.processing.packages.components import ONNXRUNTIME, install_command
 
     states = [page.list.topLevelItem(row).text(2) for row in range(page.list.topLevelItemCount())]
-    assert states == ["Missing", "Ready", "Missing", "Missing"]
+    assert states == ["Missing", "Ready", "Missing", "Missing", "Ready"]
     # Dask is there for who wants it; nothing suggests it.
     assert page.list.topLevelItem(3).checkState(0) == Qt.CheckState.Unchecked
     assert page.install.isEnabled() and not page.progress.isVisible() and not page.log.isVisible()

@@ -12,7 +12,7 @@ from qgis.PyQt.QtNetwork import QNetworkProxy
 
 from semref.processing.packages import components
 from semref.processing.packages import install as component_install
-from semref.processing.packages.components import DASK, ONNXRUNTIME, OPENCV, SHAPELY
+from semref.processing.packages.components import CRYPTOGRAPHY, DASK, ONNXRUNTIME, OPENCV, SHAPELY
 
 needs_pip = pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="this Python has no pip")
 
@@ -28,7 +28,7 @@ def test_opencv_fits_the_running_numpy():
     assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10,<5.1"
 
 
-@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME, DASK])
+@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY])
 @pytest.mark.parametrize("numpy_version", ["1.24.2", "2.4.6"])
 def test_pip_takes_no_version_that_was_not_tested(package, numpy_version):
     limits = package.requirement(numpy_version).partition(package.pip_name)[2].split(",")
@@ -46,9 +46,10 @@ def test_what_comes_from_an_index_is_pinned_to_tested_versions_with_hashes(packa
         assert line.count(" --hash=sha256:") >= 4 and 'python_version < "3.9"' not in line
 
 
-def test_what_dask_needs_is_pinned_with_it():
-    lines = DASK.pinned("1.24.2")
-    assert {line.partition("==")[0] for line in lines} == {"distributed", *DASK.comes_with}
+@pytest.mark.parametrize("package", [DASK, CRYPTOGRAPHY])
+def test_what_a_package_needs_is_pinned_with_it(package):
+    lines = package.pinned("1.24.2")
+    assert {line.partition("==")[0] for line in lines} == {package.pip_name, *package.comes_with}
     assert all(" --hash=sha256:" in line for line in lines)
 
 

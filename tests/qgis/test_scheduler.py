@@ -56,10 +56,11 @@ def test_what_is_no_scheduler_is_refused_before_any_work(run_algorithm, label_ma
         run_algorithm(BUILD, asked)
 
 
-def test_a_qgis_without_dask_says_what_to_install(run_algorithm, label_map, tmp_path, monkeypatch):
-    monkeypatch.setattr(components, "is_missing", lambda package: package is components.DASK)
+@pytest.mark.parametrize("package", [components.DASK, components.CRYPTOGRAPHY], ids=["dask", "cryptography"])
+def test_a_qgis_without_dask_says_what_to_install(run_algorithm, label_map, tmp_path, monkeypatch, package):
+    monkeypatch.setattr(components, "is_missing", lambda asked: asked is package)
     asked = {"LABELS": str(label_map), **SETTINGS, "DATABASE": str(tmp_path / "a.gpkg")}
-    with pytest.raises(QgsProcessingException, match="distributed"):
+    with pytest.raises(QgsProcessingException, match=package.pip_name):
         run_algorithm(BUILD, {**asked, "SCHEDULER": "local:2"})
     assert run_algorithm(BUILD, asked)["WINDOW_COUNT"] > 10
 

@@ -42,8 +42,13 @@ DASK = (
     ("zipp", "4.1.0", ""),
 )
 """With all that it needs of others, which come with it."""
+CRYPTOGRAPHY = (
+    *(("cryptography", "46.0.7", ""), ("cffi", "2.0.0", ""), ("pycparser", "2.23", "")),
+    ("typing_extensions", "4.15.0", ""),
+)
 SHARED = (
     *DASK,
+    *CRYPTOGRAPHY,
     ("shapely", "2.0.7", OLD),
     ("shapely", "2.1.2", MIDDLE),
     ("onnxruntime", "1.19.2", OLD),

@@ -123,8 +123,9 @@ def test_a_map_without_classes_inside_is_built_by_its_values(cluster, tmp_path):
 
 
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
-def test_an_interrupt_leaves_nothing(cluster, label_map, tmp_path, name):
+def test_an_interrupt_leaves_nothing(cluster, label_map, tmp_path, monkeypatch, name):
     target = tmp_path / "never.gpkg"
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
     running = cluster.start(
         "build", label_map, "--database", target, "--reference-classes", "building", *SETTINGS, "--local", 1
     )
