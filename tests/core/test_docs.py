@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
+from source_trees import for_each
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PAGES = [*sorted(ROOT.glob("*.md")), *sorted(DOCS.rglob("*.md"))]
 LARGEST_PICTURE_BYTES, LARGEST_MOVING_BYTES, LARGEST_SUM_BYTES = 250_000, 1_500_000, 6_000_000
 
-each_page = pytest.mark.parametrize("page", PAGES, ids=[str(page.relative_to(ROOT)) for page in PAGES])
+each_page = for_each(PAGES)
 
 
 def without_code(text: str) -> str:

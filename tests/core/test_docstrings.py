@@ -3,8 +3,7 @@
 import ast
 from pathlib import Path
 
-import pytest
-from source_trees import tree_of
+from source_trees import for_each, tree_of
 
 CORE = Path(__file__).resolve().parents[2] / "core"
 FILES = sorted(path for path in CORE.rglob("*.py") if "__pycache__" not in path.parts)
@@ -21,7 +20,7 @@ def public_definitions(module):
                     yield f"{node.name}.{part.name}", part
 
 
-@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(CORE).as_posix() for path in FILES])
+@for_each(FILES)
 def test_every_public_function_and_class_of_core_has_a_docstring(path):
     module = tree_of(path)
     assert ast.get_docstring(module)

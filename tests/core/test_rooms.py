@@ -12,7 +12,7 @@ import sysconfig
 from pathlib import Path
 
 import pytest
-from source_trees import nodes_of
+from source_trees import for_each, nodes_of
 
 ROOT = Path(__file__).resolve().parents[2]
 ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
@@ -129,17 +129,13 @@ def named(path: Path) -> str:
     return path.relative_to(ROOT).as_posix()
 
 
-def each(paths: list[Path]):
-    return pytest.mark.parametrize("path", paths, ids=[named(path) for path in paths])
-
-
-each_core_file = each(source_files("core"))
-each_storage_file = each(source_files("storage"))
-each_processing_file = each(source_files("processing"))
-each_ui_file = each(source_files("ui"))
-each_cluster_file = each(source_files("cluster"))
-each_training_file = each(source_files("training"))
-each_shipped_file = each(shipped_files())
+each_core_file = for_each(source_files("core"))
+each_storage_file = for_each(source_files("storage"))
+each_processing_file = for_each(source_files("processing"))
+each_ui_file = for_each(source_files("ui"))
+each_cluster_file = for_each(source_files("cluster"))
+each_training_file = for_each(source_files("training"))
+each_shipped_file = for_each(shipped_files())
 
 
 @each_core_file
@@ -153,7 +149,7 @@ def room_of(path: Path) -> str:
     return path.relative_to(ROOT).with_suffix("").parts[1]
 
 
-@each([path for top in MAY_IMPORT for path in source_files(top) if room_of(path) != "__init__"])
+@for_each([path for top in MAY_IMPORT for path in source_files(top) if room_of(path) != "__init__"])
 def test_a_room_imports_only_the_rooms_below_it(path):
     top = path.relative_to(ROOT).parts[0]
     used = {name.split(".")[1] for name in imports_of(path, top)}
@@ -181,14 +177,16 @@ def test_cluster_imports_dask_and_the_rooms_below_it(path):
     assert {name for name in imported_modules(path) if name.partition(".")[0] not in allowed} == set()
 
 
-@each([path for room in ROOMS if room != "cluster" for path in source_files(room)])
+@for_each([path for room in ROOMS if room != "cluster" for path in source_files(room)])
 def test_nothing_else_needs_dask_or_imports_the_cluster(path):
     """But for what a failure is said in: QGIS starts the cluster's process, and words what that tells."""
     shared = {"cluster.sentences"} if path.name == "scheduled.py" else set()
     assert imports_of(path, "dask", "distributed", "cloudpickle", "cluster") - shared == set()
 
 
-@each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "command_line", "options", "sentences")])
+@for_each(
+    [ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "command_line", "options", "sentences")]
+)
 def test_what_says_that_a_package_lacks_needs_none(path):
     """Ruff's rules and the other tests see to what these import of core."""
     assert imports_of(path, "dask", "distributed", "cloudpickle", "osgeo", "numpy", "storage") == set()
@@ -201,13 +199,13 @@ def test_training_imports_its_own_packages_and_core(path):
     assert {name for name in imported_modules(path) if name.partition(".")[0] not in allowed} == set()
 
 
-@each([path for room in ("core", "storage", "processing", "ui") for path in source_files(room)])
+@for_each([path for room in ("core", "storage", "processing", "ui") for path in source_files(room)])
 def test_of_training_others_know_only_what_needs_no_torch(path):
     known = imports_of(path, "training", "torch", "timm", "onnx")
     assert {name for name in known if not f"{name}.".startswith(tuple(f"{m}." for m in TRAINING_FOR_QGIS))} == set()
 
 
-@each([ROOT / f"{module.replace('.', '/')}.py" for module in (*TRAINING_FOR_QGIS, "training.__init__")])
+@for_each([ROOT / f"{module.replace('.', '/')}.py" for module in (*TRAINING_FOR_QGIS, "training.__init__")])
 def test_what_training_shares_with_qgis_needs_no_torch(path):
     assert {name for name in imported_modules(path) if name.partition(".")[0] not in STANDARD} <= {
         "core.sentences.add",

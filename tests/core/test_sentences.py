@@ -8,8 +8,7 @@ import string
 from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
-from source_trees import nodes_of
+from source_trees import for_each, nodes_of
 
 import semref.cluster
 import semref.processing
@@ -78,20 +77,20 @@ def said_in(path: Path) -> list[tuple[int, str, set[str]]]:
     return found
 
 
-@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+@for_each(FILES)
 def test_every_code_is_in_the_table_and_has_the_values_of_its_template(path):
     said = said_in(path)
     assert [(line, code) for line, code, _ in said if code not in _templates] == []
     assert [(line, code, names) for line, code, names in said if names != placeholders(_templates[code])] == []
 
 
-@pytest.mark.parametrize("code", sorted(_templates))
+@for_each(sorted(_templates))
 def test_a_template_is_one_room_s_and_names_its_values(code):
     assert CODE.fullmatch(code)
     assert all(name.isidentifier() for name in placeholders(_templates[code]))
 
 
-@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+@for_each(FILES)
 def test_no_error_is_raised_with_a_text(path):
     """An error in English alone; what is no error of ours is a bug's or stands in brackets of one, as GDAL's reason."""
     calls = [node.exc for node in nodes_of(path) if isinstance(node, ast.Raise)]
@@ -99,7 +98,7 @@ def test_no_error_is_raised_with_a_text(path):
     assert [(call.lineno, text) for call in ours for text in literals(call.args) if not CODE.fullmatch(text)] == []
 
 
-@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+@for_each(FILES)
 def test_whatever_is_shown_goes_through_tr(path):
     calls = [node for node in nodes_of(path) if isinstance(node, ast.Call)]
     shown = [
@@ -111,14 +110,14 @@ def test_whatever_is_shown_goes_through_tr(path):
     assert [(line, text) for line, text in found if any(letter.isalpha() for letter in text)] == []
 
 
-@pytest.mark.parametrize("path", FILES, ids=[path.relative_to(ROOT).as_posix() for path in FILES])
+@for_each(FILES)
 def test_a_step_is_named_by_a_text_that_can_be_translated(path):
     """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by update_translations.py."""
     steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]
     assert [step.lineno for step in steps if isinstance(step, ast.JoinedStr)] == []
 
 
-@pytest.mark.parametrize("code", sorted(SENTENCES_BY_KEY))
+@for_each(sorted(SENTENCES_BY_KEY))
 def test_what_an_algorithm_says_instead_has_the_same_values(code):
     assert placeholders(SENTENCES_BY_KEY[code][1]) <= placeholders(_templates[code])
 

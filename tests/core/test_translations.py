@@ -8,12 +8,12 @@ import string
 from pathlib import Path
 from xml.etree import ElementTree
 
-import pytest
+from source_trees import for_each
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = sorted((ROOT / "i18n").glob("semref_*.ts"))
 
-each_file = pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
+each_file = for_each(FILES)
 
 
 def load_tool():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import functools
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 
@@ -17,3 +18,24 @@ def tree_of(path: Path) -> ast.Module:
 def nodes_of(path: Path) -> tuple[ast.AST, ...]:
     """All nodes of the file's tree."""
     return tuple(ast.walk(tree_of(path)))
+
+
+def for_each(items: Iterable) -> Callable:
+    """Make one test of a rule that holds for each item: it names every item that breaks the rule."""
+    items = tuple(items)
+    assert items
+
+    def of(rule: Callable) -> Callable:
+        def test() -> None:
+            broken = []
+            for item in items:
+                try:
+                    rule(item)
+                except AssertionError as error:
+                    broken.append(f"{item}: {error}")
+            assert not broken, "\n".join(broken)
+
+        test.__name__, test.__doc__ = rule.__name__, rule.__doc__
+        return test
+
+    return of
