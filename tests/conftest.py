@@ -31,6 +31,12 @@ def load_plugin_package() -> None:
 load_plugin_package()
 
 
+@pytest.fixture(scope="session", autouse=True)
+def own_cache_folder(tmp_path_factory):
+    """Nothing is loaded from the cache that another run, or another version of the code, stored."""
+    os.environ["SEMREF_CACHE"] = str(tmp_path_factory.mktemp("cache"))
+
+
 @pytest.fixture(scope="session")
 def repository() -> Path:
     """The repository root."""

@@ -6,16 +6,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..constellation.index import ConstellationIndex
+from ..constellation.cached import cached_index
+from ..constellation.index import ConstellationIndex, build_index
 from ..constellation.settings import CONSTELLATION
 from ..constellation.solver import localize as solve
 from ..constellation.solver import matches_at
-from ..constellation.stored import stored_index
+from ..correlation.cached import cached_pyramid
 from ..correlation.class_pyramid import MapPyramid
 from ..correlation.settings import CORRELATION
 from ..correlation.solver import agreement_at, part_against
 from ..correlation.solver import localize as correlate
-from ..correlation.stored import stored_pyramid
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
 from ..geometry.error_settings import ClassBias, SharedErrors
@@ -191,12 +191,13 @@ class Localizer:
 
     @property
     def index(self) -> ConstellationIndex:
-        """The catalogue's triangles: opened where they are kept, else built, which takes seconds at 10⁵ objects."""
+        """The catalogue's triangles, from the cache or built, which takes seconds at 10⁵ landmarks."""
         if self._index is None:
             settings, database = self.settings.constellation, self._database
             # Those of a calibration are of no use later.
-            kept_by = database.source if settings == CONSTELLATION else None
-            self._index = stored_index(database.references, database.parameters.pixel_size, settings, kept_by)
+            is_cached = database.source is not None and settings == CONSTELLATION
+            of = cached_index if is_cached else build_index
+            self._index = of(database.references, database.parameters.pixel_size, settings)
         return self._index
 
     def localize_by_constellation(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
@@ -224,7 +225,7 @@ class Localizer:
 
     @property
     def pyramid(self) -> MapPyramid:
-        """The overview as map correlation searches it: opened where it is kept, else made, seconds of a large map.
+        """The overview as map correlation searches it, from the cache or built, which takes seconds for a large map.
 
         Raises:
             DatabaseError: The database was read without its overview.
@@ -234,8 +235,8 @@ class Localizer:
             if database.overview is None:
                 raise DatabaseError("database.read_without_overview")
             settings, frame = self.settings.correlation, database.parameters.overview_frame
-            kept_by = database.source if settings == CORRELATION else None
-            self._pyramid = stored_pyramid(database.overview, frame, settings, kept_by)
+            is_cached = database.source is not None and settings == CORRELATION
+            self._pyramid = (cached_pyramid if is_cached else MapPyramid)(database.overview, frame, settings)
         return self._pyramid
 
     def localize_by_map_correlation(

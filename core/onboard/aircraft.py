@@ -3,12 +3,12 @@
 AIRCRAFT_ROOMS = (
     "__init__.py",
     "__main__.py",
+    "cache.py",
     "errors.py",
     "localization.py",
     "values.py",
     "sentences",
     "geometry",
-    "kept",
     "labels",
     "landmarks",
     "windows",

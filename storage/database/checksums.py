@@ -8,8 +8,8 @@ from itertools import chain
 
 import numpy as np
 
+from ...core.cache import digest
 from ...core.database.model import MapLandmarks, Windows
-from ...core.kept.digests import digest
 from ...core.values import read_json
 from . import schema
 

@@ -15,17 +15,18 @@ from typing import TypeVar
 import numpy as np
 from osgeo import gdal, osr
 
+from ...core.cache import digest
 from ...core.database.checks import require_sound
 from ...core.database.joined import joined_database, joined_overview, joined_parameters
 from ...core.database.model import ReferenceDatabase
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
-from ...core.kept.digests import digest
 from ...core.labels.class_table import ClassTable, class_table_from_csv
 from ...core.values import read_json, short_text
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .batches import columns_of
+from .cached_columns import Columns, Content, cached_columns, content_of
 from .checksums import (
     CHECKSUMS,
     checksums_of,
@@ -35,7 +36,6 @@ from .checksums import (
     shown_checksums,
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
-from .kept_columns import Columns, Content, content_of, kept_columns
 from .rows import read_references, read_windows
 from .sets import is_set, parts_of
 
@@ -65,7 +65,7 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
 
 
 def _read_one(connection: Snapshot, path: str, with_overview: bool, with_bounds: bool) -> ReferenceDatabase:
-    database = _read(connection, path, is_kept=True)
+    database = _read(connection, path, is_cached=True)
     if with_bounds:
         bounds = _checked_bounds(connection, database, path)
         database = replace(database, references=replace(database.references, bounds_px=bounds))
@@ -106,7 +106,7 @@ def _read_set(path: str, with_overview: bool) -> ReferenceDatabase:
 
     newest = heads[-1]
     length = 3 * newest.parameters.references_per_vector
-    windows, landmarks = kept_columns(path, [head.content for head in heads], length, read)
+    windows, landmarks = cached_columns("set", [head.content for head in heads], length, read)
     parameters = joined_parameters(named)
     overview = _read_set_overview(path, parameters) if with_overview else None
     return ReferenceDatabase(windows, landmarks, newest.class_table, parameters, path, overview)
@@ -189,14 +189,14 @@ def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
         return _overview(connection, path)
 
 
-def _read(connection: Snapshot, path: str, is_checked: bool = True, is_kept: bool = False) -> ReferenceDatabase:
+def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: bool = False) -> ReferenceDatabase:
     """What a database holds, without the overview; raises what ``snapshot`` makes a DatabaseError of.
 
     Args:
         connection: To it.
         path: Its file.
         is_checked: Whether its tables have to be what its checksums say.
-        is_kept: Whether the columns of a large one may be those that were kept beside it, else they are read.
+        is_cached: Whether the columns of a large one may come from the cache; otherwise the rows are read.
     """
     parameters = _read_parameters(connection, path)
     table = _class_table(connection, path)
@@ -211,7 +211,7 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_kept: boo
         return windows, landmarks
 
     length = 3 * parameters.references_per_vector
-    windows, landmarks = kept_columns(path, [content_of(connection)], length, read) if is_kept else read()
+    windows, landmarks = cached_columns("columns", [content_of(connection)], length, read) if is_cached else read()
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 

@@ -144,8 +144,8 @@ def hashes(folder):
 
 
 def test_updating_one_sheet_changes_one_file_and_the_set_tells_the_new_ground(folder, build, run_algorithm):
+    from semref.core.constellation.cached import key_of
     from semref.core.constellation.settings import CONSTELLATION
-    from semref.core.constellation.stored import key_of
     from semref.storage.file_states import fingerprint
 
     country, truth = set_of(folder), read(build(folder, "truth", edited()), with_bounds=True)

@@ -97,6 +97,7 @@ def main(arguments: list[str] | None = None) -> int:
     with contextlib.ExitStack() as stack:
         work = options.work or Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="semref-bench-")))
         work.mkdir(parents=True, exist_ok=True)
+        os.environ["SEMREF_CACHE"] = str(work / "cache")
         stack.enter_context(plugin.qgis())
         area = inputs.main_area(options.data, work, options.sample)
         print(area.sentence, file=sys.stderr)

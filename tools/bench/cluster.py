@@ -247,28 +247,27 @@ def _span(seconds: list[float], workers: int) -> float:
 
 
 def _indexes(run: inputs.Run) -> str:
-    from semref.core.constellation import stored
+    from semref.core.constellation import cached
     from semref.core.constellation.index import build_index
     from semref.core.constellation.settings import CONSTELLATION
 
     ground, rows = Ground.of(run), []
     for size in INDEXED[:2] if run.quick else INDEXED:
-        references, path = tiled(ground, size), str(run.work / f"index_{size}.gpkg")
+        references = tiled(ground, size)
         begin = time.process_time()
         built = build_index(references, 1.0)
         building = time.process_time() - begin
         bytes_of = sum(getattr(built, name).nbytes for name in ("neighbors", "keys", "triangles", "fine"))
-        with _at_least(stored, 0):
-            stored.stored_index(references, 1.0, CONSTELLATION, path)
+        with _at_least(cached, 0):
+            cached.cached_index(references, 1.0, CONSTELLATION)
             begin, wall = time.process_time(), time.perf_counter()
-            opened = stored.stored_index(references, 1.0, CONSTELLATION, path)
+            opened = cached.cached_index(references, 1.0, CONSTELLATION)
             opening = time.process_time() - begin, time.perf_counter() - wall
         names = ("points", "ranks", "log_areas", "densities", "neighbors", "keys", "triangles", "fine", "by_easting")
         same = all(np.array_equal(getattr(built, name), getattr(opened, name)) for name in names)
         rows.append([f"{len(built):,}", f"{building:.2f}", f"{opening[0]:.3f}", f"{opening[1]:.3f}"])
-        rows[-1] += [f"≤ {GOALS_S[size]}" if size in GOALS_S else "", page.size(stored.index_path(path).stat().st_size)]
+        rows[-1] += [f"≤ {GOALS_S[size]}" if size in GOALS_S else "", page.cached_size("index")]
         rows[-1] += [page.size(bytes_of), "yes" if same else "**no**"]
-        stored.index_path(path).unlink()
         del built, opened
         gc.collect()
     header = ["landmarks", "built, processor s", "opened, processor s", "opened, s", "goal, s", "file"]
@@ -277,15 +276,15 @@ def _indexes(run: inputs.Run) -> str:
 
 _ABOUT_INDEX = """\
 The constellation's index of the area with altered copies of itself beside it (as in *catalogue sizes*): built, and
-opened from its file, which lies in the system's cache. Opening hashes the landmarks, checks the arrays and maps them;
+opened from the cache; the file was in memory. Opening hashes the landmarks, checks the arrays and maps them;
 the nearest-neighbor trees of classes are made by the first query."""
 
 
 @contextlib.contextmanager
-def _at_least(stored, count: int) -> Iterator[None]:
-    before = stored.FEWEST
-    stored.FEWEST = count
+def _at_least(cached, count: int) -> Iterator[None]:
+    before = cached.FEWEST
+    cached.FEWEST = count
     try:
         yield
     finally:
-        stored.FEWEST = before
+        cached.FEWEST = before

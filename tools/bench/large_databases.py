@@ -26,8 +26,6 @@ import numpy as np
 
 from bench import inputs, page
 from bench.child import peak_bytes
-from semref.core.kept.arrays import kept_path
-from semref.storage.database.kept_columns import SUFFIX
 from semref.storage.database.sets import SUFFIX as SET_SUFFIX
 from semref.storage.database.sets import set_text
 
@@ -43,12 +41,12 @@ def measure(run: inputs.Run) -> dict[str, str]:
         path = run.work / f"large_{size}.gpkg"
         written = _in_child("write", str(source), str(size), str(path))
         opened, again = _in_child("open", str(path)), _in_child("open", str(path))
-        kept, bytes_of = _taken_away(path), path.stat().st_size
+        kept, bytes_of = page.cached_size("columns"), path.stat().st_size
         together = path.with_suffix(SET_SUFFIX)
         together.write_text(set_text(str(together), [str(path)]), encoding="utf-8")
         joined, opened_set = _in_child("open", str(together)), _in_child("open", str(together))
-        kept_of_set = _taken_away(together)
-        _taken_away(path)
+        kept_of_set = page.cached_size("set")
+        page.cached_size("columns")
         for left in (path, together):
             left.unlink()
         of_sets.append(
@@ -77,7 +75,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
     return {"large databases": "\n\n".join(filter(None, (*parts, page.table(_HEADER_OF_SETS, of_sets))))}
 
 
-_OPENED = ("memory that takes", "opened again, processor s", "memory that takes", "kept beside")
+_OPENED = ("memory that takes", "opened again, processor s", "memory that takes", "in the cache")
 
 _HEADER = [
     *("landmarks / windows", "written, processor s", "memory, all of the process", "file", "B a landmark"),
@@ -89,8 +87,8 @@ _HEADER_OF_SETS = ["landmarks / windows of the set", "joined first, processor s"
 _ABOUT = """\
 Databases of the area's landmarks and windows, repeated side by side, with an overview of 64 m: written by the writer
 of builds, and opened as localizing opens them, each in a process of its own: first row by row, every table checked
-against its checksum, then again, by the columns that the first kept beside a large one
-([format](file-formats.md#kept-beside-a-database)). Memory is the largest resident one (`VmHWM`); of writing with what
+against its checksum, then again, by the columns that the first stored of a large one in
+the [cache](file-formats.md#cache). Memory is the largest resident one (`VmHWM`); of writing with what
 is written, of opening less that before it; of a mapped file the pages count that the system may take back."""
 
 _ABOUT_SETS = """\
@@ -110,16 +108,6 @@ def _both(first: dict, again: dict) -> list[str]:
     seconds = f"{first['processor']:.2f}", f"{again['processor']:.3f}"
     memory = [page.size(opened["peak"] - opened["before"]) for opened in (first, again)]
     return [seconds[0], memory[0], seconds[1], memory[1]]
-
-
-def _taken_away(path: Path) -> str:
-    """Size of the columns that are kept beside a database or set; they are removed."""
-    beside = kept_path(str(path), SUFFIX)
-    if not beside.exists():
-        return "–"
-    size = page.size(beside.stat().st_size)
-    beside.unlink()
-    return size
 
 
 def _in_child(*order: str) -> dict:

@@ -14,7 +14,7 @@ import numpy as np
 from bench import inputs, page
 from bench.correlation import ON_THE_MAP, best_right, country
 from bench.ground import Ground, Image, Wanted
-from semref.core.correlation import stored
+from semref.core.correlation import cached
 from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import localize
@@ -83,7 +83,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
         if wants_flights:
             flights += _flight_rows(ground, edge_km, pyramid, count)
         if wants_kept:
-            kept.append([name, f"{_labeled_km2(labels):,.0f}", f"{made:.1f}", *_kept(run, labels, frame)])
+            kept.append([name, f"{_labeled_km2(labels):,.0f}", f"{made:.1f}", *_kept(labels, frame)])
     sections = {}
     if rows:
         sections["large maps"] = f"{_ABOUT.format(half=run.half, count=count)}\n\n{page.table(COLUMNS, rows)}"
@@ -109,8 +109,8 @@ The places that a flight over such a map begins with: the best 200 of an image o
 by itself. Right: one of them is within 5 % of the image's edge. {count} images a row; wall time with two threads."""
 
 _ABOUT_KEPT = """\
-The pyramid of these maps, kept beside a database: made and written at the first start, from then on opened by memory
-mapping, its overview hashed and its file checked each time; the file was in the system's cache. SemRef keeps those of
+The pyramid of these maps in the cache: made and written at the first start, from then on opened by memory
+mapping, its overview hashed and its file checked each time; the file was in memory. SemRef stores those of
 64 million pixels or more: here all but the first."""
 
 
@@ -118,22 +118,18 @@ def _labeled_km2(labels_hw: np.ndarray) -> float:
     return np.count_nonzero(labels_hw) * (PIXEL_M / 1000) ** 2
 
 
-def _kept(run: inputs.Run, labels: np.ndarray, frame: MapFrame) -> list[str]:
-    """Seconds to make and keep a pyramid and to open it, and its file's size; the file goes."""
-    run.work.mkdir(parents=True, exist_ok=True)
-    database, seconds = str(run.work / "large_map.gpkg"), []
-    path = stored.pyramid_path(database)
-    path.unlink(missing_ok=True)
-    fewest, stored.FEWEST_PIXELS = stored.FEWEST_PIXELS, 0
+def _kept(labels: np.ndarray, frame: MapFrame) -> list[str]:
+    """Seconds to make and store a pyramid and to load it, and its file's size; the file goes."""
+    page.cached_size("pyramid")
+    seconds = []
+    fewest, cached.FEWEST_PIXELS = cached.FEWEST_PIXELS, 0
     for _ in range(2):
         started = time.perf_counter()
-        stored.stored_pyramid(labels, frame, CORRELATION, database)
+        cached.cached_pyramid(labels, frame, CORRELATION)
         seconds.append(time.perf_counter() - started)
-    stored.FEWEST_PIXELS = fewest
-    size = path.stat().st_size
-    path.unlink()
+    cached.FEWEST_PIXELS = fewest
     first, again = seconds
-    return [f"{first:.1f}", f"{again:.2f}", f"{first / again:.0f}", page.size(size)]
+    return [f"{first:.1f}", f"{again:.2f}", f"{first / again:.0f}", page.cached_size("pyramid")]
 
 
 def _flight_rows(ground: Ground, edge_km: int, pyramid: MapPyramid, count: int) -> list[list[str]]:

@@ -50,6 +50,16 @@ def with_section(text: str, name: str, body: str) -> str:
     return before + section + after
 
 
+def cached_size(kind: str) -> str:
+    """Remove what the cache has of a kind and return its size; “–” for nothing."""
+    from semref.core.cache import cache_folder
+
+    files = [(path, path.stat().st_size) for path in cache_folder().glob(f"{kind}-*")]
+    for path, _ in files:
+        path.unlink()
+    return size(sum(count for _, count in files)) if files else "–"
+
+
 def size(count: float) -> str:
     """Bytes for people: “33.1 kB”, in thousands."""
     for unit in ("B", "kB", "MB"):

@@ -1,4 +1,4 @@
-"""A large database's columns, kept beside it, are those of its rows to the last bit, or they are not used."""
+"""The cached columns of a large database are those of its rows to the last bit, or they are not used."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ import numpy as np
 import pytest
 
 from semref.core.errors import DatabaseError
-from semref.storage.database import kept_columns, reader
+from semref.core.localizer.localizer import Localizer
+from semref.storage.database import cached_columns, reader
 from semref.storage.database.connection import snapshot
 from semref.storage.database.reader import read_database, read_stored_database, store_checksums
 
 KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
-BESIDE = "area.gpkg.semref-columns"
 
 
 @pytest.fixture(autouse=True)
 def own_cache(monkeypatch, tmp_path):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(kept_columns, "FEWEST", 100)
+    monkeypatch.setenv("SEMREF_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(cached_columns, "FEWEST", 100)
 
 
 @pytest.fixture
@@ -50,8 +50,8 @@ def times_read(monkeypatch):
     return times
 
 
-def beside(path) -> list[str]:
-    return sorted(name for name in os.listdir(Path(path).parent) if name != "area.gpkg")
+def cached(path, kind="columns") -> list[Path]:
+    return sorted((Path(path).parents[1] / "cache").glob(f"{kind}-*"))
 
 
 def assert_same(found, expected):
@@ -81,9 +81,9 @@ def edit(path, *statements):
     connection.close()
 
 
-def test_rows_are_read_once_and_their_columns_opened_from_then_on(path, times_read):
+def test_rows_are_read_once_and_nothing_is_written_beside_the_database(path, times_read):
     first = read_database(path)
-    assert beside(path) == [BESIDE]
+    assert len(cached(path)) == 1 and os.listdir(Path(path).parent) == ["area.gpkg"]
     again = read_database(path)
     assert len(times_read) == 1 and len(again.references) == 417 and len(again.windows) == 36
     assert not again.references.positions.flags.writeable
@@ -98,7 +98,7 @@ def test_columns_come_with_bounds_and_overview_where_they_are_asked_for(path, ti
     assert len(times_read) == 1
 
 
-def test_what_another_program_changed_is_refused_though_columns_are_kept(path):
+def test_what_another_program_changed_is_refused_though_columns_are_cached(path):
     read_database(path)
     edit(path, 'UPDATE "references" SET area = area * 2 WHERE fid = 5')
     with pytest.raises(DatabaseError, match="checksum"):
@@ -145,7 +145,7 @@ def test_of_rows_that_were_changed_and_whose_file_was_set_back_in_age_those_that
     assert_same(read_database(path), first)
 
 
-def test_a_class_that_was_renamed_is_refused_though_columns_are_kept(path):
+def test_a_class_that_was_renamed_is_refused_though_columns_are_cached(path):
     read_database(path)
     then = os.stat(path)
     edit(path, "UPDATE classes SET name = 'tower' WHERE fid = 1")
@@ -156,31 +156,37 @@ def test_a_class_that_was_renamed_is_refused_though_columns_are_kept(path):
 
 def test_columns_of_other_shapes_are_not_used(path, times_read, monkeypatch):
     read_database(path)
-    monkeypatch.setitem(kept_columns._COLUMNS["windows"], "sizes", ("<f4",))
+    monkeypatch.setitem(cached_columns._COLUMNS["windows"], "sizes", ("<f4",))
     read_database(path)
     assert len(times_read) == 2
 
 
-def test_files_of_somebody_else_and_damaged_ones_are_not_believed(path, times_read, monkeypatch, tmp_path):
+def test_a_damaged_file_of_columns_is_not_believed(path, times_read):
     read_database(path)
-    file = Path(path).parent / BESIDE
+    (file,) = cached(path)
     content = bytearray(file.read_bytes())
     content[-100] ^= 1
     file.write_bytes(content)
     read_database(path)
     assert len(times_read) == 2
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "another user"))
-    read_database(path)
-    assert len(times_read) == 3
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such pipes")
+def test_a_pipe_beside_a_database_does_not_block_it(path):
+    for kind in ("columns", "index", "pyramid"):
+        os.mkfifo(f"{path}.semref-{kind}")
+    before = sorted(os.listdir(Path(path).parent))
+    Localizer(read_database(path)).index  # noqa: B018
+    assert sorted(os.listdir(Path(path).parent)) == before
 
 
 def test_small_databases_and_those_without_checksums_are_always_read(path, times_read, monkeypatch):
-    monkeypatch.setattr(kept_columns, "FEWEST", 1000)
+    monkeypatch.setattr(cached_columns, "FEWEST", 1000)
     read_database(path)
-    monkeypatch.setattr(kept_columns, "FEWEST", 100)
+    monkeypatch.setattr(cached_columns, "FEWEST", 100)
     edit(path, "DELETE FROM parameters WHERE key = 'checksums'")
     read_database(path)
-    assert beside(path) == [] and len(times_read) == 2
+    assert cached(path) == [] and len(times_read) == 2
 
 
 @pytest.fixture
@@ -197,7 +203,7 @@ def together(path):
 
 def test_a_set_is_joined_once_and_its_columns_opened_from_then_on(together, path, times_read, monkeypatch):
     first = read_database(together, with_overview=True)
-    assert f"{Path(together).name}.semref-columns" in beside(path)
+    assert len(cached(path, "set")) == 1
     monkeypatch.setattr(reader, "joined_database", lambda *_: pytest.fail("it was joined"))
     again = read_database(together, with_overview=True)
     assert len(times_read) == 2 and len(again.references) == 417
@@ -215,8 +221,18 @@ def test_a_set_one_database_of_which_was_updated_is_joined_anew(together, path, 
     times_read.clear()
     after = read_database(together)
     np.testing.assert_allclose(after.references.areas_m2, before.references.areas_m2 + 1)
-    # The other one's columns are kept.
+    # The other one's columns are cached.
     assert len(times_read) == 1
+
+
+def test_a_set_of_one_database_and_the_database_do_not_share_columns(path, tmp_path):
+    from semref.storage.database.sets import set_text
+
+    alone = str(tmp_path / "maps" / "alone.semrefset")
+    Path(alone).write_text(set_text(alone, [path]), encoding="utf-8")
+    for _ in range(2):
+        assert read_database(path).windows.distinctiveness is not None
+        assert read_database(alone).references.bounds_px is not None
 
 
 def test_a_set_whose_database_changes_while_it_is_read_is_refused(together, monkeypatch):
@@ -231,16 +247,13 @@ def test_a_set_whose_database_changes_while_it_is_read_is_refused(together, monk
         read_database(together)
 
 
-def test_where_nothing_can_be_written_it_is_read_each_time_and_said(path, times_read, monkeypatch, caplog):
-    from semref.core.kept import arrays
-
-    monkeypatch.setattr(arrays, "_write_whole", lambda *_: (_ for _ in ()).throw(OSError("read-only")))
-    monkeypatch.setattr(arrays, "user_secret", lambda: b"s" * 32)
+def test_without_a_cache_folder_rows_are_read_each_time_and_the_log_shows_it(path, times_read, monkeypatch, caplog):
+    monkeypatch.setenv("SEMREF_CACHE", f"{path}/cache")
     read_database(path)
     read_database(path)
-    assert len(times_read) == 2 and "not_kept" in caplog.messages
+    assert len(times_read) == 2 and "not_cached" in caplog.messages
 
 
 def test_rows_are_counted_from_their_last_number(path):
     with snapshot(path) as connection:
-        assert kept_columns.content_of(connection).rows == 417 + 36
+        assert cached_columns.content_of(connection).rows == 417 + 36

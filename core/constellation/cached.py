@@ -1,35 +1,23 @@
-"""The index of a database's landmarks, kept beside it: opened by memory mapping, not built anew at every start.
-
-Told in docs/file-formats.md#kept-beside-a-database.
-"""
+"""The index of a database's landmarks, loaded from the user's cache or built (docs/file-formats.md#cache)."""
 
 from __future__ import annotations
 
 import json
 from dataclasses import asdict
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
+from ..cache import digest, load_or_build
 from ..database.model import MapLandmarks
-from ..kept.arrays import kept_path, opened_or_made
-from ..kept.digests import digest
 from .index import ConstellationIndex, IndexParts, build_index, index_of_parts, index_parts, part_shapes
 from .settings import ConstellationSettings
-
-SUFFIX = ".semref-index"
 
 VERSION = 1
 """Raised whenever the same landmarks give another index, and so another answer."""
 
 FEWEST = 20_000
-"""Landmarks below which an index is built in a fraction of a second and not kept."""
-
-
-def index_path(database: str) -> Path:
-    """Where the index of a database lies: beside it."""
-    return kept_path(database, SUFFIX)
+"""Landmarks below which an index is built in a fraction of a second and not cached."""
 
 
 def key_of(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> str:
@@ -40,23 +28,20 @@ def key_of(references: MapLandmarks, pixel_size_m: float, settings: Constellatio
     return digest([told.encode(), *(np.asarray(column).astype(kind) for column, kind in zip(columns, kinds))])
 
 
-def stored_index(
-    references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings, database: str | None
-) -> ConstellationIndex:
-    """The index of a database's landmarks: opened where it is kept, else built and, of many landmarks, kept.
+def cached_index(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> ConstellationIndex:
+    """Return the index of a database's landmarks; one of many landmarks is loaded from the cache or stored there.
 
     Args:
         references: The landmarks.
         pixel_size_m: Of the label map that they are of.
         settings: The index is built with.
-        database: The file that they were read from; None for none, and nothing is kept.
     """
-    if database is None or len(references) < FEWEST:
+    if len(references) < FEWEST:
         return build_index(references, pixel_size_m, settings)
     key = key_of(references, pixel_size_m, settings)
     make = partial(index_parts, references, pixel_size_m, settings)
     fit = partial(_fit, references=references, settings=settings)
-    parts = opened_or_made(index_path(database), key, make, fit, database)
+    parts = load_or_build("index", key, make, fit)
     return index_of_parts(references, pixel_size_m, settings, parts)
 
 

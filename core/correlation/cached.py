@@ -1,19 +1,14 @@
-"""The pyramid of a large database, kept beside it: opened by memory mapping, not made anew at every start.
-
-Told in docs/file-formats.md#kept-beside-a-database.
-"""
+"""The pyramid of a large database, loaded from the user's cache or built (docs/file-formats.md#cache)."""
 
 from __future__ import annotations
 
 import json
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
+from ..cache import digest, load_or_build
 from ..geometry.frame import MapFrame
-from ..kept.arrays import kept_path, opened_or_made
-from ..kept.digests import digest
 from .class_pyramid import (
     MAXIMUM_CHANNELS,
     STORED_REDUCTION,
@@ -24,18 +19,11 @@ from .class_pyramid import (
 )
 from .settings import CorrelationSettings
 
-SUFFIX = ".semref-pyramid"
-
 VERSION = 2
 """Raised whenever the same overview gives other evidence, and so another answer."""
 
 FEWEST_PIXELS = 64_000_000
-"""Of an overview below which its pyramid is made in a second or two and not kept: it takes 1.7 bytes a pixel."""
-
-
-def pyramid_path(database: str) -> Path:
-    """Where the pyramid of a database lies: beside it."""
-    return kept_path(database, SUFFIX)
+"""Of an overview below which its pyramid is made in a second or two and not cached: it takes 1.7 bytes a pixel."""
 
 
 def key_of(overview_hw: np.ndarray, settings: CorrelationSettings) -> str:
@@ -44,23 +32,20 @@ def key_of(overview_hw: np.ndarray, settings: CorrelationSettings) -> str:
     return digest([told.encode(), overview_hw])
 
 
-def stored_pyramid(
-    overview_hw: np.ndarray, frame: MapFrame, settings: CorrelationSettings, database: str | None
-) -> MapPyramid:
-    """The pyramid of a database's overview: opened where it is kept, else made and, of a large map, kept.
+def cached_pyramid(overview_hw: np.ndarray, frame: MapFrame, settings: CorrelationSettings) -> MapPyramid:
+    """Return the pyramid of a database's overview; one of a large map is loaded from the cache or stored there.
 
     Args:
         overview_hw: (H, W) uint8 labels.
         frame: Where its pixels lie.
         settings: It is made with, and every search in it uses.
-        database: The file that the overview was read from; None for none, and nothing is kept.
     """
-    if database is None or overview_hw.size < FEWEST_PIXELS:
+    if overview_hw.size < FEWEST_PIXELS:
         return MapPyramid(overview_hw, frame, settings)
     overview_hw = np.ascontiguousarray(overview_hw)
     make = partial(pyramid_parts, overview_hw, settings.rarity_exponent)
     fit = partial(_fit, shape_hw=(overview_hw.shape[0], overview_hw.shape[1]))
-    parts = opened_or_made(pyramid_path(database), key_of(overview_hw, settings), make, fit, database)
+    parts = load_or_build("pyramid", key_of(overview_hw, settings), make, fit)
     return MapPyramid(overview_hw, frame, settings, parts)
 
 

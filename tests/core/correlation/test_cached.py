@@ -1,4 +1,4 @@
-"""A kept pyramid is the one that was made, to the last bit, or it is not used."""
+"""A cached pyramid is the one that was made, to the last bit, or it is not used."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.correlation import stored
+from semref.core.correlation import cached
+from semref.core.correlation.cached import cached_pyramid
 from semref.core.correlation.class_pyramid import MapPyramid, part_shapes, pyramid_parts
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import localize
-from semref.core.correlation.stored import pyramid_path, stored_pyramid
 from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Prior
 
@@ -25,23 +25,20 @@ def overview(seed=0, shape_hw=(203, 310)):
 
 @pytest.fixture(autouse=True)
 def own_cache(monkeypatch, tmp_path):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(stored, "FEWEST_PIXELS", 100)
+    monkeypatch.setenv("SEMREF_CACHE", str(tmp_path))
+    monkeypatch.setattr(cached, "FEWEST_PIXELS", 100)
 
 
-@pytest.fixture
-def database(tmp_path):
-    folder = tmp_path / "maps"
-    folder.mkdir()
-    return str(folder / "area.gpkg")
+def loaded(labels_hw, settings=CORRELATION):
+    return cached_pyramid(labels_hw, FRAME, settings)
 
 
-def opened(database, labels_hw, settings=CORRELATION):
-    return stored_pyramid(labels_hw, FRAME, settings, database)
+def files(tmp_path):
+    return sorted(tmp_path.glob("pyramid-*"))
 
 
 def never_made(monkeypatch):
-    monkeypatch.setattr(stored, "pyramid_parts", lambda *_: pytest.fail("it was made"))
+    monkeypatch.setattr(cached, "pyramid_parts", lambda *_: pytest.fail("it was made"))
 
 
 def assert_same(pyramid, expected):
@@ -58,30 +55,29 @@ def assert_same(pyramid, expected):
             np.testing.assert_array_equal(level.known, wanted.known)
 
 
-def test_it_is_made_once_and_then_opened_to_the_last_bit(database, monkeypatch):
+def test_a_pyramid_is_made_once_and_then_loaded_to_the_last_bit(monkeypatch):
     labels = overview()
-    assert_same(opened(database, labels), MapPyramid(labels, FRAME))
-    assert [path.name for path in pyramid_path(database).parent.iterdir()] == ["area.gpkg.semref-pyramid"]
+    assert_same(loaded(labels), MapPyramid(labels, FRAME))
     never_made(monkeypatch)
-    pyramid = opened(database, labels)
+    pyramid = loaded(labels)
     assert_same(pyramid, MapPyramid(labels, FRAME))
     assert not pyramid.stored(3).evidence.flags.writeable
 
 
-def test_an_image_is_found_in_an_opened_one_as_in_one_that_was_made(database):
+def test_an_image_is_found_in_a_loaded_pyramid_as_in_one_that_was_made():
     labels = overview(7, (400, 400))
     image = labels[100:260, 150:310]
     prior = Prior(pixel_size_range=(3.8, 4.2))
-    opened(database, labels)
-    found, expected = (localize(image, one, prior) for one in (opened(database, labels), MapPyramid(labels, FRAME)))
+    loaded(labels)
+    found, expected = (localize(image, one, prior) for one in (loaded(labels), MapPyramid(labels, FRAME)))
     assert expected.best is not None and found.best == expected.best and found.risk == expected.risk
 
 
 @pytest.mark.parametrize("what", ["labels", "shape", "settings", "version"])
-def test_a_pyramid_of_something_else_is_made_anew(database, monkeypatch, what):
+def test_a_pyramid_of_something_else_is_made_again(tmp_path, monkeypatch, what):
     labels, settings = overview(), CORRELATION
-    opened(database, labels)
-    before = pyramid_path(database).read_bytes()
+    loaded(labels)
+    before = files(tmp_path)
     if what == "labels":
         labels = labels.copy()
         labels[17, 5] = 3 - labels[17, 5]
@@ -90,22 +86,21 @@ def test_a_pyramid_of_something_else_is_made_anew(database, monkeypatch, what):
     elif what == "settings":
         settings = replace(CORRELATION, rarity_exponent=0.25)
     else:
-        monkeypatch.setattr(stored, "VERSION", stored.VERSION + 1)
-    assert_same(opened(database, labels, settings), MapPyramid(labels, FRAME, settings))
-    assert pyramid_path(database).read_bytes() != before
+        monkeypatch.setattr(cached, "VERSION", cached.VERSION + 1)
+    assert_same(loaded(labels, settings), MapPyramid(labels, FRAME, settings))
+    assert len(before) == 1 and len(files(tmp_path)) == 2
 
 
-def test_settings_that_only_tell_how_it_is_searched_leave_it_as_it_is(database, monkeypatch):
-    opened(database, overview())
+def test_settings_that_only_tell_how_it_is_searched_leave_it_as_it_is(monkeypatch):
+    loaded(overview())
     never_made(monkeypatch)
-    assert opened(database, overview(), replace(CORRELATION, candidates=7)).settings.candidates == 7
+    assert loaded(overview(), replace(CORRELATION, candidates=7)).settings.candidates == 7
 
 
-def test_small_maps_and_those_of_no_file_are_not_kept(database, monkeypatch):
-    opened(None, overview())
-    monkeypatch.setattr(stored, "FEWEST_PIXELS", overview().size + 1)
-    opened(database, overview())
-    assert not pyramid_path(database).exists()
+def test_the_pyramid_of_a_small_map_is_not_stored(tmp_path, monkeypatch):
+    monkeypatch.setattr(cached, "FEWEST_PIXELS", overview().size + 1)
+    loaded(overview())
+    assert files(tmp_path) == []
 
 
 @pytest.mark.parametrize("shape_hw", [(1, 1), (4, 4), (5, 3), (17, 64), (203, 310)])

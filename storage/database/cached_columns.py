@@ -1,7 +1,4 @@
-"""Windows and landmarks of a large database, or set, kept beside it as columns: opened by memory mapping, not read.
-
-Told in docs/file-formats.md#kept-beside-a-database.
-"""
+"""Windows and landmarks of a large database, or set, as columns in the user's cache (docs/file-formats.md#cache)."""
 
 from __future__ import annotations
 
@@ -10,19 +7,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from ...core.cache import Arrays, digest, load_or_build
 from ...core.database.model import MapLandmarks, Windows
-from ...core.kept.arrays import Arrays, kept_path, opened_or_made
-from ...core.kept.digests import digest
 from .checksums import has_checksums
 from .connection import Snapshot
-
-SUFFIX = ".semref-columns"
 
 VERSION = 1
 """Raised whenever the same rows give other columns."""
 
 FEWEST = 100_000
-"""Rows below which they are read in a third of a second and not kept."""
+"""Rows below which they are read in a third of a second and not cached."""
 
 Columns = tuple[Windows, MapLandmarks]
 
@@ -54,11 +48,11 @@ def content_of(connection: Snapshot) -> Content:
     return Content(rows, digest([json.dumps(connection.state).encode(), repr(told).encode("utf-8")]))
 
 
-def kept_columns(path: str, contents: Sequence[Content], vector_length: int, read: Callable[[], Columns]) -> Columns:
-    """Windows and landmarks: opened where they are kept, else read and, of many rows, kept.
+def cached_columns(kind: str, contents: Sequence[Content], vector_length: int, read: Callable[[], Columns]) -> Columns:
+    """Return windows and landmarks; many rows are loaded from the cache, or read and stored there.
 
     Args:
-        path: The database, or the set.
+        kind: “columns” of a database, “set” of a set: the columns of a set of one database differ from the database's.
         contents: Of the database, or of the set's databases in their order.
         vector_length: Of a topology vector.
         read: Reads and checks the rows; whatever that raises goes on.
@@ -76,7 +70,7 @@ def kept_columns(path: str, contents: Sequence[Content], vector_length: int, rea
         }
 
     key = digest([json.dumps([VERSION, *keys]).encode()])
-    arrays = opened_or_made(kept_path(path, SUFFIX), key, make, partial(_fit, vector_length=vector_length), path)
+    arrays = load_or_build(kind, key, make, partial(_fit, vector_length=vector_length))
     windows, landmarks = (
         {name: arrays.get(f"{table}_{name}") for name in columns} for table, columns in _COLUMNS.items()
     )

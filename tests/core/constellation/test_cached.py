@@ -1,4 +1,4 @@
-"""A kept index is the one that was built, to the last bit, or it is not used."""
+"""A cached index is the one that was built, to the last bit, or it is not used."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from dataclasses import fields, replace
 import numpy as np
 import pytest
 
-from semref.core.constellation import stored
+from semref.core.constellation import cached
+from semref.core.constellation.cached import cached_index
 from semref.core.constellation.index import build_index
 from semref.core.constellation.settings import CONSTELLATION
-from semref.core.constellation.stored import index_path, stored_index
 from semref.core.database.model import MapLandmarks
 
 COUNT = 900
@@ -25,19 +25,16 @@ def landmarks(seed=0):
 
 @pytest.fixture(autouse=True)
 def own_cache(monkeypatch, tmp_path):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    monkeypatch.setattr(stored, "FEWEST", 10)
+    monkeypatch.setenv("SEMREF_CACHE", str(tmp_path))
+    monkeypatch.setattr(cached, "FEWEST", 10)
 
 
-@pytest.fixture
-def database(tmp_path):
-    folder = tmp_path / "maps"
-    folder.mkdir()
-    return str(folder / "area.gpkg")
+def loaded(references, settings=CONSTELLATION):
+    return cached_index(references, 1.0, settings)
 
 
-def opened(database, references, settings=CONSTELLATION):
-    return stored_index(references, 1.0, settings, database)
+def files(tmp_path):
+    return sorted(tmp_path.glob("index-*"))
 
 
 def assert_same(index, references):
@@ -57,23 +54,22 @@ def assert_same(index, references):
 
 
 def never_built(monkeypatch):
-    monkeypatch.setattr(stored, "index_parts", lambda *_: pytest.fail("it was built"))
+    monkeypatch.setattr(cached, "index_parts", lambda *_: pytest.fail("it was built"))
 
 
-def test_it_is_built_once_and_then_opened_to_the_last_bit(database, monkeypatch):
+def test_an_index_is_built_once_and_then_loaded_to_the_last_bit(monkeypatch):
     references = landmarks()
-    assert_same(opened(database, references), references)
-    assert [path.name for path in index_path(database).parent.iterdir()] == ["area.gpkg.semref-index"]
+    assert_same(loaded(references), references)
     never_built(monkeypatch)
-    index = opened(database, references)
+    index = loaded(references)
     assert_same(index, references)
     assert not index.keys.flags.owndata and not index.keys.flags.writeable
 
 
 @pytest.mark.parametrize("what", ["landmarks", "settings", "pixel", "version"])
-def test_an_index_of_something_else_is_built_anew(database, monkeypatch, what):
-    opened(database, landmarks())
-    before = index_path(database).read_bytes()
+def test_an_index_of_something_else_is_built_again(tmp_path, monkeypatch, what):
+    loaded(landmarks())
+    before = files(tmp_path)
     references, settings, pixel = landmarks(), CONSTELLATION, 1.0
     if what == "landmarks":
         references.areas_m2[7] *= 1.0000001
@@ -82,14 +78,13 @@ def test_an_index_of_something_else_is_built_anew(database, monkeypatch, what):
     elif what == "pixel":
         pixel = 2.0
     else:
-        monkeypatch.setattr(stored, "VERSION", stored.VERSION + 1)
-    found = stored_index(references, pixel, settings, database)
+        monkeypatch.setattr(cached, "VERSION", cached.VERSION + 1)
+    found = cached_index(references, pixel, settings)
     np.testing.assert_array_equal(found.keys, build_index(references, pixel, settings).keys)
-    assert index_path(database).read_bytes() != before
+    assert len(before) == 1 and len(files(tmp_path)) == 2
 
 
-def test_few_landmarks_and_those_of_no_file_are_not_kept(database, monkeypatch):
-    opened(None, landmarks())
-    monkeypatch.setattr(stored, "FEWEST", COUNT + 1)
-    opened(database, landmarks())
-    assert not index_path(database).exists()
+def test_the_index_of_few_landmarks_is_not_stored(tmp_path, monkeypatch):
+    monkeypatch.setattr(cached, "FEWEST", COUNT + 1)
+    loaded(landmarks())
+    assert files(tmp_path) == []
