@@ -100,8 +100,10 @@ class Job:
     fingerprint: dict = field(default_factory=dict)
 
     def write(self, path: Path) -> None:
-        """Writes it as JSON."""
-        path.write_text(json.dumps(asdict(self), indent=1) + "\n", encoding="utf-8")
+        """Writes it as JSON; an older file is whole until the new one is."""
+        new = path.with_name(f"{path.name}.part")
+        new.write_text(json.dumps(asdict(self), indent=1) + "\n", encoding="utf-8")
+        new.replace(path)
 
     def differences(self, other: Job) -> list[str]:
         """Names of what another run was made with otherwise, so that it can't be gone on with as this one."""

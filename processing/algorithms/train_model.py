@@ -6,7 +6,7 @@ import json
 import os
 from contextlib import closing
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ...core.errors import ImageError, ParameterError
 from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
@@ -18,7 +18,7 @@ from ..framework.photo_source import PhotoSource
 from ..translation import tr
 
 if TYPE_CHECKING:
-    from qgis.core import QgsProcessingFeedback
+    from qgis.core import QgsProcessingContext, QgsProcessingFeedback
 
     from ...storage.rasters import RasterFile
     from ...training.job import Job
@@ -233,20 +233,27 @@ class TrainModel(AnnotationAlgorithm):
         ready = require_training(python, feedback)
         text = tr("{python}: torch {version} on {device}")
         feedback.pushInfo(text.format(python=python, version=ready["torch"], device=ready["device"]))
-        run = TrainingRun(values.target(self.OUTPUT))
-        try:
-            with outputs.file(self.OUTPUT) as temporary:
+        with outputs.file(self.OUTPUT) as temporary:
+            self._run = run = TrainingRun(values.target(self.OUTPUT), values.switch(self.RESUME))
+            try:
                 report = self._trained(values, python, temporary, run, feedback)
-        except Canceled:
-            if run.can_go_on:
-                raise CanceledKeeping(run.folder) from None
-            raise
-        finally:
-            run.close()
+            except Canceled:
+                if run.can_go_on:
+                    raise CanceledKeeping(run.folder) from None
+                raise
+            finally:
+                run.close()
         if outputs.wants(self.REPORT):
             outputs.text(self.REPORT, report.html())
-        outputs.require(run.clear)
         return {self.MEAN_IOU: report.result["mean_iou"]}
+
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        results = super().processAlgorithm(parameters, context, feedback)
+        # Not before the model is in its place: if it can't be moved there, the training is not lost.
+        self._run.clear()
+        return results
 
     def _require_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
         """Refuses polygons of one class alone, by their boxes: before anything is started. Pixels tell the rest."""
@@ -276,7 +283,7 @@ class TrainModel(AnnotationAlgorithm):
         from ..reports.training_report import TrainingReport
 
         job = self._job(values, target, run)
-        job = run.begin(job, values.switch(self.RESUME))
+        job = run.begin(job)
         if not run.has_tiles:
             ground = self._ground(values, feedback)
             image = ground.image(run.folder)

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+import secrets
 import shutil
+import tempfile
 from dataclasses import replace
 from pathlib import Path
+
+from qgis.core import QgsSettings
 
 from ...core.errors import ParameterError
 from ...training.job import CHECKPOINT, JOB, Job, read_job
@@ -19,6 +24,11 @@ _KEYS = {
     "fingerprint": "IMAGE, LABELS, …",
 }
 """What the user calls the settings by which two runs differ."""
+
+
+_SETTING = "semref/trainings/"
+_PROOF = "made_by_semref"
+"""A file in the folder that holds the secret."""
 
 
 class CanceledKeeping(Canceled):
@@ -35,14 +45,45 @@ class CanceledKeeping(Canceled):
 
 
 class TrainingRun:
-    """The folder ``MODEL.training`` beside a model; ``close`` removes it unless there is something to go on with.
+    """A folder ``MODEL.training-…`` beside a model; ``close`` removes it unless there is something to go on with.
+
+    The user's settings keep its name and a secret that is also in the folder: a folder that SemRef did not make is
+    neither used nor removed, whatever its name and its files.
 
     Attributes:
         folder: Its path.
     """
 
-    def __init__(self, model: str) -> None:
-        self.folder = Path(model).with_suffix(".training")
+    def __init__(self, model: str, resume: bool) -> None:
+        """Makes the folder, or finds an earlier run that can be gone on with.
+
+        Args:
+            model: Path of the model.
+            resume: Whether an earlier run is gone on with; otherwise it is removed.
+
+        Raises:
+            OSError: The folder can't be made.
+        """
+        path = Path(model).absolute()
+        self._setting = _SETTING + hashlib.sha256(os.fsencode(path)).hexdigest()
+        self._prefix = f"{path.stem}.training-"
+        name, _, self._secret = QgsSettings().value(self._setting, "", type=str).rpartition(" ")
+        self.folder = path.parent / name
+        if self._is_ours and resume and self.can_go_on:
+            return
+        self.clear()
+        self.folder = Path(tempfile.mkdtemp(prefix=self._prefix, dir=path.parent))
+        self._secret = secrets.token_hex()
+        (self.folder / _PROOF).write_text(self._secret, encoding="ascii")
+        QgsSettings().setValue(self._setting, f"{self.folder.name} {self._secret}")
+
+    @property
+    def _is_ours(self) -> bool:
+        """Whether SemRef made the folder, for this model and this user."""
+        proof = self.folder / _PROOF
+        if not self.folder.name.startswith(self._prefix) or self.folder.is_symlink() or not proof.is_file():
+            return False
+        return proof.read_bytes() == self._secret.encode()
 
     @property
     def can_go_on(self) -> bool:
@@ -73,28 +114,17 @@ class TrainingRun:
         """Says that all tiles are cut."""
         self.new_tiles.replace(self.tiles)
 
-    def begin(self, job: Job, resume: bool) -> Job:
-        """Makes the folder, or finds an earlier run in it.
-
-        Args:
-            job: What is to be trained.
-            resume: Whether an earlier run is gone on with; otherwise it is removed.
+    def begin(self, job: Job) -> Job:
+        """Keeps what is to be trained.
 
         Returns:
             The job; of an earlier run it has what is told of its ground.
 
         Raises:
-            ParameterError: The folder is not one of a training, or its run has other settings.
+            ParameterError: The earlier run has other settings.
         """
-        if self.folder.is_dir() and any(self.folder.iterdir()) and not (self.folder / JOB).is_file():
-            raise ParameterError("storage.folder_not_empty", path=self.folder)
-        if self.folder.is_dir() and not (resume and self.can_go_on):
-            self.clear()
-            if self.folder.is_dir():
-                raise ParameterError("storage.folder_not_empty", path=self.folder)
         if self.can_go_on:
             job = replace(job, ground=self._same(job).ground)
-        self.folder.mkdir(exist_ok=True)
         job.write(self.folder / JOB)
         return job
 
@@ -104,17 +134,18 @@ class TrainingRun:
             earlier = read_job(self.folder / JOB)
             differing = job.differences(earlier)
         except ValueError:
-            raise ParameterError("storage.folder_not_empty", path=self.folder) from None
+            differing = [JOB]
         if differing:
             settings = tuple(_KEYS.get(name, name) for name in differing)
             raise ParameterError("algorithms.other_training", folder=self.folder, settings=settings)
         return earlier
 
     def clear(self) -> None:
-        """Removes the folder."""
-        if (self.folder / JOB).is_file():
+        """Removes the folder, if SemRef made it."""
+        if self._is_ours:
             # What is in use stays: a model that is done is not lost for it.
             shutil.rmtree(self.folder, ignore_errors=True)
+            QgsSettings().remove(self._setting)
 
     def close(self) -> None:
         """Removes the folder unless there is something to go on with."""

@@ -5,6 +5,7 @@ A small program stands in for the training, which needs torch; tests/training ha
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import time
@@ -17,6 +18,8 @@ from made_models import write_model
 from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
 from tile_server import tile_server
+
+from semref.storage.files import Batch
 
 TRAIN = "semref:trainmodel"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -68,6 +71,11 @@ def train(run_algorithm, trainer, tmp_path):
     return run
 
 
+def folders(place):
+    """What training left beside its model."""
+    return sorted(place.glob("model.training*"))
+
+
 def test_the_model_and_its_report_are_what_the_training_made(train, tmp_path):
     said = Said()
     result = train(said)
@@ -77,7 +85,7 @@ def test_the_model_and_its_report_are_what_the_training_made(train, tmp_path):
     assert "75.0" in report and "66.7" not in report and "building" in report
     assert any("torch 2.0" in line for line in said.lines)
     assert any("building 50 %" in line for line in said.lines)
-    assert not (tmp_path / "model.training").exists()
+    assert folders(tmp_path) == []
 
 
 def test_the_training_gets_tiles_of_image_and_labels(train, tmp_path):
@@ -186,18 +194,19 @@ def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp
     pid = tmp_path / "pid"
     said = Said(cancel_at=50)
     waiting = f"open({str(pid)!r}, 'w').write(str(os.getpid())); {EPOCH}; time.sleep(60)"
-    with pytest.raises(QgsProcessingException, match=r"is kept in .*model\.training"):
+    with pytest.raises(QgsProcessingException, match=r"is kept in .*model\.training-"):
         train(said, training=waiting)
     assert time.monotonic() - said.canceled_at < 5
     with pytest.raises(ProcessLookupError):
         os.kill(int(pid.read_text()), 0)
     assert not (tmp_path / "model.onnx").exists()
-    assert (tmp_path / "model.training" / "last.pt").exists()
+    (folder,) = folders(tmp_path)
+    assert (folder / "last.pt").exists()
     # The same again goes on; the tiles are those that were cut.
-    before = (tmp_path / "model.training" / "tiles" / "manifest.json").stat().st_mtime_ns
+    before = (folder / "tiles" / "manifest.json").stat().st_mtime_ns
     again = f"assert job['resume'] and os.stat(folder + '/tiles/manifest.json').st_mtime_ns == {before}; {EPOCH}"
     train(training=again, MINUTES=99)
-    assert (tmp_path / "model.onnx").exists() and not (tmp_path / "model.training").exists()
+    assert (tmp_path / "model.onnx").exists() and folders(tmp_path) == []
 
 
 def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
@@ -212,7 +221,7 @@ def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
 def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
     with pytest.raises(QgsProcessingException, match="nothing was written"):
         train(Said(cancel_at=3))
-    assert not (tmp_path / "model.training").exists()
+    assert folders(tmp_path) == []
 
 
 @pytest.mark.parametrize(
@@ -231,7 +240,7 @@ def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
 def test_what_stops_the_training_is_one_sentence(train, tmp_path, training, said):
     with pytest.raises(QgsProcessingException, match=said):
         train(training=training)
-    assert not (tmp_path / "model.onnx").exists() and not (tmp_path / "model.training").exists()
+    assert not (tmp_path / "model.onnx").exists() and folders(tmp_path) == []
 
 
 def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_path):
@@ -241,7 +250,7 @@ def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_pat
         train(ready=lacking)
     with pytest.raises(QgsProcessingException, match="no Python that can train"):
         train(ready="print('hello')")
-    assert not (tmp_path / "model.training").exists()
+    assert folders(tmp_path) == []
 
 
 @pytest.mark.parametrize(
@@ -273,7 +282,7 @@ def test_a_single_class_on_the_image_is_said_before_the_python_is_asked(train, t
     annotation = {"LABELS": None, "INPUT": str(write_layer(tmp_path / "drawn.gpkg", polygons)), "CLASS_FIELD": "class"}
     with pytest.raises(QgsProcessingException, match=ONE_CLASS):
         train(ready=f"open({str(asked)!r}, 'w').close(); {READY}", **annotation)
-    assert not asked.exists() and not (tmp_path / "model.training").exists()
+    assert not asked.exists() and folders(tmp_path) == []
 
 
 def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
@@ -308,7 +317,7 @@ def test_a_single_class_among_the_pixels_is_said_before_tiles_are_cut(train, tmp
     trained = tmp_path / "trained"
     with pytest.raises(QgsProcessingException, match=ONE_CLASS):
         train(training=f"open({str(trained)!r}, 'w').close(); {EPOCH}", **given)
-    assert not trained.exists() and not (tmp_path / "model.training").exists()
+    assert not trained.exists() and folders(tmp_path) == []
 
 
 def test_image_and_labels_of_different_ground_are_refused(train, tmp_path):
@@ -323,9 +332,65 @@ def test_too_little_ground_is_said_with_what_helps(train, tmp_path):
         train(EXTENT=extent)
 
 
-def test_a_folder_that_is_no_training_s_is_left_alone(train, tmp_path):
-    (tmp_path / "model.training").mkdir()
-    (tmp_path / "model.training" / "mine.txt").write_text("mine")
-    with pytest.raises(QgsProcessingException, match="holds other files"):
+def test_files_of_the_user_in_a_folder_of_that_name_survive(train, tmp_path):
+    """Whatever they are called, and whether the run is finished, canceled, gone on with or begun again."""
+    names = ["job.json", "last.pt", "tiles/manifest.json", "photos/1.jpg"]
+    for name in ("model.training", "model.training-1"):
+        for file in names:
+            path = tmp_path / name / file
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text("mine")
+    train()
+    with pytest.raises(QgsProcessingException, match="is kept"):
+        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    train()
+    train(RESUME=False)
+    for folder in folders(tmp_path):
+        assert [(folder / file).read_text() for file in names] == ["mine"] * 4
+    assert len(folders(tmp_path)) == 2
+
+
+@pytest.mark.parametrize("as_link", [False, True], ids=["folder", "link"])
+def test_a_folder_put_in_the_place_of_the_run_s_survives(train, tmp_path, as_link):
+    with pytest.raises(QgsProcessingException, match="is kept"):
+        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    (folder,) = folders(tmp_path)
+    folder.rename(tmp_path / "moved")
+    photos = tmp_path / "photos"
+    photos.mkdir()
+    for name in ("job.json", "last.pt", "1.jpg"):
+        (photos / name).write_text("mine")
+    if as_link:
+        folder.symlink_to(photos)
+    else:
+        photos.rename(folder)
+    train(RESUME=False)
+    assert sorted(path.name for path in folder.iterdir()) == ["1.jpg", "job.json", "last.pt"]
+
+
+def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(train, tmp_path, monkeypatch):
+    """As where another program has the older model open."""
+
+    def refuse(_, *checks):
+        for check in checks:
+            check()
+        raise PermissionError(errno.EACCES, "in use", "model.onnx")
+
+    with monkeypatch.context() as patched, pytest.raises(QgsProcessingException, match="model.onnx"):
+        patched.setattr(Batch, "commit", refuse)
         train()
-    assert (tmp_path / "model.training" / "mine.txt").read_text() == "mine"
+    (folder,) = folders(tmp_path)
+    assert (folder / "last.pt").exists()
+    train()
+    assert folders(tmp_path) == []
+
+
+def test_a_run_whose_job_can_t_be_read_is_not_gone_on_with(train, tmp_path):
+    with pytest.raises(QgsProcessingException, match="is kept"):
+        train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
+    (folder,) = folders(tmp_path)
+    (folder / "job.json").write_text("{")
+    with pytest.raises(QgsProcessingException, match="job.json.*turn RESUME off"):
+        train()
+    train(RESUME=False)
+    assert folders(tmp_path) == []
