@@ -19,8 +19,9 @@ from ..core.sample.classes import CLASSES
 from ..core.sample.landscape import Feature, Landscape
 from .gdal_errors import close, gdal_failure, gdal_failures
 from .pictures import JPEG_QUALITY, write_jpeg
+from .text_tables import CLASSES_FILE
 
-ANNOTATION_FILE, CLASSES_FILE, ORTHOPHOTO_FILE = "landcover.shp", "classes.csv", "orthophoto.tif"
+ANNOTATION_FILE, ORTHOPHOTO_FILE = "landcover.shp", "orthophoto.tif"
 PHOTOS_FOLDER, PHOTOS_TRUTH_FILE = "photos", "photos.csv"
 FLIGHT_FOLDER, FLIGHT_FILE = "flight", "flight.csv"
 FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 12

@@ -7,6 +7,9 @@ from ..core.flight.table import MOST_BYTES, bytes_of
 from ..core.labels.class_table import ClassTable, class_table_from_csv
 from ..core.labels.openstreetmap import Rules, rules_from_csv
 
+CLASSES_FILE = "classes.csv"
+"""A class table beside what it describes."""
+
 
 def read_class_table(path: str) -> ClassTable:
     """A class-table CSV in UTF-8 (or, failing that, Latin-1); raises ClassTableError."""

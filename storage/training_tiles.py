@@ -19,6 +19,7 @@ from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
 from .pictures import write_png, write_tiff
 from .rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, open_raster
+from .text_tables import CLASSES_FILE
 
 MANIFEST = "manifest.json"
 FORMAT = "semref training tiles 1"
@@ -216,7 +217,7 @@ class TileExport:
             yield "Writing tiles", COUNTING_SHARE + (1 - COUNTING_SHARE) * number / len(tiles)
             self._write(folder, tile)
         self._require_tiles(labeled)
-        (folder / "classes.csv").write_text(table.to_csv(), encoding="utf-8")
+        (folder / CLASSES_FILE).write_text(table.to_csv(), encoding="utf-8")
         (folder / MANIFEST).write_text(json.dumps(self._manifest(), indent=1) + "\n", encoding="utf-8")
 
     def _block_counts(self, first_row: int, first_column: int) -> Iterator[np.ndarray]:

@@ -9,7 +9,7 @@ python=/usr/bin/python3 # QGIS's Python; the python3 on PATH may be another one
 requirements=("$repository/tools/requirements.txt" "$repository/tools/requirements-dev.txt")
 packages=(
     qgis python3-qgis python3-numpy python3-scipy python3-pil gdal-bin sqlite3
-    python3-venv pyqt5-dev-tools qttools5-dev-tools
+    python3-venv python3-pip pyqt5-dev-tools qttools5-dev-tools
     xvfb xauth debootstrap ca-certificates git
 )
 

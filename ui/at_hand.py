@@ -10,7 +10,7 @@ from ..core.errors import ClassTableError, ParameterError
 from ..processing.compat import POLYGON_GEOMETRY
 from ..processing.exchange.database_layers import database_file
 from ..processing.inspection.models import base_model
-from ..storage.sample_files import CLASSES_FILE
+from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .layer_files import layer_file, raster_layers
 
 _CLASS_FIELDS, _PRIORITY_FIELDS = ("class",), ("priority", "zorder")
@@ -58,8 +58,6 @@ def training_at_hand(project: QgsProject, model: str = "") -> dict[str, str]:
 
 def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
     """The annotation's classes, in small letters; of a table beside it, or else what its text field says."""
-    from ..storage.text_tables import read_class_table
-
     if "CLASS_TABLE" in found:
         try:
             return {one.name.casefold() for one in read_class_table(found["CLASS_TABLE"]) if one.value}

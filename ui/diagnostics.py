@@ -7,7 +7,6 @@ from collections import deque
 from qgis.core import Qgis, QgsApplication
 from qgis.PyQt.QtCore import QObject, pyqtSlot
 
-from ..processing.packages.diagnostics import diagnostics
 from ..processing.translation import tr
 from ..processing.version import tracker_url
 from .widgets.messages import TAG
@@ -36,6 +35,9 @@ class Diagnostics(QObject):
 
     def copy(self) -> str:
         """Puts it on the clipboard; a sentence for the user that says so."""
+        # Not at the top: few sessions ask for them.
+        from ..processing.packages.diagnostics import diagnostics
+
         QgsApplication.clipboard().setText(diagnostics(tuple(self._lines)))
         copied = tr(
             "Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and "

@@ -16,9 +16,8 @@ from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
 from .fields.dialog_widgets import offer_widgets, withdraw_widgets
-from .options import OptionsFactory
+from .options import PAGE, OptionsFactory
 from .packages.component_installer import ComponentInstaller
-from .packages.components_page import PAGE
 from .widgets.messages import Messages
 from .window_locator import WindowLocator
 
@@ -47,8 +46,6 @@ class DockEntry:
             self._dock.hide()
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
-        if not self._dock.isHidden():
-            self._dock.content.show()
         self._preload = Preload(self._dock)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
@@ -85,7 +82,8 @@ class DockEntry:
         if lacking:
             names = ", ".join(package.title for package in lacking)
             sentence = tr("The sample project needs {packages}.").format(packages=names)
-            Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
+            told = Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
+            self._installer.installed.connect(told.dismiss)
             return
         self._sample_project().ask()
 

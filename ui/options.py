@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from qgis.gui import QgsOptionsWidgetFactory
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 
 from ..processing.framework.base import ICON_PATH
-from .diagnostics import Diagnostics
-from .packages.component_installer import ComponentInstaller
-from .packages.components_page import ComponentsPage
+
+if TYPE_CHECKING:
+    from .diagnostics import Diagnostics
+    from .packages.component_installer import ComponentInstaller
+    from .packages.components_page import ComponentsPage
+
+PAGE = "SemRefOptions"
+"""Name by which QGIS opens the page."""
 
 
 class OptionsFactory(QgsOptionsWidgetFactory):
@@ -25,6 +32,9 @@ class OptionsFactory(QgsOptionsWidgetFactory):
         self._installer, self._training_installer = installer, training_installer
 
     def createWidget(self, parent=None) -> ComponentsPage:
+        # Not at the top: few sessions open the options.
+        from .packages.components_page import ComponentsPage
+
         page = ComponentsPage(self._installer, self._training_installer, parent)
         page.removed.connect(self.changed)
         page.diagnosticsAsked.connect(lambda: page.state.setText(self._diagnostics.copy()))

@@ -16,14 +16,13 @@ from ..processing.translation import tr
 from ..storage.sample_files import (
     ANNOTATION_FILE,
     CLASS_FIELD,
-    CLASSES_FILE,
     MARKER,
     ORTHOPHOTO_FILE,
     PHOTOS_FOLDER,
     PIXEL_SIZE_M,
     PRIORITY_FIELD,
 )
-from ..storage.text_tables import read_class_table
+from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.messages import TAG, Messages

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Iterator
 from contextlib import closing
 from typing import TYPE_CHECKING, Any
 
-from ...core.errors import ParameterError
 from ..compat import wkt_for_gdal
 from ..framework import offers
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
@@ -17,7 +16,7 @@ from ..framework.photo_labels import Pace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled, scheduler
 from ..framework.segmented_files import SeenGrid, SegmentedFiles
-from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, how_to_install, missing
+from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, require
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -171,9 +170,8 @@ class SegmentImage(SemRefAlgorithm):
         )
 
     def check(self, values: Values) -> None:
-        lacking = missing([SHAPELY]) if values.has(self.POLYGONS) else []
-        if lacking:
-            raise ParameterError(how_to_install(lacking))
+        if values.has(self.POLYGONS):
+            require([SHAPELY])
         only_here = self.EXTENT, self.MASK, self.POLYGONS, self.CONFIDENCE, self.PROBABILITIES
         require_scheduler(values, only_here)
 

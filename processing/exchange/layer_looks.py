@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
@@ -19,10 +20,12 @@ from ...storage import map_tips
 from ..translation import tr
 from ..wording.annotation_messages import kind_titles, severity_words
 from ..wording.columns import method_words, status_words
-from .annotation import AnnotationSource
 from .output_style import Look
 from .palette import BAD, CASING, FIX, INFORMATION, WARNING
 from .styles import annotation_renderer, issues_renderer, references_renderer
+
+if TYPE_CHECKING:
+    from .annotation import AnnotationSource
 
 
 def issues_look() -> Look:

@@ -22,7 +22,7 @@ from qgis.PyQt.QtGui import QIcon
 from ...core.errors import SemRefError
 from ...core.sentences import legible
 from ..exchange.lineage import Lineage, lineage_of
-from ..packages.components import OPENCV, Package, how_to_install, missing
+from ..packages.components import OPENCV, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
@@ -150,14 +150,16 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         return algorithm_help_url(self.ID)
 
     def canExecute(self) -> tuple[bool, str]:
-        lacking = missing(self.PACKAGES)
-        if lacking:
-            return False, worded(how_to_install(lacking))
+        try:
+            require(self.PACKAGES)
+        except SemRefError as error:
+            return False, worded(error)
         return True, ""
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         values = Values(self, parameters, context)
         try:
+            require(self.PACKAGES)
             values.require_texts()
             clear_beside_inputs(self, values)
             # First: QGIS opens layers to see whether they can be.
@@ -182,6 +184,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ) -> bool:
         self._refusal = None
         try:
+            require(self.PACKAGES)
             values = Values(self, parameters, context)
             values.require_texts()
             clear_beside_inputs(self, values)

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 from qgis.core import QgsProcessingFeedback
 
-from ...core.errors import ModelError
 from ...core.labels.class_table import ClassTable
-from ..packages.components import ONNXRUNTIME, how_to_install, missing
+from ..packages.components import ONNXRUNTIME, require
 from ..packages.devices import chosen_device
 from ..threads import worker_threads
 from ..translation import tr
@@ -86,9 +85,7 @@ class PhotoLabels:
     def __init__(self, model_path: str, table: ClassTable, feedback: QgsProcessingFeedback) -> None:
         from ...core.segmentation.class_bias import known_biases
 
-        lacking = missing([ONNXRUNTIME])
-        if lacking:
-            raise ModelError(how_to_install(lacking))
+        require([ONNXRUNTIME])
         self._model = open_model(model_path)
         self._values = self._model.classes.values_in(table, model_path)
         self._biases = known_biases(self._model.class_bias, table)

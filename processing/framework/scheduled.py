@@ -17,7 +17,7 @@ from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 from ...cluster import sentences
 from ...core.errors import ParameterError, SemRefError
 from ...core.sentences import Sentence
-from ..packages.components import CRYPTOGRAPHY, DASK, how_to_install, missing
+from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
 from .base import check_canceled
@@ -55,7 +55,7 @@ def scheduler() -> Text:
 
 
 def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
-    """Raises ParameterError where SCHEDULER is given and can't be what is meant, or packages are missing.
+    """Raises ParameterError where SCHEDULER can't be what is meant, ComponentError where packages are missing.
 
     Args:
         values: Of the algorithm.
@@ -68,9 +68,7 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
         raise ParameterError("framework.not_scheduled", keys=", ".join(given))
     _workers(values.text(SCHEDULER))
     is_local = _LOCAL.fullmatch(values.text(SCHEDULER).strip())
-    lacking = missing([DASK, CRYPTOGRAPHY] if is_local else [DASK])
-    if lacking:
-        raise ParameterError(how_to_install(lacking))
+    require([DASK, CRYPTOGRAPHY] if is_local else [DASK])
 
 
 def scheduled(

@@ -149,6 +149,12 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         made.load(self._path)
         return made
 
+    def canExecute(self) -> tuple[bool, str]:
+        # QGIS asks whether the steps are there, not whether they can do their work.
+        find = QgsApplication.processingRegistry().algorithmById
+        answers = (find(child.algorithmId()).canExecute() for child in self.childAlgorithms().values())
+        return next((answer for answer in (super().canExecute(), *answers) if not answer[0]), (True, ""))
+
     def postProcessAlgorithm(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         # QGIS calls layers by their outputs' names, which are part of their keys and so in English.
         names = {name for child in self.childAlgorithms().values() for name in child.modelOutputs()}

@@ -19,9 +19,8 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...storage.database.reader import read_database
 from ...storage.database.sets import require_no_set
+from ...storage.text_tables import CLASSES_FILE
 from ..exchange.reference_systems import database_crs
-
-_CLASSES_FILE = "classes.csv"
 
 
 class Ground(NamedTuple):
@@ -55,7 +54,7 @@ def rasterize_parameters(
         if not _meets(ground, extent, crs, context):
             raise ParameterError("inspection.elsewhere", layer=ground.name, name=os.path.basename(path))
     os.makedirs(folder, exist_ok=True)
-    classes = Path(folder) / _CLASSES_FILE
+    classes = Path(folder) / CLASSES_FILE
     classes.write_text(database.class_table.to_csv(), encoding="utf-8")
     return {
         "CLASS_TABLE": str(classes),

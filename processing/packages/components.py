@@ -19,10 +19,10 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 
 import numpy as np
+import qgis.utils
 from qgis.core import QgsApplication
 
 from ...core.errors import ComponentError
-from ...core.sentences import Sentence
 from ..translation import tr
 
 
@@ -269,12 +269,18 @@ def remove_components() -> None:
 # --- what to type ---
 
 
-def how_to_install(packages: list[Package]) -> Sentence:
-    """What algorithms say that lack packages."""
-    commands = dict.fromkeys([install_command(packages), _pip_install(packages)])
-    return Sentence(
+def require(packages: Iterable[Package]) -> None:
+    """Raises ComponentError, which says how to install them, where packages are missing."""
+    lacking = missing(packages)
+    if not lacking:
+        return
+    if qgis.utils.iface is not None:
+        # Short, and without the < of a command: QGIS shows it as HTML. The options have the command as well.
+        raise ComponentError("packages.needed_in_window", packages=", ".join(package.title for package in lacking))
+    commands = dict.fromkeys([install_command(lacking), _pip_install(lacking)])
+    raise ComponentError(
         "packages.needed",
-        packages=", ".join(package.pip_name for package in packages),
+        packages=", ".join(package.pip_name for package in lacking),
         commands=" / ".join(f"“{command}”" for command in commands),
     )
 

@@ -37,6 +37,9 @@ SENTENCES = {
         "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing "
         "{commands}."
     ),
+    "packages.needed_in_window": (
+        "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef."
+    ),
     "packages.no_such_python": "{python} is no program; choose the Python that trains, or leave it out.",
     "packages.no_venv": (
         "{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name "

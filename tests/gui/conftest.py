@@ -51,109 +51,14 @@ def filled_at_once(qgis_app, monkeypatch):
 @pytest.fixture
 def iface(qgis_app, filled_at_once):
     """What a plugin uses of QGIS's window; remembers what was added, so that a test sees what is left."""
-    stand_in = make_interface()
+    # Imported here: without a display these tests skip instead of failing.
+    from stand_in_interface import InterfaceStandIn
+
+    stand_in = InterfaceStandIn()
     stand_in.window.show()
     yield stand_in
     stand_in.window.close()
     stand_in.window.deleteLater()
-
-
-def make_interface():
-    # Imported here: without a display these tests skip instead of failing.
-    from qgis.core import QgsProject
-    from qgis.gui import QgsMapCanvas, QgsMessageBar
-    from qgis.PyQt.QtWidgets import QMainWindow, QVBoxLayout, QWidget
-
-    class InterfaceStandIn:
-        def __init__(self):
-            self.window = QMainWindow()
-            self.window.resize(1200, 800)
-            self.canvas = QgsMapCanvas()
-            self.bar = QgsMessageBar()
-            central = QWidget()
-            layout = QVBoxLayout(central)
-            layout.addWidget(self.bar)
-            layout.addWidget(self.canvas)
-            self.window.setCentralWidget(central)
-            self.tool_bar = self.window.addToolBar("Plugins")
-            self.plugin_menu = self.window.menuBar().addMenu("Plugins")
-            self.docks = []
-            self.lets_projects_go = True
-            self.tool_bar_actions = []
-            self.menu_actions = []
-            self.options_factories = []
-            self.locator_filters = []
-            self.options_pages_shown = []
-
-        def mainWindow(self):
-            return self.window
-
-        def mapCanvas(self):
-            return self.canvas
-
-        def messageBar(self):
-            return self.bar
-
-        def pluginMenu(self):
-            return self.plugin_menu
-
-        def pluginToolBar(self):
-            return self.tool_bar
-
-        def addDockWidget(self, area, dock):
-            self.docks.append(dock)
-            self.window.addDockWidget(area, dock)
-
-        def removeDockWidget(self, dock):
-            self.docks.remove(dock)
-            self.window.removeDockWidget(dock)
-
-        def addToolBarIcon(self, action):
-            self.tool_bar_actions.append(action)
-            self.tool_bar.addAction(action)
-
-        def removeToolBarIcon(self, action):
-            self.tool_bar_actions.remove(action)
-            self.tool_bar.removeAction(action)
-
-        def addPluginToMenu(self, menu, action):
-            self.menu_actions.append(action)
-            self.plugin_menu.addAction(action)
-
-        def removePluginMenu(self, menu, action):
-            self.menu_actions.remove(action)
-            self.plugin_menu.removeAction(action)
-
-        def registerOptionsWidgetFactory(self, factory):
-            self.options_factories.append(factory)
-
-        def unregisterOptionsWidgetFactory(self, factory):
-            self.options_factories.remove(factory)
-
-        def showOptionsDialog(self, parent, page):
-            self.options_pages_shown.append(page)
-
-        def newProject(self, promptToSaveFlag=False):
-            """As a user whose answer to the question whether to save is `lets_projects_go`."""
-            if self.lets_projects_go:
-                QgsProject.instance().clear()
-            return self.lets_projects_go
-
-        def addProject(self, path):
-            return QgsProject.instance().read(path)
-
-        def registerLocatorFilter(self, locator_filter):
-            self.locator_filters.append(locator_filter)
-
-        def deregisterLocatorFilter(self, locator_filter):
-            self.locator_filters.remove(locator_filter)
-
-        def leftovers(self) -> list:
-            """What a plugin added and did not take away."""
-            actions = self.tool_bar_actions + self.menu_actions
-            return self.docks + actions + self.options_factories + self.locator_filters
-
-    return InterfaceStandIn()
 
 
 @pytest.fixture(scope="module")

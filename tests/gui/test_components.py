@@ -101,17 +101,20 @@ def test_a_failure_is_shown_on_the_page_and_in_the_message_bar(page, iface, plug
 
 
 def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
+    from qgis.PyQt.QtWidgets import QTabWidget
+
     from semref.ui.packages.components_page import PAGE
 
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]
-    assert dock.content.notice.isVisible() and "OpenCV is missing" in dock.content.notice.sentence.text()
+    assert dock.notice.isVisible() and "does not have yet: OpenCV, ONNX Runtime." in dock.notice.sentence.text()
+    assert dock.findChild(QTabWidget) is None
     keep_picture(dock, "dock_notice")
-    dock.content.notice.install.click()
+    dock.notice.install.click()
     assert iface.options_pages_shown == [PAGE]
     lacking.clear()
     plugin._entry._installer.installed.emit()
-    assert not dock.content.notice.isVisible()
+    assert not dock.notice.isVisible() and dock.findChild(QTabWidget).isVisible()
 
 
 def test_the_page_keeps_which_python_trains(page):

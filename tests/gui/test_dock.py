@@ -60,10 +60,9 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
 
 
 def test_a_missing_package_is_named(dock, iface, area, monkeypatch, tab):
-    from semref.processing.framework import base
-    from semref.processing.packages.components import OPENCV
+    from semref.processing.packages import components
 
-    monkeypatch.setattr(base, "missing", lambda _packages: [OPENCV])
+    monkeypatch.setattr(components, "missing", lambda _packages: [components.OPENCV])
     start(dock, area.database, [area.image])
     assert not tab.run.running
     assert "OpenCV" in messages(iface)[0] or "opencv" in messages(iface)[0]
@@ -287,22 +286,21 @@ def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, a
 
 
 def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface, area, monkeypatch, tmp_path, tab):
-    from semref.processing.framework import photo_labels
-    from semref.processing.packages.components import ONNXRUNTIME
+    from semref.processing.packages import components
     from semref.ui.packages import missing_notice
     from semref.ui.packages.components_page import PAGE
 
-    for module in (photo_labels, missing_notice):
-        monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is ONNXRUNTIME])
-    assert not dock.content.notice.isVisible()
+    for module in (components, missing_notice):
+        monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is components.ONNXRUNTIME])
+    assert not dock.notice.isVisible()
     tab.images.model.setFilePath(str(tmp_path / "model.onnx"))
-    assert dock.content.notice.isVisible() and "ONNX Runtime is missing" in dock.content.notice.sentence.text()
-    dock.content.notice.install.click()
+    assert dock.notice.isVisible() and "ONNX Runtime is missing" in dock.notice.sentence.text()
+    dock.notice.install.click()
     assert iface.options_pages_shown == [PAGE]
     localize(dock, area.database, [area.image])
     assert "Settings ▸ Options ▸ SemRef" in messages(iface)[0]
     tab.images.model.setFilePath("")
-    assert not dock.content.notice.isVisible()
+    assert not dock.notice.isVisible()
 
 
 def test_tab_and_sizes_are_remembered(plugin, dock, iface, area, tab):

@@ -51,12 +51,12 @@ def test_the_dock_can_be_narrow(language, dock, area, issues, tab):
     dock.content.inspect.show_window("150_250")
     # As for a flight, and while a package is missing.
     tab.results.play.setVisible(True)
-    dock.content.notice.sentence.setText("OpenCV, ONNX Runtime")
-    dock.content.notice.setVisible(True)
+    dock.notice.sentence.setText("OpenCV, ONNX Runtime")
+    dock.notice.setVisible(True)
     for page in (LOCALIZE, INSPECT, CORRECT):
         dock.content.tabs.setCurrentIndex(page)
         for box in (dock.content.database, tab.images):
             box.setCollapsed(False)
         settle()
-        assert tab.results.play.isVisibleTo(tab) and dock.content.notice.isVisible()
+        assert tab.results.play.isVisibleTo(tab) and dock.notice.isVisible()
         assert dock.minimumSizeHint().width() <= LEAST_PX, widest(dock.content)

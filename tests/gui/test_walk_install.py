@@ -1,4 +1,7 @@
-"""The walk of a newcomer without a network: zip, help, sample, first fix, in desktop QGIS with a bare profile."""
+"""The walk of a newcomer to the first fix, in a desktop QGIS with a bare profile and none of SemRef's packages.
+
+There is no network but what pip's index gave before. SEMREF_PICTURES names a folder for pictures of the screen.
+"""
 
 from __future__ import annotations
 
@@ -12,11 +15,13 @@ import zipfile
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
+import numpy as np
 import pytest
 from desktop_qgis import TIMEOUT_S, run_desktop
 
 pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
+DATA = Path(__file__).resolve().parents[1] / "data"
 OFFLINE = ("unshare", "--map-root-user", "--net")
 """A program started so has no network at all."""
 
@@ -34,17 +39,46 @@ def package(repository, tmp_path_factory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def walk(package, display, tmp_path_factory) -> dict:
-    """What walk_install_session.py saw; SEMREF_PICTURES names a folder to keep it in."""
+def wheels(tmp_path_factory) -> Path | None:
+    """What the button *Install* asks pip for, from the index that pip has here; None where that is out of reach."""
+    from semref.processing.packages.components import ONNXRUNTIME, OPENCV, SHAPELY
+
+    folder = tmp_path_factory.mktemp("wheels")
+    pinned = [line for package in (OPENCV, SHAPELY, ONNXRUNTIME) for line in package.pinned(np.__version__)]
+    (folder / "pinned.txt").write_text("\n".join(pinned), encoding="ascii")
+    options = ["--no-deps", "--only-binary=:all:", "--require-hashes", "--retries=1", "--timeout=15", "--quiet"]
+    files = ["--dest", str(folder), "--requirement", str(folder / "pinned.txt")]
+    command = [sys.executable, "-m", "pip", "download", *options, *files]
+    return folder if subprocess.run(command, timeout=TIMEOUT_S, check=False).returncode == 0 else None
+
+
+@pytest.fixture(scope="module")
+def walk(package, wheels, display, tmp_path_factory) -> dict:
+    """What walk_install_session.py saw."""
     home = tmp_path_factory.mktemp("walk")
-    variables = {"SEMREF_ZIP": str(package), "SEMREF_SAMPLE": str(home / "sample")}
+    kept = Path(os.environ.get("SEMREF_PICTURES", home / "pictures"))
+    variables = {
+        "SEMREF_ZIP": str(package),
+        "SEMREF_SAMPLE": str(home / "sample"),
+        "SEMREF_PICTURES": str(kept),
+        "PYTHONPATH": os.pathsep.join([str(DATA / "bare"), str(DATA)]),
+    }
+    if wheels is not None:
+        variables.update(SEMREF_HAS_WHEELS="yes", PIP_NO_INDEX="1", PIP_FIND_LINKS=str(wheels))
     script = Path(__file__).with_name("walk_install_session.py")
-    (home / "sample").mkdir()
+    for folder in (home / "sample", kept):
+        folder.mkdir(exist_ok=True)
     seen = run_desktop(home, display, script, variables, OFFLINE if can_go_offline() else ())
-    if "SEMREF_PICTURES" in os.environ:
-        kept = Path(os.environ["SEMREF_PICTURES"]) / "walk_install.json"
-        kept.write_text(json.dumps(seen, indent=1), encoding="utf-8")
+    (kept / "walk_install.json").write_text(json.dumps(seen, indent=1), encoding="utf-8")
     return seen
+
+
+@pytest.fixture
+def whole_walk(walk, wheels) -> dict:
+    """Where it went on to the first fix."""
+    if wheels is None:
+        pytest.skip("pip's index is out of reach: the packages are not installed, and nothing is localized")
+    return walk
 
 
 @pytest.fixture
@@ -57,9 +91,35 @@ def test_the_walk_is_without_a_network_where_that_can_be_had(walk):
     assert walk["reached"] is False or not can_go_offline()
 
 
-def test_the_zip_installs_into_a_bare_profile_and_is_active_at_once(walk):
-    assert (walk["was_there"], walk["active"]) == (False, True)
-    assert walk["messages"] == [] and "Traceback" not in walk["output"]
+def test_the_zip_installs_into_a_bare_qgis_and_is_active_at_once(walk):
+    assert (walk["was_there"], walk["found"], walk["active"]) == (False, [], True)
+
+
+def test_nothing_on_the_way_is_a_python_error(walk):
+    assert walk["messages"] == [] and walk["errors"] == [] and "Traceback" not in walk["output"]
+
+
+def test_the_dock_names_what_is_missing(walk):
+    assert "OpenCV, Shapely, ONNX Runtime" in walk["notice"]
+
+
+def test_every_menu_entry_answers(walk):
+    assert len(walk["menu"]) == 4
+    # The sample project names its packages, the diagnostics are copied.
+    assert len(walk["bar"]) == 2
+
+
+def test_every_algorithm_opens_and_the_toolbox_says_where_to_install_what_is_missing(walk):
+    assert walk["dialogs"]["opened"] > 20
+    # QGIS shows it as HTML: a < would end it.
+    assert walk["dialogs"]["told"].endswith("Install it under Settings ▸ Options ▸ SemRef.")
+
+
+def test_the_button_installs_the_packages_and_the_dock_fills_itself(whole_walk):
+    state, log = whole_walk["packages"]
+    assert "QGIS need not be restarted" in state, log
+    assert whole_walk["filled"]
+    assert [text for text in whole_walk["left"] if "needs" in text] == []
 
 
 def test_the_plugin_manager_describes_it_in_the_users_language_and_shows_what_is_new(walk):
@@ -70,14 +130,14 @@ def test_the_plugin_manager_describes_it_in_the_users_language_and_shows_what_is
     assert told["en_US"]["changelog"].startswith(told["en_US"]["version_installed"])
 
 
-def test_every_help_opens_a_page_that_came_with_the_zip(walk, comes_with_pages):
-    names = [Path(unquote(urlparse(address).path)).name for address in walk["help"]]
+def test_every_help_opens_a_page_that_came_with_the_zip(whole_walk, comes_with_pages):
+    names = [Path(unquote(urlparse(address).path)).name for address in whole_walk["help"]]
     assert names == ["user_guide.html", "user_guide.html", "builddatabase.html"]
-    assert [address for address in walk["help"] if not address.startswith("file:///")] == []
+    assert [address for address in whole_walk["help"] if not address.startswith("file:///")] == []
 
 
-def test_all_photos_of_the_sample_are_localized(walk):
-    assert walk["rows"] == 12
+def test_all_photos_of_the_sample_are_localized_without_a_restart(whole_walk):
+    assert whole_walk["rows"] == 12
 
 
 def test_qgis_quits_at_once_though_the_dock_still_reads(walk):

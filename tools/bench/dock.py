@@ -85,11 +85,11 @@ def make_window():
     """What a plugin uses of QGIS's window, as the tests have it, with a canvas in the sample's CRS."""
     from qgis.core import QgsCoordinateReferenceSystem
 
-    fixtures = inputs.TOOLS.parent / "tests" / "gui" / "conftest.py"
-    spec = importlib.util.spec_from_file_location("semref_gui_tests", fixtures)
+    place = inputs.TOOLS.parent / "tests" / "data" / "stand_in_interface.py"
+    spec = importlib.util.spec_from_file_location("stand_in_interface", place)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    interface = module.make_interface()
+    interface = module.InterfaceStandIn()
     interface.window.resize(*WINDOW_WH)
     interface.window.show()
     interface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:25832"))

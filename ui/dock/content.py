@@ -11,7 +11,6 @@ from ...core.errors import DatabaseError
 from ...processing.exchange.database_layers import add_database_to_map, reload_database
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
-from ..packages.missing_notice import MissingNotice
 from ..running.background import DatabaseShelf, Reader
 from ..tabs.correct.tab import CorrectTab
 from ..tabs.inspect.tab import InspectTab
@@ -39,7 +38,6 @@ class DockContent(QWidget):
     def __init__(self, canvas: QgsMapCanvas, messages: Messages, shelf: DatabaseShelf) -> None:
         super().__init__()
         self._messages, self._shelf = messages, shelf
-        self.notice = MissingNotice()
         self.database = DatabaseBox()
         self.localize = LocalizeTab(canvas, self.database, messages, shelf)
         self.inspect = InspectTab(canvas)
@@ -69,7 +67,6 @@ class DockContent(QWidget):
         self.tabs.setCornerWidget(corner)
         self.tabs.setCurrentIndex(QgsSettings().value(_TAB_SETTING, LOCALIZE, type=int))
         layout = narrow(QVBoxLayout(self))
-        layout.addWidget(self.notice)
         layout.addWidget(self.database)
         layout.addWidget(self.tabs, 1)
 
@@ -79,7 +76,6 @@ class DockContent(QWidget):
         self.tabs.currentChanged.connect(self._remember_tab)
         self.help.clicked.connect(self.helpAsked)
         self.reset.clicked.connect(self.resetAsked)
-        self.localize.modelChosen.connect(self.notice.use_model)
         self.localize.hit.described.connect(self.inspect.compare_with)
         self.inspect.databaseWanted.connect(self._read_database)
         self.inspect.said.connect(self._messages.info)
@@ -90,7 +86,6 @@ class DockContent(QWidget):
         self._reader.failed.connect(self._messages.error)
         self._reader.broke.connect(self._messages.bug)
         self.correct.updating.use_database(self.database.path())
-        self.notice.use_model(self.localize.images.model_path())
 
     def minimumSizeHint(self) -> QSize:
         least = super().minimumSizeHint()

@@ -1,4 +1,4 @@
-"""The dock's shell: QGIS has it from the start, its content is made when it is opened for the first time."""
+"""The dock's shell: QGIS has it from the start; its content is made when it is opened and nothing for it is missing."""
 
 from __future__ import annotations
 
@@ -9,13 +9,16 @@ from qgis.core import QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
-from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QWidget
+from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
 from ...core.localization import Method
 from ...processing.exchange.database_layers import OPENED
+from ...processing.packages.components import OPENCV, missing
 from ...processing.translation import tr
+from ..packages.missing_notice import MissingNotice
 from ..project_state import DATABASE_SETTING, DockState, ProjectState, remembered_database
 from ..running.background import DatabaseShelf
+from ..widgets.layouts import narrow
 from ..widgets.messages import TAG, Messages
 
 if TYPE_CHECKING:
@@ -48,6 +51,14 @@ class SemRefDock(QgsDockWidget):
         # QGIS restores a dock's place by this name.
         self.setObjectName("SemRefDock")
         self.messages = Messages(message_bar)
+        self.notice = MissingNotice()
+        self.notice.installAsked.connect(self.installAsked)
+        whole = QWidget()
+        self._layout = narrow(QVBoxLayout(whole))
+        self._layout.addWidget(self.notice)
+        # Keeps the notice on top while there is no content.
+        self._layout.addStretch()
+        self.setWidget(whole)
         self._canvas = canvas
         self._shelf = DatabaseShelf()
         self._content: DockContent | None = None
@@ -63,6 +74,14 @@ class SemRefDock(QgsDockWidget):
     def let_open(self) -> None:
         """From now on the dock has its content made when it is shown; QGIS shows each dock once when it is added."""
         self._opens = True
+        if not self.isHidden():
+            self.fill()
+
+    def fill(self) -> None:
+        """Shows the content, or what has to be installed for it."""
+        self.notice.refresh()
+        if not self.notice.blocks:
+            self.content.show()
 
     @property
     def content(self) -> DockContent:
@@ -76,10 +95,11 @@ class SemRefDock(QgsDockWidget):
 
         content = DockContent(self._canvas, self.messages, self._shelf)
         content.helpAsked.connect(self.helpAsked)
-        content.notice.installAsked.connect(self.installAsked)
         content.resetAsked.connect(self._ask_to_reset)
         content.localize.found.connect(self._tell_found)
-        self.setWidget(content)
+        content.localize.modelChosen.connect(self.notice.use_model)
+        self.notice.use_model(content.localize.images.model_path())
+        self._layout.addWidget(content, 1)
         if self._wanted_state is not None:
             content.localize.show_state(self._wanted_state)
         return content
@@ -104,11 +124,13 @@ class SemRefDock(QgsDockWidget):
             self._content.shut_down()
 
     def read_database(self) -> ReferenceDatabase | None:
-        """The chosen database, None without one; for background threads.
+        """The chosen database, None without one or what it takes to read it; for background threads.
 
         Raises:
             DatabaseError: The file is no database, or can't be read.
         """
+        if missing([OPENCV]):
+            return None
         if self._content is not None:
             path = self._content.database.chosen
         else:
@@ -144,8 +166,8 @@ class SemRefDock(QgsDockWidget):
 
     def refresh_notice(self) -> None:
         """Looks again which packages are missing."""
-        if self._content is not None:
-            self._content.notice.refresh()
+        if self._opens and not self.isHidden():
+            self.fill()
 
     # --- the project ---
 
@@ -171,7 +193,7 @@ class SemRefDock(QgsDockWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         if self._opens:
-            self.content.show()
+            self.fill()
             if not QgsSettings().value(_SIZED_SETTING, False, type=bool):
                 QgsSettings().setValue(_SIZED_SETTING, True)
                 # Its window has not laid it out yet.

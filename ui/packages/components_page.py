@@ -41,14 +41,12 @@ from ...processing.packages.components import (
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
 from ..models.model_list import ModelsDialog
+from ..options import PAGE
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
 from .package_list import PackageList
 from .training_group import TrainingGroup
-
-PAGE = "SemRefOptions"
-"""Name by which QGIS opens the page."""
 
 _LOG_STRETCH = 100
 

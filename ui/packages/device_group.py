@@ -74,7 +74,9 @@ class DeviceGroup(QGroupBox):
         self.device.setCurrentIndex(max(0, self.device.findData(chosen)))
         lacking = [device for device in DEVICES if device not in there]
         each = ", ".join(f"{device.title} ({package_name(device)})" for device in lacking)
-        self.missing.setText(tr("Not there, with the Python package that brings it: {devices}.").format(devices=each))
+        self.missing.setText(
+            tr("Not available, with the Python package that each needs: {devices}.").format(devices=each)
+        )
         self.missing.setVisible(bool(lacking))
         self._offer([device for device in lacking if package_of(device) is not None])
 

@@ -1,4 +1,4 @@
-"""The line at the top of the dock while a Python package is missing that the dock can't do without."""
+"""The line at the top of the dock while a Python package is missing; all there is where nothing works without it."""
 
 from __future__ import annotations
 
@@ -6,20 +6,23 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
 
-from ...processing.packages.components import ONNXRUNTIME, OPENCV, missing
+from ...processing.packages.components import ONNXRUNTIME, OPENCV, OPTIONAL, PACKAGES, missing
 from ...processing.translation import tr
 
 _ICON_PX = 16
 
 
 class MissingNotice(QFrame):
-    """Shown only while something is missing that is needed; ``refresh`` looks again."""
+    """Shown only while something is missing that is needed; ``refresh`` looks again.
+
+    blocks: nothing can be done before it is installed.
+    """
 
     installAsked = pyqtSignal()
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
-        self._photos = False
+        self.blocks = self._photos = False
         self.setObjectName("SemRefMissing")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         icon = QLabel()
@@ -41,10 +44,12 @@ class MissingNotice(QFrame):
             self.refresh()
 
     def refresh(self) -> None:
-        lacking = missing([OPENCV])
-        sentence = tr("{packages} is missing; without it nothing can be localized.")
-        if not lacking and self._photos:
-            lacking = missing([ONNXRUNTIME])
+        self.blocks = bool(missing([OPENCV]))
+        if self.blocks:
+            lacking = missing(package for package in PACKAGES if package not in OPTIONAL)
+            sentence = tr("SemRef needs Python packages that this QGIS does not have yet: {packages}.")
+        else:
+            lacking = missing([ONNXRUNTIME]) if self._photos else []
             sentence = tr("{packages} is missing; without it the model can’t make labels of photos.")
         self.setVisible(bool(lacking))
         self.sentence.setText(sentence.format(packages=", ".join(package.title for package in lacking)))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from html import escape
 
 from qgis.core import Qgis, QgsMessageLog
-from qgis.gui import QgsMessageBar
+from qgis.gui import QgsMessageBar, QgsMessageBarItem
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
@@ -41,15 +41,17 @@ class Messages:
         """Something that could not be done."""
         self._bar.pushCritical(TAG, _shown(sentence))
 
-    def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
+    def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> QgsMessageBarItem:
         """Something that could not be done, and a button that mends it; the whole sentence is in its tool tip."""
-        self._push_with(sentence, button, pressed, Qgis.MessageLevel.Critical)
+        return self._push_with(sentence, button, pressed, Qgis.MessageLevel.Critical)
 
     def success_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
         """Something that was done, and a button for what comes next; stays until it is pressed or closed."""
         self._push_with(sentence, button, pressed, Qgis.MessageLevel.Success)
 
-    def _push_with(self, sentence: str, button: str, pressed: Callable[[], None], level: Qgis.MessageLevel) -> None:
+    def _push_with(
+        self, sentence: str, button: str, pressed: Callable[[], None], level: Qgis.MessageLevel
+    ) -> QgsMessageBarItem:
         item = self._bar.createMessage(TAG, _shown(sentence))
         next_step = QPushButton(button)
         next_step.clicked.connect(pressed)
@@ -57,6 +59,7 @@ class Messages:
         item.setToolTip(plain_tip(sentence))
         item.layout().addWidget(next_step)
         self._bar.pushWidget(item, level)
+        return item
 
     def bug(self, report: str) -> None:
         """One sentence in the bar, the traceback in the log panel."""

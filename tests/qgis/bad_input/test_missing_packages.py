@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import subprocess
-import sys
 
 import pytest
 from bad_input import (
@@ -41,30 +39,3 @@ def test_a_missing_or_old_shapely_is_told_where_it_is_needed(qgis_app, monkeypat
     assert '"shapely>=2' in reason or "install python3-shapely" in reason
     rasterize = registry.createAlgorithmById(RASTERIZE)
     assert rasterize.canExecute()[0]
-
-
-@pytest.mark.slow
-def test_provider_and_dock_can_be_made_without_opencv_shapely_and_onnxruntime(repository):
-    code = (
-        "import sys, importlib.util\n"
-        "sys.modules.update(cv2=None, shapely=None, onnxruntime=None)\n"
-        f"spec = importlib.util.spec_from_file_location('semref', {str(repository / '__init__.py')!r},"
-        f" submodule_search_locations=[{str(repository)!r}])\n"
-        "package = importlib.util.module_from_spec(spec)\n"
-        "sys.modules['semref'] = package\n"
-        "spec.loader.exec_module(package)\n"
-        "from qgis.core import QgsApplication\n"
-        "application = QgsApplication([], False)\n"
-        "application.initQgis()\n"
-        "import semref.ui.entry\n"
-        "from semref.processing.provider import SemRefProvider\n"
-        "provider = SemRefProvider()\n"
-        "QgsApplication.processingRegistry().addProvider(provider)\n"
-        "print(sorted(a.name() for a in provider.algorithms()))\n"
-        "sys.stdout.flush()\n"
-        "import os\n"
-        "os._exit(0)\n"
-    )
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=False)
-    assert answer.returncode == 0, answer.stderr
-    assert "'checkannotation', 'classifyopenstreetmap', 'classtable', 'combinedatabases'" in answer.stdout

@@ -1,0 +1,50 @@
+"""The plugin starts in a QGIS that has none of the packages that SemRef asks for; a process hides them."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+DATA = Path(__file__).resolve().parents[1] / "data"
+TIMEOUT_S = 120
+WITHOUT_PACKAGES = {"classifyopenstreetmap", "routesheet"}
+"""Algorithms that run in any QGIS."""
+
+
+@pytest.fixture(scope="module")
+def start() -> dict:
+    """What tests/data/bare_start.py saw."""
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen", "PYTHONPATH": str(DATA / "bare")}
+    command = [sys.executable, str(DATA / "bare_start.py")]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout.splitlines()[-1])
+
+
+def test_nothing_that_starts_with_qgis_imports_a_package_that_qgis_may_lack(start):
+    assert start["errors"] == []
+
+
+def test_the_dock_says_what_is_missing_and_leads_to_the_installer(start):
+    assert "OpenCV, Shapely, ONNX Runtime" in start["notice"]
+    assert start["options"] == ["SemRefOptions"]
+
+
+def test_the_sample_project_asks_for_its_packages(start):
+    assert [text for text in start["bar"] if "OpenCV, Shapely" in text]
+
+
+def test_each_algorithm_says_in_one_sentence_what_is_missing_and_where_to_install_it(start):
+    assert {name for name, told in start["refusals"].items() if not told} == WITHOUT_PACKAGES
+    for name, told in start["refusals"].items():
+        assert all("Settings ▸ Options ▸ SemRef" in sentence for sentence in told), (name, told)
+        assert len(set(told)) <= 1, (name, told)
+
+
+def test_openstreetmap_is_classified_in_any_qgis(start):
+    assert start["classified"] == 2
