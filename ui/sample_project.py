@@ -211,11 +211,10 @@ def fill_project(project: QgsProject, folder: Path) -> QgsReferencedRectangle:
     # Bottom first.
     for layer in (photo, labels, annotation):
         project.addMapLayer(layer)
-    database = add_database_to_map(str(folder / DATABASE_FILE), project).findLayers()
+    add_database_to_map(str(folder / DATABASE_FILE), project)
     label_node, photo_node = (project.layerTreeRoot().findLayer(layer.id()) for layer in (labels, photo))
-    for node in (label_node, *database[1:]):
-        node.setItemVisibilityChecked(False)
-    for node in (label_node, photo_node, *database):
+    label_node.setItemVisibilityChecked(False)
+    for node in (label_node, photo_node):
         node.setExpanded(False)
     extent = QgsReferencedRectangle(annotation.extent(), annotation.crs())
     project.viewSettings().setDefaultViewExtent(extent)

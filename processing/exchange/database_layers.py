@@ -1,4 +1,4 @@
-"""A reference database on the map: its layers with their own styles, as one group."""
+"""A reference database on the map: its layers with their own styles, as one group, and rasters that are opened."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from qgis.core import (
+    QgsLayerTree,
     QgsLayerTreeGroup,
     QgsMapLayer,
     QgsProcessingContext,
@@ -23,6 +24,7 @@ from ...storage.database.connection import no_database
 from ...storage.database.sets import is_set, parts_of
 from ..translation import tr
 from .column_names import name_columns
+from .layer_tree import leave_group, move, place_at_bottom
 
 REFERENCES, WINDOWS, OVERVIEW = "references", "windows", "overview"
 """The tables that are layers, from top to bottom."""
@@ -44,7 +46,7 @@ OPENED = Opened()
 
 
 def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLayer | None = None) -> QgsLayerTreeGroup:
-    """Adds references, windows and overview, from top to bottom, and gives their group.
+    """Adds references, windows and overview, from top to bottom, and gives their group; only references are visible.
 
     Args:
         path: Of the database, or of a set of them, each of which gets a group in the set's.
@@ -74,7 +76,7 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
 def _add_database(
     path: str, project: QgsProject, parent: QgsLayerTreeGroup, references: QgsVectorLayer | None = None
 ) -> QgsLayerTreeGroup:
-    added = [
+    added: list[QgsMapLayer] = [
         QgsVectorLayer(_table_source(path, WINDOWS), tr("Windows"), "ogr"),
         QgsRasterLayer(_overview_source(path), tr("Overview"), "gdal"),
     ]
@@ -96,9 +98,13 @@ def _add_database(
         references.setName(tr("Landmarks"))
         references.loadDefaultStyle()
         before = parent.findLayer(references.id())
-        group.insertLayer(0, references)
-        if before is not None:
-            before.parent().removeChildNode(before)
+        if before is None:
+            group.insertLayer(0, references)
+        else:
+            move(before, group, 0)
+    for node in group.findLayers():
+        node.setExpanded(False)
+        node.setItemVisibilityChecked(node.layerId() == shown[0].id())
     # After the styles: these have the language of whoever built the database.
     for layer in shown:
         if isinstance(layer, QgsVectorLayer):
@@ -135,14 +141,22 @@ def reload_database(path: str, project: QgsProject) -> None:
         layer.triggerRepaint()
 
 
-def open_when_done(path: str, output: str, context: QgsProcessingContext) -> None:
-    """Has QGIS open a database when the algorithm that wrote it is done, as it opens layers; scripts open nothing."""
+def open_when_done(path: str, labels: object, output: str, context: QgsProcessingContext) -> None:
+    """Has QGIS open a database when the algorithm that wrote it is done, as it opens layers; scripts open nothing.
+
+    Args:
+        path: Of the database.
+        labels: LABELS as given: where the same run opens that file as well, it joins the group of the database.
+        output: The key of the output.
+        context: Of the run.
+    """
     if context.project() is None:
         return
     details = QgsProcessingContext.LayerDetails(
         tr("Landmarks"), context.project(), output, QgsProcessingUtils.LayerHint.Vector
     )
-    _KEPT.append(_Opener(path))
+    is_opened = isinstance(labels, str) and context.willLoadLayerOnCompletion(labels)
+    _KEPT.append(_Opener(path, labels if is_opened else ""))
     del _KEPT[:-_MOST_KEPT]
     details.setPostProcessor(_KEPT[-1])
     context.addLayerToLoadOnCompletion(_table_source(path, REFERENCES), details)
@@ -151,9 +165,9 @@ def open_when_done(path: str, output: str, context: QgsProcessingContext) -> Non
 class _Opener(QgsProcessingLayerPostProcessorInterface):
     """QGIS opens one layer and calls this with it, in the main thread."""
 
-    def __init__(self, path: str) -> None:
+    def __init__(self, path: str, labels: str) -> None:
         super().__init__()
-        self._path = path
+        self._path, self._labels = path, labels
 
     def postProcessLayer(self, layer, context, feedback):
         project = context.project()
@@ -165,7 +179,40 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
             reload_database(self._path, project)
         else:
             add_database_to_map(self._path, project, layer)
+        self.take_labels(project)
         OPENED.database.emit(self._path)
+
+    def take_labels(self, project: QgsProject) -> None:
+        """Moves the label map of the same run into the group, invisible, once both are in the project."""
+        group = next((database_group(layer, project) for layer in database_layers(self._path, project)), None)
+        found = [layer for layer in project.mapLayers().values() if self._labels and layer.source() == self._labels]
+        if group is not None and found:
+            self._labels = ""
+            node = move(project.layerTreeRoot().findLayer(found[0].id()), group, len(group.children()))
+            node.setExpanded(False)
+            node.setItemVisibilityChecked(False)
+
+
+def place_new_layer(layer: QgsMapLayer, project: QgsProject | None) -> None:
+    """Moves a layer that QGIS has just opened to its place: never into the group of another database."""
+    if project is None:
+        return
+    if isinstance(layer, QgsRasterLayer):
+        place_at_bottom(layer, project)
+    else:
+        leave_group(layer, database_group(layer, project), project)
+    for opener in _KEPT:
+        opener.take_labels(project)
+
+
+def database_group(layer: QgsMapLayer, project: QgsProject) -> QgsLayerTreeGroup | None:
+    """The group of a layer, if it is that of a database."""
+    node = project.layerTreeRoot().findLayer(layer.id())
+    group = None if node is None else node.parent()
+    if group is None or group.parent() is None:
+        return None
+    layers = [child.layer() for child in group.children() if QgsLayerTree.isLayer(child)]
+    return group if any(one is not None and database_file(one) for one in layers) else None
 
 
 def _file_and_table(layer: QgsMapLayer) -> tuple[str, str]:

@@ -25,6 +25,7 @@ from qgis.PyQt.QtGui import QColor
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 from .column_names import name_columns
+from .database_layers import place_new_layer
 from .layer_notes import Note, keep_in_file
 from .palette import CASING, INK
 
@@ -144,6 +145,7 @@ def style_from_beside(path: str, context: QgsProcessingContext) -> None:
 class _BesideStyler(QgsProcessingLayerPostProcessorInterface):
     def postProcessLayer(self, layer, context, feedback):
         layer.loadDefaultStyle()
+        place_new_layer(layer, context.project())
         layer.triggerRepaint()
 
 
@@ -155,6 +157,7 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
     def postProcessLayer(self, layer, context, feedback):
         if isinstance(layer, QgsVectorLayer):
             self._look.give(layer)
+            place_new_layer(layer, context.project())
             layer.triggerRepaint()
 
 

@@ -71,7 +71,7 @@ class Outputs:
         for layer in self._layers:
             layer.announce(self._values.context)
         for key in self._opened:
-            open_when_done(self.results[key], key, self._values.context)
+            open_when_done(self.results[key], self._values.raw(offers.LABELS), key, self._values.context)
 
     def require(self, check: Callable[[], None]) -> None:
         """Has ``check`` called before anything moves, while no other run moves its outputs there; it may raise."""

@@ -349,3 +349,23 @@ def test_an_image_that_is_laid_on_the_map_has_its_crs_always(qgis_app, tmp_path)
         layer = add_placed(placed, "photo", wkt_for_gdal(crs), "", QgsProject.instance())
         assert layer.crs().authid() == "EPSG:32632"
     QgsProject.instance().clear()
+
+
+def test_an_image_that_is_laid_on_the_map_is_above_everything_else(qgis_app, area, tmp_path):
+    import numpy as np
+    from made_inputs import write_raster
+    from qgis.core import QgsLayerTreeRegistryBridge, QgsProject
+
+    from semref.processing.exchange.database_layers import add_database_to_map
+    from semref.ui.canvas.drapes import add_placed
+
+    project = QgsProject.instance()
+    group = add_database_to_map(area.database, project)
+    bridge, root = project.layerTreeRegistryBridge(), project.layerTreeRoot()
+    # As where the overview is selected among the layers.
+    bridge.setLayerInsertionPoint(QgsLayerTreeRegistryBridge.InsertionPoint(group, 2))
+    photo = add_placed(str(write_raster(tmp_path / "a.tif", np.zeros((3, 20, 20), np.uint8))), "photo", "", "", project)
+    assert project.layerTreeRoot().layerOrder()[0] is photo
+    assert root.children()[0].layerId() == photo.id()
+    bridge.setLayerInsertionPoint(QgsLayerTreeRegistryBridge.InsertionPoint(root, 0))
+    project.clear()

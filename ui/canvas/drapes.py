@@ -5,6 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsProject, QgsRasterLayer
 
 from ...core.errors import LabelMapError
+from ...processing.exchange.layer_tree import place_on_top
 
 OPACITY = 0.6
 
@@ -32,7 +33,7 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
 
 
 def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: QgsProject) -> QgsRasterLayer:
-    """Adds what ``place_image`` gave to the project, half-transparent, above the other layers.
+    """Adds what ``place_image`` gave to the project, half-transparent, above all other layers.
 
     Label values get the colors of ``database``. Raises LabelMapError.
     """
@@ -48,5 +49,5 @@ def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: Qgs
         # QGIS asks nobody about a layer that SemRef has placed itself.
         layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(crs_wkt))
     layer.setOpacity(OPACITY)
-    project.addMapLayer(layer)
+    place_on_top(layer, project)
     return layer

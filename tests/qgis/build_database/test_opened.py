@@ -6,13 +6,30 @@ import shutil
 
 import pytest
 from built_database import BUILD, MINIMUM_AREA, SIZE, STRIDE
-from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
+from made_inputs import square, write_layer
+from qgis.core import (
+    QgsApplication,
+    QgsLayerTreeRegistryBridge,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingOutputLayerDefinition,
+    QgsProject,
+    QgsRasterLayer,
+)
 
 
 @pytest.fixture
 def project(qgis_app):
     yield QgsProject.instance()
+    # Before its group is deleted.
+    add_layers_to(QgsProject.instance().layerTreeRoot())
     QgsProject.instance().clear()
+
+
+def add_layers_to(group) -> None:
+    """Has QGIS add new layers to a group, as it does where a layer of it is selected."""
+    point = QgsLayerTreeRegistryBridge.InsertionPoint(group, 0)
+    QgsProject.instance().layerTreeRegistryBridge().setLayerInsertionPoint(point)
 
 
 @pytest.fixture
@@ -85,3 +102,65 @@ def test_an_updated_database_is_opened_likewise(run_as_dialog, project, label_ma
         {"DATABASE": str(copy), "LABELS": str(label_map), "OUTPUT": str(copy), "OPEN_OUTPUT": True},
     )
     assert groups(project) == [("updated", ["Landmarks", "Windows", "Overview"])]
+
+
+def opened(path) -> QgsProcessingOutputLayerDefinition:
+    """An output that QGIS opens."""
+    return QgsProcessingOutputLayerDefinition(str(path), QgsProject.instance())
+
+
+def visible(project) -> list:
+    """Names of the layers that are drawn, from top to bottom, with their groups."""
+    nodes = [node for node in project.layerTreeRoot().findLayers() if node.isVisible()]
+    return ["/".join(filter(None, (node.parent().name(), node.name()))) for node in nodes]
+
+
+@pytest.fixture
+def make_database(run_as_dialog, tmp_path):
+    """`make_database(name)` runs “Annotation to reference database” on some polygons, with files of that name."""
+    features = [(square(70 * (n % 5), 70 * (n // 5) + 3 * n % 17, 12), "building") for n in range(25)]
+    polygons = write_layer(tmp_path / "annotation.gpkg", features)
+
+    def make(name: str) -> None:
+        run_as_dialog(
+            "semref:annotationtodatabase",
+            {
+                "INPUT": str(polygons),
+                "CLASS_FIELD": "class",
+                "REFERENCE_CLASSES": "building",
+                "WINDOW_SIZE": 200,
+                "STRIDE": 50,
+                "rasterize:Label map": opened(tmp_path / f"{name}.tif"),
+                "build:Reference database": str(tmp_path / f"{name}.gpkg"),
+            },
+        )
+
+    return make
+
+
+def test_each_database_has_its_own_group_in_which_only_landmarks_are_visible(make_database, project):
+    make_database("first")
+    content = ["Landmarks", "Windows", "Overview", "Label map"]
+    assert groups(project) == [("first", content)] and visible(project) == ["first/Landmarks"]
+    add_layers_to(project.layerTreeRoot().children()[0])
+    make_database("second")
+    assert groups(project) == [("second", content), ("first", content)]
+    assert visible(project) == ["second/Landmarks", "first/Landmarks"]
+
+
+def test_a_new_label_map_is_below_the_users_layers_and_above_map_tiles(run_as_dialog, project, label_map, tmp_path):
+    run_as_dialog(BUILD, build_parameters(label_map, tmp_path / "area.gpkg", OPEN_OUTPUT=True))
+    root = project.layerTreeRoot()
+    tiles = QgsRasterLayer("type=xyz&url=http://localhost/{z}/{x}/{y}.png", "tiles", "wms")
+    for layer in (tiles, QgsRasterLayer(str(label_map), "orthophoto")):
+        project.addMapLayer(layer, False)
+        root.insertLayer(1, layer)
+    for number in range(2):
+        add_layers_to(project.layerTreeRoot().children()[0])
+        polygons = write_layer(tmp_path / f"{number}.gpkg", [(square(10, 10, 5), "building")])
+        rasterized = {"INPUT": str(polygons), "CLASS_FIELD": "class", "OUTPUT": opened(tmp_path / f"{number}.tif")}
+        run_as_dialog("semref:rasterizeannotation", rasterized)
+        names = [name for name, _ in groups(project)]
+        assert names == ["area", "orthophoto", *["Label map"] * (number + 1), "tiles"]
+    run_as_dialog("semref:checkannotation", {**rasterized, "ISSUES": opened(tmp_path / "issues.gpkg")})
+    assert [name for name, _ in groups(project)][:2] == ["Issues", "area"]
