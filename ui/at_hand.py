@@ -11,30 +11,29 @@ from ..processing.compat import POLYGON_GEOMETRY
 from ..processing.exchange.database_layers import database_file
 from ..processing.inspection.models import base_model
 from ..storage.text_tables import CLASSES_FILE, read_class_table
+from .fields.guessed import class_field_of, class_of_all, named_class_field, priority_field_of
 from .layer_files import layer_file, raster_layers
-
-_CLASS_FIELDS, _PRIORITY_FIELDS = ("class",), ("priority", "zorder")
-"""As “Classify OpenStreetMap” and the sample area call them."""
 
 _COLOR_BANDS = 3
 _MOST_READ = 100_000
 
 
 def annotation_at_hand(project: QgsProject) -> dict[str, str]:
-    """INPUT, CLASS_FIELD, PRIORITY_FIELD and CLASS_TABLE, as far as there is one that they can only be.
+    """INPUT, CLASS_FIELD or CLASS, PRIORITY_FIELD and CLASS_TABLE, as far as there is one that they can only be.
 
-    The project's one polygon layer, or its one with a field ``class``; QGIS would begin with the layer that is selected
-    among the layers, and with its first field, which numbers the polygons of most files.
+    The project's one polygon layer, or its one with a field ``class``; QGIS would begin with the layer that is
+    selected.
     """
     layers = [layer for layer in project.mapLayers().values() if _may_be_annotation(layer)]
-    named = [layer for layer in layers if _field(layer, _CLASS_FIELDS)]
+    named = [layer for layer in layers if named_class_field(layer)]
     layer = _only(named) or _only(layers)
     if layer is None:
         return {}
     found = {
         "INPUT": layer.id(),
-        "CLASS_FIELD": _field(layer, _CLASS_FIELDS) or _only(_text_fields(layer)),
-        "PRIORITY_FIELD": _field(layer, _PRIORITY_FIELDS),
+        "CLASS_FIELD": class_field_of(layer),
+        "CLASS": class_of_all(layer),
+        "PRIORITY_FIELD": priority_field_of(layer),
         "CLASS_TABLE": _table_beside(layer),
     }
     return {key: value for key, value in found.items() if value}
@@ -57,7 +56,9 @@ def training_at_hand(project: QgsProject, model: str = "") -> dict[str, str]:
 
 
 def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
-    """The annotation's classes, in small letters; of a table beside it, or else what its text field says."""
+    """The annotation's classes, in small letters: the one of all, of a table beside it, or what its text field says."""
+    if "CLASS" in found:
+        return {found["CLASS"]}
     if "CLASS_TABLE" in found:
         try:
             return {one.name.casefold() for one in read_class_table(found["CLASS_TABLE"]) if one.value}
@@ -76,12 +77,6 @@ def _may_be_annotation(layer: QgsMapLayer) -> bool:
     if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
         return False
     return not database_file(layer)
-
-
-def _field(layer: QgsVectorLayer, names: tuple[str, ...]) -> str:
-    """The layer's own spelling of the first of these names; empty without any."""
-    spelled = {name.lower(): name for name in layer.fields().names()}
-    return next((spelled[name] for name in names if name in spelled), "")
 
 
 def _text_fields(layer: QgsVectorLayer) -> list[str]:

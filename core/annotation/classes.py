@@ -6,7 +6,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..errors import AnnotationError
-from ..labels.class_table import ClassTable, LandCoverClass, chosen_colors, require_class_count, shortened
+from ..labels.class_table import (
+    BACKGROUND,
+    REFERENCE,
+    ClassTable,
+    LandCoverClass,
+    chosen_colors,
+    require_class_count,
+    shortened,
+)
 
 StyledClass = tuple[tuple[object, ...], str, str]
 """Raw values of the class field that one class stands for, its name, its color or an empty text."""
@@ -84,8 +92,10 @@ def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
         labels = texts
     numbers = [int(t) for t in texts] if as_values else list(range(1, len(texts) + 1))
     chosen = chosen_colors(zip(numbers, labels))
+    # Landmarks can only be of it.
+    role = REFERENCE if len(found) == 1 else BACKGROUND
     classes = [
-        LandCoverClass(number, label, color or other)
+        LandCoverClass(number, label, color or other, role)
         for number, label, (_, _, color), other in zip(numbers, labels, found, chosen)
     ]
     by_raw = {raw_text(value): number for number, (values, _, _) in zip(numbers, found) for value in values}

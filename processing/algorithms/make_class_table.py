@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from ...core.errors import ClassTableError, ParameterError
 from ..framework import offers
-from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..framework.annotation import AnnotationAlgorithm
+from ..framework.base import Declared, check_canceled
 from ..framework.class_presets import PRESETS
 from ..framework.declarations import Choice, FileOutput, NumberResult
 from ..translation import tr
@@ -19,12 +20,11 @@ if TYPE_CHECKING:
     from ..framework.values import Values
 
 
-class MakeClassTable(SemRefAlgorithm):
+class MakeClassTable(AnnotationAlgorithm):
     ID = "classtable"
-    GROUP = ANNOTATION
     TAGS = ("class table", "classes", "legend", "colors", "csv", "nomenclature", "openstreetmap", "corine", "lcdb")
 
-    INPUT, CLASS_FIELD, REFERENCE_CLASSES = offers.INPUT, offers.CLASS_FIELD, offers.REFERENCE_CLASSES
+    REFERENCE_CLASSES = offers.REFERENCE_CLASSES
     OUTPUT = "OUTPUT"
     PRESET = "PRESET"
     CLASS_COUNT = "CLASS_COUNT"
@@ -42,7 +42,7 @@ class MakeClassTable(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            *offers.annotation()[:2],
+            *offers.annotation()[:3],
             offers.reference_classes(
                 tr(
                     "Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those "
@@ -68,12 +68,6 @@ class MakeClassTable(SemRefAlgorithm):
             ),
             NumberResult(self.CLASS_COUNT, tr("Number of classes")),
         )
-
-    def read_layers(self, values: Values) -> None:
-        from ..exchange.annotation import annotation_source
-
-        layer = values.vector(self.INPUT)
-        self._source = annotation_source(layer, values.raw(self.INPUT), values.text(self.CLASS_FIELD), "")
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.labels.class_proposal import proposed_table

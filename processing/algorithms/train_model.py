@@ -196,8 +196,7 @@ class TrainModel(AnnotationAlgorithm):
 
         if values.has(self.INPUT) == values.has(self.LABELS):
             raise ParameterError("algorithms.annotation_or_labels")
-        if values.has(self.INPUT) and not values.text(self.CLASS_FIELD):
-            raise ParameterError("algorithms.no_class_field")
+        super().check(values)
         training_python(values.file(self.PYTHON))
 
     def read_layers(self, values: Values) -> None:
@@ -338,7 +337,7 @@ class TrainModel(AnnotationAlgorithm):
             return {**found, "labels": stamp(self._labels.path)}
         source = self._source
         # What lies on top counts only where it is asked: runs canceled before it could be are gone on with.
-        fields = filter(None, (values.text(self.CLASS_FIELD), values.text(self.PRIORITY_FIELD)))
+        fields = filter(None, (values.text(key) for key in (self.CLASS_FIELD, self.PRIORITY_FIELD, self.CLASS)))
         return {
             **found,
             "labels": [source.name, source.count, source.extent.toString(3), *fields],

@@ -12,6 +12,7 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
+    QgsExpression,
     QgsFeature,
     QgsFeatureRequest,
     QgsGeometry,
@@ -39,7 +40,8 @@ class AnnotationSource:
     """A snapshot of an annotation layer that a worker thread may read while the layer is edited or removed.
 
     ``styled``: the classes of the layer's categorised renderer (raw values, label, color), if it classifies
-    ``class_field``; ``unstyled_allowed``: whether that renderer has a category for all other values.
+    ``class_field``; ``unstyled_allowed``: whether that renderer has a category for all other values; ``class_of_all``:
+    the class of every feature where no field is used.
     """
 
     name: str
@@ -53,6 +55,18 @@ class AnnotationSource:
     priority_index: int
     styled: tuple[StyledClass, ...]
     unstyled_allowed: bool
+    class_of_all: str = ""
+
+    def raw_class(self, feature: QgsFeature) -> object:
+        """What a feature has for its class, NULL for nothing; ``class_lookup`` gives its value."""
+        return self.class_of_all or feature.attribute(self.class_index)
+
+    @property
+    def class_expression(self) -> str:
+        """What a style classifies by: the field, or the class of all as a text."""
+        if self.class_of_all:
+            return QgsExpression.quotedString(self.class_of_all)
+        return self.features.fields().at(self.class_index).name()
 
 
 @dataclass
@@ -96,11 +110,12 @@ def _features(number: int) -> str:
 
 
 def annotation_source(
-    layer: QgsVectorLayer | None, definition: object, class_field: str, priority_field: str
+    layer: QgsVectorLayer | None, definition: object, class_field: str, priority_field: str, class_of_all: str = ""
 ) -> AnnotationSource:
     """Takes what is needed out of a layer, in the thread it lives in. Raises AnnotationError.
 
     ``definition``: the parameter's value; "selected features only" and a filter expression in it are heeded.
+    ``class_of_all``: the class of every feature; the class field is not used then.
     """
     if layer is None or not layer.isValid():
         raise AnnotationError("exchange.no_vector_layer")
@@ -108,7 +123,7 @@ def annotation_source(
         kind = QgsWkbTypes.displayString(layer.wkbType())
         raise AnnotationError("exchange.no_polygons", layer=layer.name(), kind=kind)
     fields = layer.fields()
-    class_index = _field_index(layer, class_field, "CLASS_FIELD")
+    class_index = -1 if class_of_all else _field_index(layer, class_field, "CLASS_FIELD")
     priority_index = _field_index(layer, priority_field, "PRIORITY_FIELD") if priority_field else -1
     if priority_index >= 0 and not fields.at(priority_index).isNumeric():
         raise AnnotationError("exchange.priority_not_numbers", priority_field=priority_field)
@@ -121,7 +136,7 @@ def annotation_source(
             count, extent = layer.selectedFeatureCount(), layer.boundingBoxOfSelected()
         if getattr(definition, "filterExpression", ""):
             request.setFilterExpression(definition.filterExpression)
-    styled, unstyled_allowed = _styled_classes(layer, class_field)
+    styled, unstyled_allowed = ((), False) if class_of_all else _styled_classes(layer, class_field)
     return AnnotationSource(
         layer.name(),
         layer.crs(),
@@ -130,10 +145,11 @@ def annotation_source(
         request,
         count,
         class_index,
-        fields.at(class_index).isNumeric(),
+        not class_of_all and fields.at(class_index).isNumeric(),
         priority_index,
         styled,
         unstyled_allowed,
+        class_of_all,
     )
 
 
@@ -192,6 +208,8 @@ def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[
 
 
 def _distinct_values(source: AnnotationSource, canceled: Callable[[], bool]) -> list[object]:
+    if source.class_of_all:
+        return [source.class_of_all]
     request = QgsFeatureRequest(source.request)
     request.setFlags(QgsFeatureRequest.NoGeometry)
 
@@ -215,7 +233,7 @@ def burn_polygons(
 ) -> Iterator[list[BurnPolygon]]:
     """The polygons of each feature, one list a feature (empty when it is skipped); ``counts`` is kept up to date."""
     for feature in source.features.getFeatures(source.request):
-        raw = feature.attribute(source.class_index)
+        raw = source.raw_class(feature)
         geometry = feature.geometry()
         if geometry.isNull() or geometry.isEmpty():
             counts.empty += 1

@@ -88,7 +88,7 @@ def _class_value(
     feature: QgsFeature, source: AnnotationSource, lookup: ClassLookup, about: dict, findings: list[Finding]
 ) -> int:
     """The class value, NOTHING without one that counts; appends what is wrong with it."""
-    raw = feature.attribute(source.class_index)
+    raw = source.raw_class(feature)
     if is_null(raw) or not raw_text(raw):
         findings.append(Finding(NO_CLASS, ERROR, **about))
         return NOTHING

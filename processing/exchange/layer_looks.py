@@ -56,8 +56,7 @@ def repaired_look(lookup: ClassLookup, source: AnnotationSource) -> Look:
         symbol = QgsFillSymbol.createSimple({"color": one.color, "outline_style": "no"})
         for raw in lookup.raw_values(one.value, source.class_is_number):
             categories.append(QgsRendererCategory(raw, symbol.clone(), one.name))
-    name = source.features.fields().at(source.class_index).name()
-    return Look(QgsCategorizedSymbolRenderer(name, categories), is_own=False)
+    return Look(QgsCategorizedSymbolRenderer(source.class_expression, categories), is_own=False)
 
 
 def land_cover_look(names: Sequence[str], class_field: str, priority_field: str) -> Look:

@@ -73,7 +73,7 @@ def classes_on(
     request = QgsFeatureRequest(source.request)
     request.setFilterRect(shared)
     for feature in source.features.getFeatures(request):
-        raw = feature.attribute(source.class_index)
+        raw = source.raw_class(feature)
         found |= {None if is_null(raw) else lookup.value(raw)} - {None, UNLABELED}
         if len(found) > 1 or canceled():
             break

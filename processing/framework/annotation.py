@@ -35,8 +35,13 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
     INPUT = offers.INPUT
     CLASS_FIELD = offers.CLASS_FIELD
+    CLASS = offers.CLASS
     PRIORITY_FIELD = offers.PRIORITY_FIELD
     CLASS_TABLE = offers.CLASS_TABLE
+
+    def check(self, values: Values) -> None:
+        if values.has(self.INPUT) and not (values.text(self.CLASS_FIELD) or values.text(self.CLASS).strip()):
+            raise ParameterError("algorithms.no_class_field")
 
     def read_layers(self, values: Values) -> None:
         from ..exchange.annotation import annotation_source
@@ -46,6 +51,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
             values.raw(self.INPUT),
             values.text(self.CLASS_FIELD),
             values.text(self.PRIORITY_FIELD),
+            values.text(self.CLASS).strip(),
         )
 
     def classes(self, values: Values, feedback: QgsProcessingFeedback) -> ClassLookup:

@@ -36,9 +36,10 @@ WIDGETS: dict[str, str] = {}
 """Classes of widgets by kind, as “package.module.Class”: filled where there are windows, empty elsewhere."""
 
 DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET, CLASS_TABLE_WIDGET = "database", "model", "open", "class table"
-CLASS_FIELD_WIDGET = "class field"
+CLASS_FIELD_WIDGET, CLASS_NAME_WIDGET = "class field", "class name"
 """Kinds of widgets: a file box that offers the databases, or the models, that are at hand; a box ticked in a dialog; a
-file box with a button that edits the class table; a box of fields that begins with the likeliest class field."""
+file box with a button that edits the class table; a box of fields that begins with the likeliest class field; a box for
+the name of one class."""
 
 
 @dataclass(frozen=True)

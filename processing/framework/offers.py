@@ -6,6 +6,7 @@ from ..compat import SOURCE_POLYGON
 from ..translation import tr
 from .declarations import (
     CLASS_FIELD_WIDGET,
+    CLASS_NAME_WIDGET,
     CLASS_TABLE_WIDGET,
     DATABASE_WIDGET,
     MODEL_WIDGET,
@@ -24,7 +25,8 @@ from .declarations import (
 )
 
 DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
-INPUT, CLASS_FIELD, PRIORITY_FIELD, CLASS_TABLE = "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE"
+INPUT, CLASS_FIELD, CLASS = "INPUT", "CLASS_FIELD", "CLASS"
+PRIORITY_FIELD, CLASS_TABLE = "PRIORITY_FIELD", "CLASS_TABLE"
 REFERENCE_CLASSES, REPORT, SEED = "REFERENCE_CLASSES", "REPORT", "SEED"
 VALIDATION_FRACTION = "VALIDATION_FRACTION"
 EXTENT, MASK, RESOLUTION = "EXTENT", "MASK", "RESOLUTION"
@@ -137,9 +139,17 @@ def annotation() -> tuple[Parameter, ...]:
         FieldOf(
             CLASS_FIELD,
             tr("Class field"),
-            tr("Text or number field that tells the class of each polygon."),
+            tr("Text or number field that tells the class of each polygon. Not needed if all are of one class."),
+            optional=True,
             layer_key=INPUT,
             widget=CLASS_FIELD_WIDGET,
+        ),
+        Text(
+            CLASS,
+            tr("All polygons are"),
+            tr("The class of every polygon, such as “building”. If you enter one, the class field is not used."),
+            optional=True,
+            widget=CLASS_NAME_WIDGET,
         ),
         FieldOf(
             PRIORITY_FIELD,

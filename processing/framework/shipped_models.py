@@ -13,9 +13,22 @@ from ..translation import tr
 from ..version import algorithm_help_url
 from . import offers
 from .base import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
-from .declarations import DATABASE_WIDGET, MODEL_WIDGET, WIDGETS
+from .declarations import (
+    CLASS_FIELD_WIDGET,
+    CLASS_NAME_WIDGET,
+    CLASS_TABLE_WIDGET,
+    DATABASE_WIDGET,
+    MODEL_WIDGET,
+    WIDGETS,
+)
 
-_WIDGETS = {offers.DATABASE: DATABASE_WIDGET, offers.MODEL: MODEL_WIDGET}
+_WIDGETS = {
+    offers.DATABASE: DATABASE_WIDGET,
+    offers.MODEL: MODEL_WIDGET,
+    offers.CLASS_TABLE: CLASS_TABLE_WIDGET,
+    offers.CLASS_FIELD: CLASS_FIELD_WIDGET,
+    offers.CLASS: CLASS_NAME_WIDGET,
+}
 """Widgets of the models' parameters, by name."""
 
 MODELS = Path(__file__).resolve().parents[2] / "models"

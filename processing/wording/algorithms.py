@@ -40,7 +40,7 @@ SENTENCES = {
     ),
     "algorithms.changed_without_polygon": "{key} has no polygon; leave it out to find the changes by comparing.",
     "algorithms.annotation_or_labels": "Give either an annotation layer (INPUT) or a label map (LABELS).",
-    "algorithms.no_class_field": "CLASS_FIELD is empty; choose the field that tells the class of each polygon.",
+    "algorithms.no_class_field": "Choose the class field of the polygons, or enter the one class that all of them are.",
     "algorithms.other_training": (
         "{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or "
         "turn RESUME off to begin anew."

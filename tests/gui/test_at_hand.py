@@ -58,8 +58,15 @@ def test_of_several_layers_the_one_with_classes_is_taken(add, project):
 def test_the_only_text_field_tells_classes_and_numbers_do_not(add, project):
     from semref.ui.at_hand import annotation_at_hand
 
-    layer = add("houses", [("number", "integer"), ("kind", "text")])
+    layer = add("cover", [("number", "integer"), ("kind", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "kind"}
+
+
+def test_buildings_without_a_class_field_are_all_of_one_class(add, project):
+    from semref.ui.at_hand import annotation_at_hand
+
+    layer = add("buildings", [("osm_id", "integer"), ("building", "text")])
+    assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS": "building"}
 
 
 @pytest.fixture

@@ -167,34 +167,30 @@ def test_a_dialog_begins_with_the_class_field_and_not_with_the_first_one(dialog_
     assert wrappers["CLASS_FIELD"].parameterValue() == "Class"
 
 
-def test_without_the_plugins_box_qgis_begins_with_the_first_field_of_the_selected_layer(
-    dialog_of, polygons, iface, monkeypatch
-):
-    from semref.ui.fields.dialog_widgets import offer_widgets, withdraw_widgets
-
-    first, second = polygons("id:integer", "class:string"), polygons("number:integer", "class:string")
-    withdraw_widgets()
-    try:
-        for layer, field in ((first, "id"), (second, "number")):
-            monkeypatch.setattr(iface, "activeLayer", lambda layer=layer: layer, raising=False)
-            wrappers = dialog_of("rasterizeannotation")
-            assert wrappers["INPUT"].parameterValue() == layer.id()
-            assert wrappers["CLASS_FIELD"].parameterValue() == field
-    finally:
-        offer_widgets()
-
-
-def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_its_first(dialog_of, polygons):
+def test_the_class_field_follows_the_layer_and_its_style_and_a_layer_without_one_shows_none(dialog_of, polygons):
     from qgis.core import QgsCategorizedSymbolRenderer
 
     first, second, third = (
-        polygons("id:integer", *more) for more in (["class:string"], ["cover:string"], ["a:string"])
+        polygons("id:integer", *more) for more in (["class:string"], ["cover:string"], ["n:integer"])
     )
     second.setRenderer(QgsCategorizedSymbolRenderer("cover", []))
     wrappers = dialog_of("rasterizeannotation")
-    for layer, field in ((first, "class"), (second, "cover"), (third, "id"), (first, "class")):
+    for layer, field in ((first, "class"), (second, "cover"), (third, None), (first, "class")):
         set_value(wrappers["INPUT"], layer.id())
         assert wrappers["CLASS_FIELD"].parameterValue() == field
+
+
+@pytest.mark.parametrize("algorithm", [*WITH_A_CLASS, "annotationtodatabase", "correctiontodatabase"])
+def test_a_layer_of_buildings_needs_no_class_field_in_any_dialog(dialog_of, polygons, algorithm):
+    buildings, cover = polygons("osm_id:integer", "building:string"), polygons("osm_id:integer", "class:string")
+    wrappers = dialog_of(algorithm, INPUT=cover.id())
+    field, of_all = wrappers["CLASS_FIELD"], wrappers["CLASS"]
+    assert (field.parameterValue(), of_all.parameterValue()) == ("class", None)
+    set_value(wrappers["INPUT"], buildings.id())
+    assert (field.parameterValue(), of_all.parameterValue()) == (None, "building")
+    assert not field.wrappedWidget().isEnabled()
+    set_value(of_all, "")
+    assert field.wrappedWidget().isEnabled()
 
 
 def test_a_class_field_that_is_given_or_chosen_stays(dialog_of, polygons):

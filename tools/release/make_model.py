@@ -80,11 +80,13 @@ def annotation_parameters() -> list:
         QgsProcessingParameterFeatureSource,
         QgsProcessingParameterField,
         QgsProcessingParameterFile,
+        QgsProcessingParameterString,
     )
 
     return [
         QgsProcessingParameterFeatureSource("INPUT", "Annotation layer", [QgsProcessing.TypeVectorPolygon]),
-        QgsProcessingParameterField("CLASS_FIELD", "Class field", parentLayerParameterName="INPUT"),
+        QgsProcessingParameterField("CLASS_FIELD", "Class field", parentLayerParameterName="INPUT", optional=True),
+        QgsProcessingParameterString("CLASS", "All polygons are", optional=True),
         QgsProcessingParameterField(
             "PRIORITY_FIELD", "Priority field", parentLayerParameterName="INPUT", optional=True
         ),
@@ -120,7 +122,7 @@ def annotation_to_database():
             other_ground(),
         ],
     )
-    rasterized = same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE", "PIXEL_SIZE", "OTHER_GROUND")
+    rasterized = same("INPUT", "CLASS_FIELD", "CLASS", "PRIORITY_FIELD", "CLASS_TABLE", "PIXEL_SIZE", "OTHER_GROUND")
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Label map"})
     built = same("REFERENCE_CLASSES", "WINDOW_SIZE", "STRIDE", "MINIMUM_AREA")
     # The model designer finds an error where a parameter that must be given is left to its default.
@@ -178,7 +180,7 @@ def correction_to_database():
     maker.step("pixels", "native:rasterlayerproperties", {"INPUT": "LABELS"}, {})
     # A layer stands for its extent and for its CRS.
     grid = {"PIXEL_SIZE": ("pixels", "PIXEL_WIDTH"), "EXTENT": "LABELS", "TARGET_CRS": "LABELS"}
-    rasterized = {**same("INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE", "OTHER_GROUND"), **grid}
+    rasterized = {**same("INPUT", "CLASS_FIELD", "CLASS", "PRIORITY_FIELD", "CLASS_TABLE", "OTHER_GROUND"), **grid}
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Corrected label map"})
     updated = {**same("DATABASE", "CHANGED"), "LABELS": ("rasterize", "OUTPUT"), "OPEN_OUTPUT": True}
     maker.step("update", "semref:updatedatabase", updated, {"OUTPUT": "Updated database"})

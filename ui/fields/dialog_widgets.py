@@ -26,8 +26,10 @@ from qgis.gui import (
 from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QWidget
 
+from ...processing.framework import offers
 from ...processing.framework.declarations import (
     CLASS_FIELD_WIDGET,
+    CLASS_NAME_WIDGET,
     CLASS_TABLE_WIDGET,
     DATABASE_WIDGET,
     MODEL_WIDGET,
@@ -35,7 +37,8 @@ from ...processing.framework.declarations import (
     WIDGETS,
 )
 from ..class_table.edit_button import EditButton
-from .guessed import class_field_of
+from .class_name_box import ClassNameBox
+from .guessed import class_field_of, class_of_all
 from .known import DATABASE, MODEL, chosen
 from .known_button import KnownButton
 
@@ -52,6 +55,7 @@ def offer_widgets() -> None:
             OPEN_WIDGET: f"{__name__}.OpenWidget",
             CLASS_TABLE_WIDGET: f"{__name__}.ClassTableWidget",
             CLASS_FIELD_WIDGET: f"{__name__}.ClassFieldWidget",
+            CLASS_NAME_WIDGET: f"{__name__}.ClassNameWidget",
         }
     )
 
@@ -101,12 +105,25 @@ class ClassTableWidget:
 class ClassFieldWidget:
     """A box of the layer's fields that begins with the one that tells classes, not with the first one."""
 
+    @staticmethod
+    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
+        """The wrapper outside of the model designer."""
+        return _ClassFieldWrapper(parameter, kind_of_dialog)
+
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
         name = type(dialog).__name__
-        is_model = name == _MODELER
-        wrapper = _of_designer(parameter, dialog) if is_model else _ClassFieldWrapper(parameter, _type_of(name))
+        wrapper = _of_designer(parameter, dialog) if name == _MODELER else cls.made(parameter, _type_of(name))
         wrapper.setDialog(dialog)
         return wrapper
+
+
+class ClassNameWidget(ClassFieldWidget):
+    """A box for the class of all polygons, which a layer of buildings begins with."""
+
+    @staticmethod
+    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
+        """The wrapper outside of the model designer."""
+        return _ClassNameWrapper(parameter, kind_of_dialog)
 
 
 class OpenWidget:
@@ -155,21 +172,15 @@ class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
         self.widgetValueHasChanged.emit(self)
 
 
-class _ClassFieldWrapper(QgsAbstractProcessingParameterWidgetWrapper):
-    """QGIS's box of fields, which follows the layer of the dialog; whoever gives a field afterwards is heeded."""
+class _LayerWrapper(QgsAbstractProcessingParameterWidgetWrapper):
+    """A box that follows the annotation layer of its dialog; a value that is given afterwards stays."""
 
-    def createWidget(self):
-        box = QgsFieldComboBox()
-        box.setToolTip(self.parameterDefinition().toolTip())
-        box.fieldChanged.connect(self._tell)
-        # As for the box of a file: the connection keeps Python's half of it until the box is gone.
-        box.destroyed.connect(lambda *_, half=box: None)
-        return box
+    _layer: QgsVectorLayer | None = None
 
     def postInitialize(self, wrappers):
         super().postInitialize(wrappers)
         for wrapper in wrappers:
-            if wrapper.parameterDefinition().name() == self.parameterDefinition().parentLayerParameterName():
+            if wrapper.parameterDefinition().name() == offers.INPUT:
                 wrapper.widgetValueHasChanged.connect(self._use_layer_of)
                 self._use_layer_of(wrapper)
 
@@ -179,14 +190,36 @@ class _ClassFieldWrapper(QgsAbstractProcessingParameterWidgetWrapper):
         context = QgsProcessingContext()
         context.setProject(QgsProject.instance())
         layer = QgsProcessingParameters.parameterAsVectorLayer(definition, {definition.name(): value}, context)
-        box = self._box()
-        if layer is not None and _same(layer, box.layer()):
-            return
-        self._context = context
-        box.setLayer(layer)
-        guessed = class_field_of(layer) if layer is not None else ""
-        if guessed:
-            box.setField(guessed)
+        if layer is None or not _same(layer, self._layer):
+            self._context, self._layer = context, layer
+            self.show_layer(layer)
+
+    def show_layer(self, layer: QgsVectorLayer | None) -> None:
+        """Shows what the layer begins with."""
+        raise NotImplementedError
+
+    def _kept(self, box: QWidget) -> QWidget:
+        box.setToolTip(self.parameterDefinition().toolTip())
+        # As for the box of a file: the connection keeps Python's half of it until the box is gone.
+        box.destroyed.connect(lambda *_, half=box: None)
+        return box
+
+    def _tell(self, *_value) -> None:
+        self.widgetValueHasChanged.emit(self)
+
+
+class _ClassFieldWrapper(_LayerWrapper):
+    """QGIS's box of fields."""
+
+    def createWidget(self):
+        box = QgsFieldComboBox()
+        box.setAllowEmptyFieldName(True)
+        box.fieldChanged.connect(self._tell)
+        return self._kept(box)
+
+    def show_layer(self, layer):
+        self._box().setLayer(layer)
+        self._box().setField("" if layer is None else class_field_of(layer))
 
     def _box(self) -> QgsFieldComboBox:
         """The widget, which QGIS gives back as a box of any texts."""
@@ -198,8 +231,37 @@ class _ClassFieldWrapper(QgsAbstractProcessingParameterWidgetWrapper):
     def widgetValue(self):
         return self._box().currentField() or None
 
-    def _tell(self, *_field) -> None:
-        self.widgetValueHasChanged.emit(self)
+
+class _ClassNameWrapper(_LayerWrapper):
+    """A box that offers “building” and takes any name; while it has one, the box of fields is disabled."""
+
+    _fields: QWidget | None = None
+
+    def createWidget(self):
+        box = ClassNameBox()
+        box.currentTextChanged.connect(self._tell)
+        return self._kept(box)
+
+    def postInitialize(self, wrappers):
+        for wrapper in wrappers:
+            if wrapper.parameterDefinition().name() == offers.CLASS_FIELD:
+                self._fields = wrapper.wrappedWidget()
+        super().postInitialize(wrappers)
+        self._tell()
+
+    def show_layer(self, layer):
+        self.wrappedWidget().setCurrentText("" if layer is None else class_of_all(layer))
+
+    def setWidgetValue(self, value, context):
+        self.wrappedWidget().setCurrentText("" if value is None else str(value))
+
+    def widgetValue(self):
+        return self.wrappedWidget().currentText().strip() or None
+
+    def _tell(self, *_value) -> None:
+        if self._fields is not None:
+            self._fields.setEnabled(self.widgetValue() is None)
+        super()._tell()
 
 
 def _same(layer: QgsVectorLayer, before: QgsVectorLayer | None) -> bool:

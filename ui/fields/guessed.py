@@ -1,20 +1,63 @@
-"""Which field of a layer tells classes or priorities, as far as a look at the layer can tell."""
+"""Guess which field of a layer has its classes or priorities: one rule for all dialogs."""
 
 from __future__ import annotations
 
-from qgis.core import QgsVectorLayer
+import re
+from collections.abc import Sequence
+from itertools import islice
 
-_CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe", "type", "code")
+from qgis.core import QgsFeatureRequest, QgsVectorLayer
+
+from ...processing.compat import is_null
+
+_CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe")
+_OFTEN_CLASS_FIELDS = ("type", "code")
 _PRIORITY_FIELDS = ("priority", "zorder", "z_order", "draw_order", "layer")
 """What people call them, the likeliest first."""
 
+BUILDING = "building"
+"""The class of a layer of buildings, and the field that OpenStreetMap gives one: its values are kinds of buildings."""
+
+_BUILDINGS = re.compile(r"building|house|footprint|geb(ä|ae)ude|edific|b(â|a)timent|建筑", re.IGNORECASE)
+_IS_NO_CLASS = re.compile(r"name|.*id|.*name|note|comment|description|source", re.IGNORECASE)
+_ANSWERS = {"yes", "no", "true", "false"}
+
+_READ = 1000
+"""Features whose values are looked at."""
+_MOST_CLASSES = 64
+_FEW_FEATURES = 20
+"""Up to so many, each may be of a class of its own."""
+_NEARLY_AS_MANY = 0.8
+"""Share of the most classes that a field tells apart: the first field with so many is taken."""
+
 
 def class_field_of(layer: QgsVectorLayer) -> str:
-    """By which the layer's style tells classes apart, else one that is called so; empty for none."""
+    """By which the layer's style tells classes apart, else one that is called so or whose values look so; or empty.
+
+    A key or another field that numbers the features is never taken.
+    """
     renderer = layer.renderer()
     is_by_class = renderer is not None and renderer.type() == "categorizedSymbol"
     styled = renderer.classAttribute().strip('"') if is_by_class else ""
-    return styled if styled in layer.fields().names() else _field_of(layer, _CLASS_FIELDS)
+    if styled in layer.fields().names():
+        return styled
+    named = named_class_field(layer)
+    if named or _is_of_buildings(layer):
+        return named
+    values = _values_of(layer)
+    return next((name for name in _named(values, _OFTEN_CLASS_FIELDS) if _tells_classes(values[name])), "") or (
+        _by_values({name: found for name, found in values.items() if not _IS_NO_CLASS.fullmatch(name)})
+    )
+
+
+def named_class_field(layer: QgsVectorLayer) -> str:
+    """A field whose name says that it has the classes, such as “class”; empty for none."""
+    return _field_of(layer, _CLASS_FIELDS)
+
+
+def class_of_all(layer: QgsVectorLayer) -> str:
+    """The class of all polygons of a layer of buildings without a class field; otherwise empty."""
+    return BUILDING if _is_of_buildings(layer) and not class_field_of(layer) else ""
 
 
 def priority_field_of(layer: QgsVectorLayer) -> str:
@@ -22,6 +65,50 @@ def priority_field_of(layer: QgsVectorLayer) -> str:
     return _field_of(layer, _PRIORITY_FIELDS, True)
 
 
+def _is_of_buildings(layer: QgsVectorLayer) -> bool:
+    """Whether the layer's name says that it holds buildings, or a field of OpenStreetMap's does."""
+    return bool(_BUILDINGS.search(layer.name())) or bool(_field_of(layer, (BUILDING,)))
+
+
 def _field_of(layer: QgsVectorLayer, names: tuple[str, ...], is_number: bool = False) -> str:
-    by_name = {field.name().lower(): field for field in layer.fields() if not is_number or field.isNumeric()}
-    return next((by_name[name].name() for name in names if name in by_name), "")
+    fields = [field.name() for field in layer.fields() if not is_number or field.isNumeric()]
+    return next(iter(_named(fields, names)), "")
+
+
+def _named(fields: Sequence[str], names: tuple[str, ...]) -> list[str]:
+    by_name = {field.lower(): field for field in fields}
+    return [by_name[name] for name in names if name in by_name]
+
+
+def _values_of(layer: QgsVectorLayer) -> dict[str, list]:
+    """What the first features have in each field that is no key, of texts where there are none; NULL as None."""
+    request = QgsFeatureRequest()
+    request.setFlags(QgsFeatureRequest.NoGeometry)
+    rows = [feature.attributes() for feature in islice(layer.getFeatures(request), _READ)]
+    keys = set(layer.primaryKeyAttributes())
+    fields = [(n, field) for n, field in enumerate(layer.fields()) if n not in keys and (rows or not field.isNumeric())]
+    return {field.name(): [None if is_null(row[n]) else row[n] for row in rows] for n, field in fields}
+
+
+def _by_values(values: dict[str, list]) -> str:
+    """The first of the fields of texts that tell the most classes apart, else of those of small numbers."""
+    for kind in (str, int):
+        telling = {name: len(set(found)) for name, found in values.items() if _tells_classes(found, kind)}
+        several = [name for name, count in telling.items() if count > 1]
+        most = max(telling.values(), default=0)
+        for name in several or (telling if len(telling) == 1 and kind is str else ()):
+            if telling[name] >= _NEARLY_AS_MANY * most:
+                return name
+    return ""
+
+
+def _tells_classes(column: list, kind: type = object) -> bool:
+    """Whether values may be classes: of most features, few, of several features each, and no yes and no."""
+    found = [value for value in column if value is not None]
+    if 2 * len(found) < len(column) or not all(isinstance(value, kind) for value in found):
+        return False
+    if kind is int and not all(0 <= value <= 255 for value in found):
+        return False
+    classes = {str(value).casefold() for value in found}
+    most = _MOST_CLASSES if len(found) <= _FEW_FEATURES else min(_MOST_CLASSES, len(found) // 2)
+    return len(classes) <= most and not (classes and classes <= _ANSWERS)

@@ -26,8 +26,9 @@ class Correction:
     Attributes:
         database: Path of the one to update.
         annotation: Its polygons, as they are now.
-        class_field: That tells their class.
+        class_field: That tells their class; empty for none.
         priority_field: That decides where they overlap; empty for none.
+        class_of_all: The class of all of them; empty where the field counts.
         places: The layer of findings that was gone through; None without one.
     """
 
@@ -35,6 +36,7 @@ class Correction:
     annotation: QgsVectorLayer
     class_field: str
     priority_field: str = ""
+    class_of_all: str = ""
     places: QgsVectorLayer | None = None
 
 
@@ -118,6 +120,7 @@ class CorrectionRun(QObject):
             "INPUT": wanted.annotation,
             "CLASS_FIELD": wanted.class_field,
             "OUTPUT": os.path.join(self._folder, "labels.tif"),
+            "CLASS": wanted.class_of_all,
             **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
             **grid,
         }

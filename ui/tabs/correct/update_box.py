@@ -12,7 +12,8 @@ from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
 from ....processing.exchange.database_layers import database_file
 from ....processing.translation import tr
 from ....storage.database.undo import can_undo, file_before
-from ...fields.guessed import class_field_of, priority_field_of
+from ...fields.class_name_box import ClassNameBox
+from ...fields.guessed import class_field_of, class_of_all, priority_field_of
 from ...running.correction_run import Correction
 from ...widgets.layouts import name_fold, narrow
 from ...widgets.remaining_bar import RemainingBar
@@ -21,7 +22,8 @@ from ...widgets.tips import plain_tip
 from .places_table import is_places
 
 SCOPE = "SemRef"
-_ANNOTATION_ENTRY, _CLASS_ENTRY, _PRIORITY_ENTRY = "/annotation", "/class_field", "/priority_field"
+_ANNOTATION_ENTRY = "/annotation"
+_VALUE_ENTRIES = ("/class_field", "/priority_field", "/class")
 
 
 class UpdateBox(QgsCollapsibleGroupBox):
@@ -40,7 +42,9 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.annotation.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.annotation.setAllowEmptyLayer(True, tr("Choose the annotation that you mended"))
         self.class_field, self.priority_field = QgsFieldComboBox(), QgsFieldComboBox()
-        self.priority_field.setAllowEmptyFieldName(True)
+        self.class_of_all = ClassNameBox()
+        for box in (self.class_field, self.priority_field):
+            box.setAllowEmptyFieldName(True)
         self.button = QPushButton()
         self.progress = RemainingBar()
         self.state = StatusLine()
@@ -51,6 +55,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         for title, widget in (
             (tr("Annotation"), self.annotation),
             (tr("Class field"), self.class_field),
+            (tr("All polygons are"), self.class_of_all),
             (tr("Priority field"), self.priority_field),
         ):
             widget.setMinimumWidth(1)
@@ -66,6 +71,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
     def _connect(self) -> None:
         self.annotation.layerChanged.connect(self._use_annotation)
         self.class_field.fieldChanged.connect(self._show_ready)
+        self.class_of_all.currentTextChanged.connect(self._show_ready)
         self.button.clicked.connect(self._press)
         self.undo.clicked.connect(lambda: self.undoAsked.emit(self._database))
 
@@ -90,7 +96,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
     def show_running(self, running: bool, text: str = "") -> None:
         """Whether an update works; ``text`` is what is to be read about it."""
         self._running = running
-        for part in (self.annotation, self.class_field, self.priority_field):
+        for part in (self.annotation, self.class_of_all, self.priority_field):
             part.setEnabled(not running)
         self.progress.setVisible(running)
         self.progress.begin()
@@ -102,7 +108,10 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self._show_ready()
 
     def _show_ready(self, *_) -> None:
-        ready = bool(self._database and self.annotation.currentLayer() and self.class_field.currentField())
+        of_all = self.class_of_all.class_name()
+        self.class_field.setEnabled(not self._running and not of_all)
+        has_classes = bool(of_all or self.class_field.currentField())
+        ready = bool(self._database and self.annotation.currentLayer() and has_classes)
         self.button.setEnabled(self._running or ready)
         if not self._running and not self._database:
             self.state.show_text(tr("Choose a database."))
@@ -122,11 +131,11 @@ class UpdateBox(QgsCollapsibleGroupBox):
             self.cancelAsked.emit()
             return
         layer = self.annotation.currentLayer()
-        fields = self.class_field.currentField(), self.priority_field.currentField()
+        values = self.class_field.currentField(), self.priority_field.currentField(), self.class_of_all.class_name()
         project = QgsProject.instance()
-        for entry, value in zip((_ANNOTATION_ENTRY, _CLASS_ENTRY, _PRIORITY_ENTRY), (layer.id(), *fields)):
+        for entry, value in zip((_ANNOTATION_ENTRY, *_VALUE_ENTRIES), (layer.id(), *values)):
             project.writeEntry(SCOPE, entry, value)
-        self.startAsked.emit(Correction(self._database, layer, *fields))
+        self.startAsked.emit(Correction(self._database, layer, *values))
 
     # --- guesses, for the user to change ---
 
@@ -134,7 +143,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         project = QgsProject.instance()
         remembered = project.mapLayer(project.readEntry(SCOPE, _ANNOTATION_ENTRY)[0])
         offered = [self.annotation.layer(row) for row in range(self.annotation.count())]
-        likely = [layer for layer in offered if layer is not None and class_field_of(layer)]
+        likely = [layer for layer in offered if layer is not None and (class_field_of(layer) or class_of_all(layer))]
         if remembered is not None or likely:
             self.annotation.setLayer(remembered or likely[0])
 
@@ -144,9 +153,10 @@ class UpdateBox(QgsCollapsibleGroupBox):
         if layer is not None:
             project = QgsProject.instance()
             is_remembered = project.readEntry(SCOPE, _ANNOTATION_ENTRY)[0] == layer.id()
-            entries = [project.readEntry(SCOPE, entry)[0] for entry in (_CLASS_ENTRY, _PRIORITY_ENTRY)]
-            guesses = class_field_of(layer), priority_field_of(layer)
-            chosen = entries if is_remembered else guesses
-            self.class_field.setField(chosen[0])
-            self.priority_field.setField(chosen[1])
+            entries = [project.readEntry(SCOPE, entry)[0] for entry in _VALUE_ENTRIES]
+            guesses = class_field_of(layer), priority_field_of(layer), class_of_all(layer)
+            class_field, priority_field, of_all = entries if is_remembered else guesses
+            self.class_field.setField(class_field)
+            self.priority_field.setField(priority_field)
+            self.class_of_all.setCurrentText(of_all)
         self._show_ready()
