@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from made_inputs import square, write_layer
+from made_inputs import read_pixels, square, write_layer
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.core.labels.class_table import class_table_from_csv
@@ -35,8 +35,8 @@ def test_the_name_is_found_in_a_class_table_and_counts_more_than_a_field(run_alg
     (tmp_path / "classes.csv").write_text("value,name,color,role\n7,building,#ff0000,reference\n")
     given = {"INPUT": houses, "CLASS_FIELD": "osm_id", "CLASS": " building ", "OUTPUT": str(tmp_path / "labels.tif")}
     table = {"CLASS_TABLE": str(tmp_path / "classes.csv")}
-    assert run_algorithm(RASTERIZE, {**given, **table})["CLASS_COUNT"] == 1
-    assert open_raster(given["OUTPUT"]).GetRasterBand(1).ComputeRasterMinMax(False) == (7, 7)
+    run_algorithm(RASTERIZE, {**given, **table})
+    assert 7 in read_pixels(Path(given["OUTPUT"]))
     with pytest.raises(QgsProcessingException, match="barn"):
         run_algorithm(RASTERIZE, {**given, **table, "CLASS": "barn"})
 
