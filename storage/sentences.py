@@ -79,6 +79,10 @@ SENTENCES = {
         "{path} was left half written by another program and can't be mended where it lies; copy it with the file "
         "{path}-journal or {path}-wal to a place where you may write."
     ),
+    "storage.nothing_to_undo": (
+        "{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back "
+        "further, open {before} itself."
+    ),
     "storage.database_changed": "{path} was changed by another program meanwhile; try again.",
     "storage.no_readable_overview": "{path} has no overview that can be read ({reason}); build it again.",
     "storage.no_geopackage": "{path} is not a GeoPackage; choose a database that SemRef built.",

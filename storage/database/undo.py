@@ -1,4 +1,4 @@
-"""An update that can be undone: the database as it was stays beside the new one, under a name of its own."""
+"""Undo of the last update: the database as it was before is kept beside the new one, under a name of its own."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import contextlib
 import os
 import shutil
 import sqlite3
+from collections.abc import Iterator
 from pathlib import Path
 
 from ...core.errors import DatabaseError
@@ -16,50 +17,86 @@ _BEFORE = "_before_update"
 
 
 def file_before(path: str) -> str:
-    """Where a database's state before its last update lies; whether it is there is another question."""
+    """Return where a database's state before its last update is kept, whether there is one or not."""
     whole = Path(path)
     return str(whole.with_name(f"{whole.stem}{_BEFORE}{whole.suffix}"))
 
 
 def can_undo(path: str) -> bool:
-    """Whether a database has its state before the last update beside it."""
+    """Whether a file with a database's state before its last update is there."""
     return bool(Path(path).name) and os.path.isfile(file_before(path))
 
 
 def replace_keeping(path: str, updated: str) -> None:
-    """Puts an updated database in the place of the old one, which is kept; both or neither.
+    """Put an updated database in the place of the old one, which is kept; both or neither.
+
+    The kept file has a table with the checksums of the updated database: only that one can be undone.
 
     Args:
         path: Of the database.
         updated: A file that the update wrote elsewhere; it is removed.
 
     Raises:
-        DatabaseError: The database can't be read.
+        DatabaseError: A database can't be read.
         ParameterError: A file can't be replaced; nothing is changed.
     """
-    # Not at the top: it brings GDAL, and the dock, which asks for an undo, shall open at once.
-    from .connection import snapshot
-
+    made = _checksums(updated)
     with Batch() as batch:
         kept, fresh = batch.file(file_before(path)), batch.file(path)
-        with snapshot(path) as source, contextlib.closing(sqlite3.connect(kept)) as copy:
-            source.rollback()
-            copy_whole(source, copy)
+        with _copied(path, kept) as copy:
+            copy.execute("DROP TABLE IF EXISTS semref_undo")
+            copy.execute("CREATE TABLE semref_undo (checksums TEXT)")
+            copy.execute("INSERT INTO semref_undo VALUES (?)", (made,))
         shutil.copyfile(updated, fresh)
         batch.commit()
     os.remove(updated)
 
 
 def undo_update(path: str) -> None:
-    """Puts the state before the last update back in its place.
+    """Put the state before the last update back in its place, once it is read and checked whole.
 
     Raises:
-        DatabaseError: There is none.
+        DatabaseError: There is none, it is damaged, or the database was changed after that update.
         ParameterError: The database can't be replaced; nothing is changed.
     """
-    if not can_undo(path):
-        raise DatabaseError("storage.no_database", path=file_before(path))
+    # Not at the top: it brings GDAL, and the dock, which asks whether there is an undo, shall open at once.
+    from .reader import read_overview, read_stored_database
+
+    before = file_before(path)
+    stored = read_stored_database(before)
+    read_overview(before)
     with Batch() as batch:
-        shutil.copyfile(file_before(path), batch.file(path))
+        with _copied(before, batch.file(path)) as copy:
+            copy.execute("CREATE TABLE IF NOT EXISTS semref_undo (checksums TEXT)")
+            if copy.execute("SELECT checksums FROM semref_undo").fetchall() != [(_checksums(path),)]:
+                raise DatabaseError("storage.nothing_to_undo", path=path, before=before)
+            copy.execute("DROP TABLE semref_undo")
+        stored.require_as_read()
         batch.commit()
-    os.remove(file_before(path))
+    with contextlib.suppress(OSError):
+        os.remove(before)
+
+
+def _checksums(path: str) -> str | None:
+    """Return the checksums of a database's tables as it states them; None for one of an older version."""
+    from .connection import snapshot
+
+    with snapshot(path) as connection:
+        row = connection.execute("SELECT value FROM parameters WHERE key = 'checksums'").fetchone()
+    return row[0] if row else None
+
+
+@contextlib.contextmanager
+def _copied(path: str, target: str) -> Iterator[sqlite3.Connection]:
+    """Copy a whole database and yield a connection to edit the copy; raises DatabaseError."""
+    from .connection import snapshot
+
+    with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
+        with snapshot(path) as source:
+            source.rollback()
+            copy_whole(source, copy)
+        try:
+            copy.execute("PRAGMA journal_mode=DELETE")
+            yield copy
+        except sqlite3.Error as error:
+            raise DatabaseError("storage.database_unwritable", reason=str(error)) from None

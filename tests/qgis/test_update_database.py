@@ -6,10 +6,12 @@ import contextlib
 import os
 import shutil
 import sqlite3
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from full_disks import files_of_at_most
 from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
@@ -254,3 +256,26 @@ def test_an_overview_of_another_state_is_refused(old, rebuilt):
     assert read_overview(str(old), was).size > 0
     with pytest.raises(DatabaseChangedError, match="changed by another program"):
         read_overview(str(rebuilt), was)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
+@pytest.mark.parametrize("share", [0.05, 0.5, 0.9, 0.97, 0.995, 1.0])
+def test_a_full_disk_is_not_reported_as_a_damaged_database(update, old, rebuilt, tmp_path, share):
+    size = (os.path.getsize(old) * share) // 4096 * 4096
+    with files_of_at_most(int(size)), pytest.raises(QgsProcessingException) as caught:
+        update()
+    assert "written" in str(caught.value) and "damaged" not in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_update_in_place_after_a_kept_one_is_not_undone_with_it(update, old, folder, tmp_path):
+    from semref.core.errors import DatabaseError
+    from semref.storage.database.undo import file_before, replace_keeping, undo_update
+
+    place = str(shutil.copy(old, tmp_path / "area.gpkg"))
+    replace_keeping(place, update(DATABASE=place))
+    update(DATABASE=place, LABELS=str(folder / "old.tif"), OUTPUT=place)
+    before = [Path(path).read_bytes() for path in (place, file_before(place))]
+    with pytest.raises(DatabaseError, match="can't be undone"):
+        undo_update(place)
+    assert [Path(path).read_bytes() for path in (place, file_before(place))] == before

@@ -1,0 +1,145 @@
+"""Undo goes back by exactly one update, and neither file is lost when it can't."""
+
+from __future__ import annotations
+
+import contextlib
+import gzip
+import os
+import shutil
+import sqlite3
+from pathlib import Path
+
+import numpy as np
+import pytest
+from full_disks import files_of_at_most
+
+from semref.core.errors import SemRefError
+from semref.storage.database.reader import read_database, store_checksums
+from semref.storage.database.undo import can_undo, file_before, replace_keeping, undo_update
+
+KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1" / "database.gpkg.gz"
+
+
+@pytest.fixture
+def path(tmp_path):
+    """A database in a folder of its own."""
+    (tmp_path / "maps").mkdir()
+    path = tmp_path / "maps" / "area.gpkg"
+    path.write_bytes(gzip.decompress(KEPT.read_bytes()))
+    store_checksums(str(path))
+    return str(path)
+
+
+def edit(path, statement):
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        # QGIS's triggers need its functions.
+        for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'trigger'").fetchall():
+            connection.execute(f'DROP TRIGGER "{name}"')
+        connection.execute(statement)
+
+
+def larger(path, tmp_path, square_meters):
+    """What an update of a database makes elsewhere: all landmarks are larger."""
+    updated = str(shutil.copy(path, tmp_path / "updated.gpkg"))
+    edit(updated, f'UPDATE "references" SET area = area + {square_meters}')
+    store_checksums(updated)
+    return updated
+
+
+def areas(path):
+    return read_database(path).references.areas_m2
+
+
+def content(path):
+    return {file.name: file.read_bytes() for file in Path(path).parent.iterdir()}
+
+
+def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        before = list(connection.iterdump())
+    was = areas(path)
+    replace_keeping(path, larger(path, tmp_path, 5))
+    np.testing.assert_allclose(areas(path), was + 5)
+    np.testing.assert_array_equal(areas(file_before(path)), was)
+    undo_update(path)
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        assert list(connection.iterdump()) == before
+    assert os.listdir(tmp_path / "maps") == ["area.gpkg"] and not can_undo(path)
+
+
+def test_two_updates_are_undone_by_one(path, tmp_path):
+    was = areas(path)
+    for _ in range(2):
+        replace_keeping(path, larger(path, tmp_path, 5))
+    undo_update(path)
+    np.testing.assert_allclose(areas(path), was + 5)
+    assert not can_undo(path)
+
+
+def test_an_update_by_processing_after_the_last_one_is_not_undone_with_it(path, tmp_path):
+    replace_keeping(path, larger(path, tmp_path, 5))
+    os.replace(larger(path, tmp_path, 7), path)
+    before = content(path)
+    with pytest.raises(SemRefError, match="can't be undone"):
+        undo_update(path)
+    assert content(path) == before
+
+
+def test_an_update_is_undone_though_somebody_styled_the_layers_since(path, tmp_path):
+    was = areas(path)
+    replace_keeping(path, larger(path, tmp_path, 5))
+    edit(path, "UPDATE layer_styles SET description = 'mine'")
+    undo_update(path)
+    np.testing.assert_array_equal(areas(path), was)
+
+
+def flip_overview(before):
+    edit(before, "UPDATE overview SET tile_data = substr(tile_data, 1, 200) || zeroblob(length(tile_data) - 200)")
+
+
+DAMAGES = {
+    "empty": lambda before: Path(before).write_bytes(b""),
+    "no database": lambda before: Path(before).write_bytes(b"SQLite format 3\0" + bytes(5000)),
+    "truncated": lambda before: os.truncate(before, os.path.getsize(before) // 2),
+    "changed row": lambda before: edit(before, 'UPDATE "references" SET area = 3 WHERE fid = 7'),
+    "changed bounds": lambda before: edit(before, "UPDATE reference_bounds SET end_row = end_row + 1 WHERE fid = 7"),
+    "changed overview": flip_overview,
+    "missing table": lambda before: edit(before, "DROP TABLE windows"),
+    "no record": lambda before: edit(before, "DROP TABLE semref_undo"),
+    "foreign": lambda before: edit(before, "UPDATE semref_undo SET checksums = '{}'"),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
+def test_a_damaged_or_foreign_file_is_not_restored_and_both_files_stay(path, tmp_path, damage):
+    replace_keeping(path, larger(path, tmp_path, 5))
+    damage(file_before(path))
+    before = content(path)
+    with pytest.raises(SemRefError):
+        undo_update(path)
+    assert content(path) == before
+
+
+@pytest.mark.skipif(os.name == "nt", reason="limits on files as Unix has them")
+def test_a_full_disk_leaves_both_files(path, tmp_path):
+    replace_keeping(path, larger(path, tmp_path, 5))
+    before = content(path)
+    with files_of_at_most(os.path.getsize(path) // 2), pytest.raises(SemRefError, match="can't be written"):
+        undo_update(path)
+    assert content(path) == before
+
+
+def test_an_undo_that_ends_before_the_last_step_leaves_both_files(path, tmp_path, monkeypatch):
+    replace_keeping(path, larger(path, tmp_path, 5))
+    before = content(path)
+    replace = os.replace
+
+    def broken(source, target):
+        if str(target) == path:
+            raise PermissionError(13, "Permission denied")
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", broken)
+    with pytest.raises(SemRefError):
+        undo_update(path)
+    assert content(path) == before
