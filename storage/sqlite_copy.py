@@ -5,6 +5,8 @@ from __future__ import annotations
 import sqlite3
 import time
 
+from ..core.errors import DatabaseError
+
 WAIT_S = 3.0
 """How long a writer may take to finish before a file is said to be in use."""
 
@@ -18,7 +20,9 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
     Python's own copy asks a file that another program keeps locked again and again, for good.
 
     Raises:
-        sqlite3.OperationalError: Another program keeps the file locked, or it can't be read.
+        sqlite3.OperationalError: Another program keeps the file locked.
+        sqlite3.DatabaseError: The file can't be read.
+        DatabaseError: The copy can't be written: the disk is full.
     """
     until = time.monotonic() + WAIT_S
 
@@ -27,4 +31,9 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
             # As Python words it elsewhere.
             raise sqlite3.OperationalError("database is locked")
 
-    source.backup(target, progress=give_up_late, sleep=0.05)
+    try:
+        source.backup(target, progress=give_up_late, sleep=0.05)
+    except sqlite3.OperationalError as error:
+        if "locked" in str(error):
+            raise
+        raise DatabaseError("storage.database_unwritable", reason=str(error)) from None

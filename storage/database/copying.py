@@ -28,13 +28,15 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
         state_when_read: ``connection.state`` of the database when it was read.
 
     Raises:
-        DatabaseError: It is in use, damaged, or was changed since it was read.
+        DatabaseError: It is in use, damaged, or was changed since it was read; or the copy can't be written.
+        sqlite3.Error: The copy can't be edited.
     """
-    with snapshot(path) as source, contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
-        require_unchanged_since(path, state_when_read)
-        source.rollback()
-        copy_whole(source, copy)
-        require_unchanged_since(path, state_when_read)
+    with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
+        with snapshot(path) as source:
+            require_unchanged_since(path, state_when_read)
+            source.rollback()
+            copy_whole(source, copy)
+            require_unchanged_since(path, state_when_read)
         _remove_foreign(copy)
     # Anew: what was removed from the schema is still known to the connection that removed it.
     with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
