@@ -176,6 +176,8 @@ def _write(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
     try:
         with os.fdopen(descriptor, "wb") as file:
             file.writelines(pieces)
+            file.flush()
+            os.fsync(file.fileno())
         os.replace(temporary, path)
     except OSError:
         with contextlib.suppress(OSError):
