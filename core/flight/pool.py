@@ -144,6 +144,34 @@ def own_lead(seen: SeenImage, settings: FlightSettings) -> float:
     return (min(seen.own_odds, settings.own_most) - offset) / slope if seen.own_odds > 0 else 0.0
 
 
+def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
+    """Return the place of own fixes in a row that contradict a track, with their evidence against it; else none.
+
+    Fixes count together while they name one place. What an image's class areas say for the track counts against them.
+
+    Args:
+        track: The track, then the hypothesis of the pool at it, if there is one.
+        rival: The place until now, as predicted; empty without one.
+        seen: The image.
+        weight: Of its fix after another one at the same place; 0 without a fix.
+        settings: Of flights.
+    """
+    support, evidence = float(track.evidence[-1, -1]), rival.evidence.copy()
+    if seen.own_state is not None and weight > 0 and own_lead(seen, settings) > 0:
+        at_own = own_worth(track.states, track.variances, seen, settings) > 0
+        if not at_own[0]:
+            again = own_worth(rival.states, rival.variances, seen, settings)
+            if not again.any():
+                evidence, weight = np.zeros((1, settings.window)), 1.0
+            evidence[0, -1] = weight * own_lead(seen, settings)
+            rival = Pool(seen.own_state[None], np.zeros((1, 3)), evidence)
+            # Class areas that agree where the own fix is say nothing for the track.
+            support = 0.0 if at_own[-1] else support
+    evidence[:, -1] -= support
+    found = replace(rival, evidence=evidence)
+    return found.chosen(found.totals > 0)
+
+
 def started(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
     """Hypotheses at the best places of an image, with its evidence alone."""
     states = as_states(poses)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..errors import ParameterError
-from ..localization import Method, Prior, Status, risk_of
+from ..localization import Method, Prior, Status, log_odds_of, risk_of
 from ..localizer.localizer import Localizer, default_scales
 from ..sentences import Sentence
 from .evidence import SeenImage, best_of, seen_image
@@ -19,12 +19,12 @@ from .measurement import Measurement, measured_near, shared_after, shared_varian
 from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
 from .model import FlightImage, FlightPose
 from .motion import MOST_LOG_SCALE, Link, LinkSource, as_rows
-from .pool import Pool, look_noise, predicted, pruned, same_place, started, updated, with_past
+from .pool import Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
 from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
 from .telling import told_pose, unplaced
 
-STATE_VERSION = 1
+STATE_VERSION = 2
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Looked:
     """What became of the latest image, for whoever smooths the flight later.
 
     Attributes:
-        estimate: Of its track; None without one.
+        estimate: Of its track; None without one, and while own fixes contest it.
         measured: What it said itself at the place that the track expects; None where nothing.
         link: That led to it, assumed ones included; None of the first and after a break.
         is_new: A track was found with this image.
@@ -62,7 +62,7 @@ class FlightTracker:
         self.localizer, self.settings = localizer, settings
         self.track, self.looked = 0, Looked()
         self._number = -1
-        self._pool = self._mirror = Pool.empty(settings.window)
+        self._pool = self._mirror = self._rival = Pool.empty(settings.window)
         self._past: list[Past] = []
         self._latest: Past | None = None
         self._held: Estimate | None = None
@@ -129,7 +129,9 @@ class FlightTracker:
             if version != STATE_VERSION:
                 raise ParameterError("flight.state_version", version=version, known=STATE_VERSION)
             tracker._risk, tracker._shared_m2 = checked_array(state, "numbers", 2, above=-1e-9).tolist()
-            tracker._pool, tracker._mirror = (_saved_pool(state, name, settings) for name in ("pool", "mirror"))
+            tracker._pool, tracker._mirror, tracker._rival = (
+                _saved_pool(state, name, settings) for name in ("pool", "mirror", "rival")
+            )
             if "held_mean" in state:
                 held = checked_array(state, "held_mean", SIZE), checked_array(state, "held_covariance", SIZE, SIZE)
                 _require_sizes(held[0][None])
@@ -150,11 +152,11 @@ class FlightTracker:
         return self._risk
 
     def _pools(self) -> list[tuple[str, Pool]]:
-        return [("pool", self._pool), ("mirror", self._mirror)]
+        return [("pool", self._pool), ("mirror", self._mirror), ("rival", self._rival)]
 
     def _begin(self) -> None:
         """Nothing is known of where the flight is."""
-        self._pool = self._mirror = Pool.empty(self.settings.window)
+        self._pool = self._mirror = self._rival = Pool.empty(self.settings.window)
         self._past, self._held = [], None
 
     def _prior(self, image: FlightImage) -> Prior:
@@ -237,11 +239,20 @@ class FlightTracker:
                 self._held = with_measurement(expected, softened(measured, expected), self._shared_m2)
                 self._shared_m2 = shared_after(self._shared_m2, measured, settings)
             found = Looked(self._held, measured, link)
-            if self._is_lost(seen):
+            self._rival = self._contested(image, seen, link, self._held)
+            risk, is_lost = self._risk_now(), self._is_lost(seen)
+            if risk >= 1 - settings.allowed_risk or (is_lost and len(self._rival)):
+                # The past was wrong: the flight begins again with this image.
+                self._begin()
+                self._latest = Past(seen, NOWHERE, 1.0)
+                self._look(seen, None, 1.0)
+                found, is_lost = Looked(link=link), False
+            elif is_lost:
                 # The mirrored flight was not followed meanwhile: what is decided waits for it.
                 self._held, self._mirror = None, Pool.empty(settings.window)
                 found = Looked(link=link)
-                is_lost = True
+            elif risk > settings.allowed_risk:
+                found = replace(found, estimate=None)
         if self._held is None and not is_lost:
             risk = self._decided()
             if risk <= settings.allowed_risk:
@@ -249,6 +260,22 @@ class FlightTracker:
                 found = replace(self._start(image, seen), link=link)
                 self._held = found.estimate
         self.looked = found
+
+    def _contested(self, image: FlightImage, seen: SeenImage, link: Link, held: Estimate) -> Pool:
+        """The place of own fixes that contradict the track, see ``rival_of``."""
+        is_fix = image.own is not None and image.own.is_fix
+        variances = np.diag(held.pose_covariance)[None, [0, 2, 3]]
+        track = Pool(held.state[None], variances, np.zeros((1, self.settings.window)))
+        track = track.joined(self._pool.chosen(self._here(seen)[:1]))
+        weight = self._weight(seen, link) if is_fix else 0.0
+        return rival_of(track, predicted(self._rival, link), seen, weight, self.settings)
+
+    def _risk_now(self) -> float:
+        """Risk of the track that is held. Where own fixes contest it, the past counts no more than one of them."""
+        if not len(self._rival):
+            return self._risk
+        odds = min(log_odds_of(self._risk), self.settings.own_most)
+        return max(self._risk, risk_of(odds - self.settings.risk_curve[1] * float(self._rival.totals[0])))
 
     def _decided(self) -> float:
         """Risk of the best hypothesis, against the best other one and that of the mirrored flight."""
@@ -275,13 +302,17 @@ class FlightTracker:
     def _measured(self, image: FlightImage, expected: Estimate) -> Measurement | None:
         return measured_near(image, self.localizer, expected.state, expected.pose_covariance, self.settings)
 
-    def _is_lost(self, seen: SeenImage) -> bool:
-        """Whether the last images speak against the track held, or all of them for another one."""
+    def _here(self, seen: SeenImage) -> np.ndarray:
+        """The hypotheses at the track that is held, best first."""
         held = self._held
         if held is None:
-            return False
+            return np.array([], int)
         reach = self.settings.apart * self._edge_m(seen) + 3 * float(np.sqrt(held.covariance[:2, :2].trace()))
-        here = np.flatnonzero(same_place(self._pool.states, held.state, reach))
+        return np.flatnonzero(same_place(self._pool.states, held.state, reach))
+
+    def _is_lost(self, seen: SeenImage) -> bool:
+        """Whether the last images speak against the track held, or all of them for another one."""
+        here = self._here(seen)
         if not len(here):
             return True
         evidence = self._pool.evidence[here[0]]
@@ -294,12 +325,13 @@ class FlightTracker:
         )
 
     def _told(self, image: FlightImage) -> FlightPose:
-        held = self._held
-        if held is None:
-            reason = Sentence("flight.undecided", risk=self._decided(), allowed=self.settings.allowed_risk)
+        held, allowed = self._held, self.settings.allowed_risk
+        risk = self._decided() if held is None else self._risk_now()
+        if held is None or risk > allowed:
+            reason = Sentence("flight.undecided", risk=risk, allowed=allowed)
             status = Status.AMBIGUOUS if len(self._pool) > 1 else Status.NO_MATCH
             return unplaced(image, self._number, reason, status)
-        return told_pose(image, self._number, self.localizer, held, self._risk, self.track, self.settings)
+        return told_pose(image, self._number, self.localizer, held, risk, self.track, self.settings)
 
 
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:

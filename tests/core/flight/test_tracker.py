@@ -9,6 +9,8 @@ import pytest
 
 from semref.core.errors import ParameterError
 from semref.core.flight.tracker import FlightTracker
+from semref.core.geometry.pose import PoseCovariance
+from semref.core.localization import Localization, Method, Place, Status
 
 sys.path.insert(0, str(Path(__file__).parent))
 from conftest import FEW, errors_m, fly
@@ -80,3 +82,69 @@ def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_anothe
     assert not all(pose.is_fix for pose in poses[5:])
     assert poses[-1].is_fix and poses[-1].track == 2
     assert errors_m(poses[-1:], other.views[-1:]).max() < 20
+
+
+def own_fix(view, off=0.0, risk=1e-6):
+    place = Place((view.x + off, view.y), view.heading_deg, view.pixel_size, 30.0, 12)
+    known = PoseCovariance(((4.0, 0.0), (0.0, 4.0)), 0.5, 0.02, radius_95=4.9)
+    return Localization(
+        Status.FIX, Method.CONSTELLATION, 12, best=place, confidence=1 - risk, risk=risk, covariance=known
+    )
+
+
+def with_own(flown, **values):
+    return [replace(image, own=own_fix(view, **values)) for image, view in zip(flown.images, flown.views)]
+
+
+def moved_state(tracker, east):
+    state = tracker.state()
+    state["held_mean"] = state["held_mean"] + np.eye(8)[0] * east
+    return {**state, "pool_states": state["pool_states"] + np.eye(4)[0] * east}
+
+
+@pytest.mark.parametrize("east", [-300.0, 1000.0])
+def test_own_fixes_win_at_once_over_a_past_that_was_moved(labels, localizer, east):
+    flown = fly(labels, seed=5, count=7)
+    images, before = with_own(flown), FlightTracker(localizer, FEW)
+    for pair in zip(images[:4], [None, *flown.links]):
+        before.add(*pair)
+    tracker = FlightTracker.from_state(localizer, moved_state(before, east), FEW)
+    poses = [tracker.add(*pair) for pair in zip(images[4:], flown.links[3:])]
+    errors = errors_m(poses, flown.views[4:])
+    assert not (errors > 20).any() and errors[-1] < 5
+    assert (before.track, tracker.track) == (1, 2)
+
+
+@pytest.mark.parametrize(("step", "risk", "most"), [(80.0, 1e-6, 3), (180.0, 1e-6, 2), (180.0, 1e-4, 3)])
+def test_own_fixes_in_a_row_win_over_a_long_past(labels, localizer, step, risk, most):
+    """The flight jumps by a kilometer and its link says that it went on: ten images of the past are wrong now."""
+    first = fly(labels, seed=3, count=8)
+    other = fly(labels, seed=3, count=4, start=(501_250.0, 5_198_700.0), step=step)
+    tracker = FlightTracker(localizer, FEW)
+    for pair in zip(with_own(first), [None, *first.links]):
+        assert errors_m([tracker.add(*pair)], [first.views[tracker._number]])[0] < 20
+    poses = [tracker.add(*pair) for pair in zip(with_own(other, risk=risk), [first.links[-1], *other.links])]
+    errors = errors_m(poses, other.views)
+    assert not (errors > 20).any(), "a wrong position was reported"
+    assert np.flatnonzero(np.isfinite(errors))[0] < most and poses[-1].track == 2
+
+
+def test_wrong_fixes_that_name_different_places_do_not_win(labels, localizer):
+    flown, tracker = fly(labels, seed=3, count=8), FlightTracker(localizer, FEW)
+    images = with_own(flown)
+    for number, off in ((4, 400.0), (5, -300.0), (6, 700.0)):
+        images[number] = replace(images[number], own=own_fix(flown.views[number], off=off))
+    poses = [tracker.add(*pair) for pair in zip(images, [None, *flown.links])]
+    assert not (errors_m(poses, flown.views) > 20).any()
+    assert poses[-1].is_fix and tracker.track == 1
+
+
+def test_what_own_fixes_contest_outlives_a_restart(labels, localizer):
+    flown, tracker = fly(labels, seed=3, count=6), FlightTracker(localizer, FEW)
+    other = fly(labels, seed=3, count=2, start=(501_250.0, 5_198_700.0))
+    for pair in zip(with_own(flown), [None, *flown.links]):
+        tracker.add(*pair)
+    assert not tracker.add(with_own(other)[0], flown.links[-1]).is_fix
+    again = FlightTracker.from_state(localizer, tracker.state(), FEW)
+    blank = replace(other.images[1], labels_hw=np.zeros_like(other.images[1].labels_hw))
+    assert not again.add(blank, other.links[0]).is_fix
