@@ -61,7 +61,7 @@ LARGEST = 1e12
 def checked_array(
     arrays: Mapping[str, np.ndarray], name: str, *shape: int | None, above: float = -LARGEST
 ) -> np.ndarray:
-    """One of several arrays.
+    """Return one of several arrays as float64, whatever type of number it has.
 
     Args:
         arrays: By name.
@@ -77,7 +77,7 @@ def checked_array(
     fits = found.ndim == len(shape) and all(wanted in (None, n) for wanted, n in zip(shape, found.shape))
     if not fits or found.dtype.kind not in "biuf" or not ((found > above) & (found <= LARGEST)).all():
         raise ValueError(f"{name} is none")
-    return found
+    return found.astype(np.float64)
 
 
 def unpacked(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
@@ -99,8 +99,8 @@ def unpacked(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
     link = Link(int(first), int(second), (right, down), turn, log_scale, known, source, bool(in_meters))
     evidence = None
     if "evidence" in arrays:
-        levels = checked_array(arrays, "evidence", None, None, channels).astype(np.float32, copy=False)
-        labeled = checked_array(arrays, "known", *levels.shape[:2]).astype(np.float32, copy=False)
+        levels = checked_array(arrays, "evidence", None, None, channels).astype(np.float32)
+        labeled = checked_array(arrays, "known", *levels.shape[:2]).astype(np.float32)
         pixel = checked_array(arrays, "pixel", 2, above=0).tolist()
         evidence = EvidenceLevel(levels, labeled, (pixel[0], pixel[1]))
     sizes = checked_array(arrays, "sizes", None, above=0).tolist()

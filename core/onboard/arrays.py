@@ -11,6 +11,7 @@ import math
 import struct
 import zipfile
 import zlib
+from typing import BinaryIO
 
 import numpy as np
 from numpy.lib import format as npy_format
@@ -54,11 +55,11 @@ def npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], np.dtype, bool
     return shape, dtype, is_fortran, file.tell()
 
 
-def number_arrays(path: str, most: int) -> dict[str, np.ndarray]:
+def number_arrays(source: str | BinaryIO, most: int) -> dict[str, np.ndarray]:
     """The arrays of numbers in a ``.npz`` by name.
 
     Args:
-        path: Of the file.
+        source: Path of the file, or the opened file.
         most: Bytes that all of them may have.
 
     Raises:
@@ -66,7 +67,7 @@ def number_arrays(path: str, most: int) -> dict[str, np.ndarray]:
         Exception: One of ``UNREADABLE``; it is no such file.
     """
     found = {}
-    with zipfile.ZipFile(path) as archive:
+    with zipfile.ZipFile(source) as archive:
         left = most
         for info in archive.infolist():
             require_honest(info, left)

@@ -30,6 +30,7 @@ from .log import json_line, say, start_log
 from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
 from .read import read_onboard
 from .sinks import is_udp, udp_port
+from .state_file import StateFile
 from .tables import opened_odometry
 from .watch import watch
 
@@ -270,8 +271,14 @@ def description(onboard: OnboardDatabase) -> dict[str, Any]:
         "map_hash": parameters.map_hash,
         "class_table_hash": parameters.class_table_hash,
         "content_hash": onboard.content_hash,
+        "exported": _date(onboard),
+        "signature": onboard.signature.value,
         "plugin_version": parameters.plugin_version,
     }
+
+
+def _date(onboard: OnboardDatabase) -> str:
+    return "not recorded" if onboard.exported is None else onboard.exported.isoformat()
 
 
 # --- localize ---
@@ -322,7 +329,14 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = LabelReader(options.model, options.threads, onboard.database.class_table, options.device)
     localizer.heed_biases(read_labels.known.class_biases, read_labels.known.class_spread)
-    say(logging.INFO, "ready", database=options.database, content_hash=onboard.content_hash)
+    say(
+        logging.INFO,
+        "ready",
+        database=options.database,
+        content_hash=onboard.content_hash,
+        exported=_date(onboard),
+        signature=onboard.signature.value,
+    )
     # Watching may come before the end of writing; a restart in the air must not end for a table.
     is_ended = getattr(options, "once", True)
     cameras = opened_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
@@ -374,7 +388,8 @@ def _watch(options: argparse.Namespace) -> int:
             raise DatabaseError("onboard.no_overview_for_flights", database=options.database)
         settings = replace(FLIGHT, allowed_risk=options.risk)
         odometry = opened_odometry(options.odometry, options.once, not is_restart)
-        find = FlightFinding(**vars(find), state_path=options.state or "", settings=settings, odometry=odometry)
+        state = StateFile.at(options.state, options.require_signature) if options.state else None
+        find = FlightFinding(**vars(find), state=state, settings=settings, odometry=odometry)
         after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError("onboard.no_lon_lat", database=options.database)

@@ -1,17 +1,16 @@
 """``python -m core watch --flight``: each image gets what its flight so far says of it; the state outlives a restart.
 
-A state file is numpy's ``.npz`` without pickles: the arrays of ``FlightTracker.state``, what the next image is linked
-by, and a header in JSON. It is written beside its place and moved there, so that a power cut leaves the one before.
+A state has the arrays of ``FlightTracker.state``, what the next image is linked by, and a header in JSON.
 """
 
 from __future__ import annotations
 
-import contextlib
 import json
 import logging
 import math
 import os
 from dataclasses import dataclass, field
+from datetime import datetime
 from typing import Any
 
 import numpy as np
@@ -28,16 +27,13 @@ from ..flight.tracker import FlightTracker
 from ..geometry.leveling import Leveling
 from ..localizer.leveled import as_taken, level_labels, of_leveled
 from ..values import checked, read_json
-from .arrays import UNREADABLE, number_arrays
 from .finder import Finding, time_of
-from .format import MAXIMUM_HEADER_BYTES
+from .format import MAXIMUM_HEADER_BYTES, export_date
 from .log import say
+from .state_file import StateFile
 from .tables import OdometryTable
 
-FORMAT, VERSION = "semref flight state", 1
-
-MOST_STATE_BYTES = 256_000_000
-"""A state has some ten images at a few hundred pixels an edge; a larger file is none."""
+FORMAT, VERSION = "semref flight state", 2
 
 Taken = tuple[int, str]
 """(time of change in ns, name) of an image: images are taken in this order."""
@@ -52,12 +48,16 @@ class _Memory:
         features: Of the latest image, for the link to the next one.
         after: The latest image; None before the first.
         taken_s: When that one was taken, on the cameras' clock; None where unknown.
+        newest: Latest export date of the onboard files that this flight and the ones before it in its state used.
+        is_kept: Whether the state could be written the last time.
     """
 
     tracker: FlightTracker | None = None
     features: Features | None = None
     after: Taken | None = None
     taken_s: float | None = None
+    newest: datetime | None = None
+    is_kept: bool = True
 
 
 @dataclass(frozen=True)
@@ -65,13 +65,13 @@ class FlightFinding(Finding):
     """Localizes the images of one flight, in order; what is said of each is the best estimate of all up to it.
 
     Attributes:
-        state_path: File that keeps the state; empty for none.
+        state: File that keeps the flight; None for none.
         settings: Of flights.
         odometry: Table of the motion from image to image; None without one.
         memory: See there.
     """
 
-    state_path: str = ""
+    state: StateFile | None = None
     settings: FlightSettings = FLIGHT
     odometry: OdometryTable | None = None
     memory: _Memory = field(default_factory=_Memory)
@@ -82,14 +82,15 @@ class FlightFinding(Finding):
         A file that can't be used is told in the log: an aircraft must not stay on the ground, or without a position,
         for it.
         """
+        self.memory.newest = self.onboard.exported
+        if self.state is None or not os.path.exists(self.state.path):
+            return None
         try:
-            if self.state_path and os.path.exists(self.state_path):
-                tracker = self._resume()
-                say(logging.INFO, "flight_resumed", state=self.state_path, track=tracker.track)
-                return self.memory.after
+            tracker = self._resume(self.state)
+            say(logging.INFO, "flight_resumed", state=self.state.path, track=tracker.track)
         except (ParameterError, OSError) as error:
-            say(logging.ERROR, "flight_state_not_used", state=self.state_path, reason=str(error))
-        return None
+            say(logging.ERROR, "flight_state_not_used", state=self.state.path, reason=str(error))
+        return self.memory.after
 
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for the next image of the flight. Raises SemRefError."""
@@ -103,7 +104,12 @@ class FlightFinding(Finding):
         taken_s = self.cameras.time_s(path, camera)
         link = self._link(path, taken_s, seen.labels_hw, way)
         image = FlightImage(os.path.basename(path), seen.labels_hw, own, time_of(path).timestamp(), prior)
-        pose = self._tracker.add(image, link)
+        try:
+            pose = self._tracker.add(image, link)
+        except Exception:
+            # What led to a fault must not lead to one with each image to come: the flight begins again.
+            self.memory.tracker = self.memory.features = None
+            raise
         placed = pose.localization()
         found = self.told(placed if way is None else as_taken(placed, way))
         source = str(pose.source) if pose.is_fix else None
@@ -139,11 +145,12 @@ class FlightFinding(Finding):
     # --- the state ---
 
     def _keep(self) -> None:
-        """Writes the state; a disk that can't take it is told, and the flight goes on."""
-        if not self.state_path:
+        """Writes the state; a disk that can't take it is told once, and the flight goes on."""
+        if self.state is None:
             return
+        memory = self.memory
         arrays = {f"tracker_{name}": value for name, value in self._tracker.state().items()}
-        features = self.memory.features
+        features = memory.features
         if features is not None:
             arrays.update(
                 features_picture=features.picture_hw,
@@ -157,55 +164,62 @@ class FlightFinding(Finding):
             "format": FORMAT,
             "version": VERSION,
             "content_hash": self.onboard.content_hash,
-            "after": self.memory.after,
-            "times_s": [self.cameras.first_s, self.memory.taken_s],
+            "newest": None if memory.newest is None else memory.newest.isoformat(),
+            "after": memory.after,
+            "times_s": [self.cameras.first_s, memory.taken_s],
         }
         text = json.dumps(header).encode("utf-8", "backslashreplace")
-        beside = f"{self.state_path}.part"
         try:
-            with open(beside, "wb") as file:
-                np.savez(file, header=np.frombuffer(text, np.uint8), **arrays)
-                file.flush()
-                os.fsync(file.fileno())
-            os.replace(beside, self.state_path)
+            self.state.write({"header": np.frombuffer(text, np.uint8), **arrays})
+            memory.is_kept = True
         except OSError as error:
-            # A full disk must not be filled with half a state.
-            with contextlib.suppress(OSError):
-                os.remove(beside)
-            say(logging.ERROR, "state_not_kept", state=self.state_path, reason=error.strerror or str(error))
+            if memory.is_kept:
+                say(logging.ERROR, "state_not_kept", state=self.state.path, reason=error.strerror or str(error))
+            memory.is_kept = False
 
-    def _resume(self) -> FlightTracker:
-        """Reads the state. Raises ParameterError for a file that is none, or of another database."""
-        arrays = _read_state(self.state_path)
+    def _resume(self, state: StateFile) -> FlightTracker:
+        """Reads the state.
+
+        Raises:
+            OSError: It can't be read.
+            ParameterError: It is none, or of another database.
+        """
+        arrays = state.read()
         try:
             header = read_json(arrays["header"].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
             is_ours = header["format"] == FORMAT and header["version"] == VERSION
             known_hash, after = header["content_hash"], header["after"]
             if after is not None:
                 after = checked(after[0], int, "a time"), checked(after[1], str, "a name")
-            # States of versions without it have no times.
-            first_s, taken_s = (_time(value) for value in header.get("times_s", (None, None)))
+            first_s, taken_s = (_time(value) for value in header["times_s"])
+            newest = None if header["newest"] is None else export_date(header["newest"])
         except (KeyError, TypeError, ValueError, IndexError, RecursionError, AttributeError) as error:
-            raise ParameterError("onboard.no_flight_state", path=self.state_path) from error
+            raise ParameterError("onboard.no_flight_state", path=state.path) from error
         if not is_ours:
-            raise ParameterError("onboard.no_flight_state", path=self.state_path)
+            raise ParameterError("onboard.no_flight_state", path=state.path)
+        self._compare_dates(newest)
         if known_hash != self.onboard.content_hash:
-            raise ParameterError("onboard.state_of_other_database", path=self.state_path)
-        state = {name[len("tracker_") :]: value for name, value in arrays.items() if name.startswith("tracker_")}
-        memory, tracker = self.memory, FlightTracker.from_state(self.localizer, state, self.settings)
+            raise ParameterError("onboard.state_of_other_database", path=state.path)
+        prefix = "tracker_"
+        saved = {name[len(prefix) :]: value for name, value in arrays.items() if name.startswith(prefix)}
+        memory, tracker = self.memory, FlightTracker.from_state(self.localizer, saved, self.settings)
         memory.tracker, memory.features, memory.after = tracker, _features(arrays), after
         self.cameras.first_s, memory.taken_s = first_s, taken_s
         return tracker
 
-
-def _read_state(path: str) -> dict[str, np.ndarray]:
-    """The arrays of a state file. Raises ParameterError."""
-    if not os.path.isfile(path) or os.path.getsize(path) > MOST_STATE_BYTES:
-        raise ParameterError("onboard.no_flight_state", path=path)
-    try:
-        return number_arrays(path, MOST_STATE_BYTES)
-    except UNREADABLE as error:
-        raise ParameterError("onboard.no_flight_state", path=path) from error
+    def _compare_dates(self, newest: datetime | None) -> None:
+        """Warns where an onboard file that was exported later is known: somebody may have put an older one here."""
+        used = self.onboard.exported
+        if newest is None or (used is not None and used >= newest):
+            return
+        self.memory.newest = newest
+        say(
+            logging.WARNING,
+            "older_database",
+            database=self.onboard.database.source,
+            exported=None if used is None else used.isoformat(),
+            newest=newest.isoformat(),
+        )
 
 
 def _time(value: object) -> float | None:

@@ -9,9 +9,12 @@ import hashlib
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum
 
 from ..database.model import ReferenceDatabase
 from ..geometry.lon_lat import LonLatPolynomial
+from ..values import checked
 
 FORMAT = "semref onboard"
 ONBOARD_VERSION = 1
@@ -46,13 +49,22 @@ NOT_ON_BOARD = "block_hashes"
 """The build parameter that only updating a database needs."""
 
 
+class SignatureStatus(str, Enum):
+    """What is known of an onboard file's signature, in words."""
+
+    NONE = "not signed"
+    NOT_CHECKED = "signed, not checked: no key was given"
+    VERIFIED = "signed with the key"
+
+
 @dataclass(frozen=True)
 class OnboardDatabase:
     """What an onboard file holds: the database, how its map coordinates become degrees, and what rounding cost.
 
     lon_lat: None where the file can't tell longitude and latitude; position_error: largest of a landmark's
     x and y, map units; area_error: largest of its area, a share of it; vector_error: largest of an element of a
-    topology vector (its class ranks are exact); content_hash: SHA-256 of the file's arrays; size_bytes: the file's.
+    topology vector (its class ranks are exact); content_hash: SHA-256 of the file's arrays; size_bytes: the file's;
+    exported: when it was written, None in files of versions that did not record it; signature: whether it has one.
     """
 
     database: ReferenceDatabase
@@ -62,6 +74,16 @@ class OnboardDatabase:
     vector_error: float
     content_hash: str
     size_bytes: int
+    exported: datetime | None = None
+    signature: SignatureStatus = SignatureStatus.NONE
+
+
+def export_date(text: object) -> datetime:
+    """Return the moment of an ISO 8601 text with its zone; raises ValueError for anything else."""
+    moment = datetime.fromisoformat(checked(text, str, "exported"))
+    if moment.utcoffset() is None:
+        raise ValueError(f"exported is {text}, without a time zone")
+    return moment
 
 
 def is_onboard_file(path: str) -> bool:

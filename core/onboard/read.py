@@ -10,6 +10,7 @@ import math
 import os
 import zipfile
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -32,7 +33,9 @@ from .format import (
     SIGNATURE,
     VECTOR_STEPS,
     OnboardDatabase,
+    SignatureStatus,
     digest,
+    export_date,
 )
 from .signature import is_signed_with, read_key
 
@@ -78,7 +81,8 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
             _require_signature(files, members, key, path, key_file)
         header = read_json(members[HEADER].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
         _check_version(header, path)
-        return _onboard(members, header, path, with_overview)
+        found = _onboard(members, header, path, with_overview)
+        return found if key is None else replace(found, signature=SignatureStatus.VERIFIED)
     except ClassTableError as error:
         raise _damaged(path, error) from None
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError, AttributeError) as error:
@@ -192,6 +196,8 @@ def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_ov
         0.5 / VECTOR_STEPS,
         members[HASH].tobytes().hex(),
         os.path.getsize(path),
+        None if header.get("exported") is None else export_date(header["exported"]),
+        SignatureStatus.NOT_CHECKED if SIGNATURE in members else SignatureStatus.NONE,
     )
 
 

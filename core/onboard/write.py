@@ -6,6 +6,7 @@ import io
 import json
 import math
 from dataclasses import asdict
+from datetime import datetime
 from typing import Any
 
 import numpy as np
@@ -31,14 +32,15 @@ from .format import (
 from .signature import read_key, signature
 
 
-def write_onboard(
+def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
     path: str,
     database: ReferenceDatabase,
     lon_lat: LonLatPolynomial | None,
     precision: float | None = None,
     key_file: str | None = None,
+    exported: datetime | None = None,
 ) -> None:
-    """Writes a database, with its overview where it has one. Same database, same bytes.
+    """Writes a database, with its overview where it has one. Same database and date, same bytes.
 
     Args:
         path: Of the file.
@@ -46,6 +48,7 @@ def write_onboard(
         lon_lat: Longitude and latitude of its map coordinates; None where the file shall not tell them.
         precision: Largest rounding error of a landmark's x and y, map units; PRECISION_PX pixels without it.
         key_file: The key to sign the file with.
+        exported: Date that the file states, with its zone; None for none.
 
     Raises:
         DatabaseError: The format can't hold the database.
@@ -69,6 +72,8 @@ def write_onboard(
         **quantization,
         "lon_lat": None if lon_lat is None else asdict(lon_lat),
     }
+    if exported is not None:
+        header["exported"] = exported.isoformat(timespec="seconds")
     text = json.dumps(header, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
     members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
     if len(members[HEADER]) > MAXIMUM_HEADER_BYTES:

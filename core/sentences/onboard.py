@@ -13,6 +13,16 @@ SENTENCES = {
     "onboard.state_without_flight": "Only of a flight is a state kept: add --flight, or leave --state out.",
     "onboard.odometry_without_flight": "Only of a flight is motion told: add --flight, or leave --odometry out.",
     "onboard.no_flight_state": "{path} is no state of a flight that this SemRef wrote, or is damaged.",
+    "onboard.state_not_ours": (
+        "{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), "
+        "or was changed since."
+    ),
+    "onboard.no_state_folder": "The folder {folder} of --state {path} does not exist; create it or choose another one.",
+    "onboard.state_no_file": "--state {path} is not a regular file; choose another name.",
+    "onboard.no_secret": (
+        "There is no private folder for the secret that --state is authenticated with; set up a home folder for this "
+        "user, or add --require-signature."
+    ),
     "onboard.state_of_other_database": "{path} is the state of a flight in another database.",
     "onboard.no_folder": "There is no folder {folder}; create it or watch another one.",
     "onboard.no_lon_lat": "{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.",

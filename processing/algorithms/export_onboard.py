@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import replace
+from datetime import datetime, timezone
 from typing import TYPE_CHECKING
 
 from ...core.errors import ParameterError
@@ -133,7 +134,8 @@ class ExportOnboard(SemRefAlgorithm):
         lon_lat = fitted_lon_lat(database.parameters.extent, crs, values.transform_context)
         feedback.setProgress(60)
         with outputs.file(self.OUTPUT) as temporary:
-            cancelable(write_onboard, temporary, database, lon_lat, precision, key_file, feedback=feedback)
+            now = datetime.now(timezone.utc)
+            cancelable(write_onboard, temporary, database, lon_lat, precision, key_file, now, feedback=feedback)
             feedback.setProgress(80)
             # Read back before it gets its name: what is on board must be readable there.
             onboard = cancelable(read_onboard, temporary, True, key_file, feedback=feedback)

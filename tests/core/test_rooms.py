@@ -68,7 +68,10 @@ MAY_IMPORT = {
         },
         "segmentation": {"geometry", "labels"},
         "flight": {"geometry", "labels", "landmarks", "database", "localization", "correlation", "localizer"},
-        "onboard": {"flight", "geometry", "labels", "windows", "database", "localization", "localizer", "segmentation"},
+        "onboard": {
+            *("flight", "geometry", "labels", "windows", "database", "cache"),
+            *("localization", "localizer", "segmentation"),
+        },
         "annotation": {"geometry", "labels", "landmarks"},
         "simulation": {"geometry", "labels", "landmarks"},
         "evaluation": ABOVE_THE_IMAGE,

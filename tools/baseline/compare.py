@@ -21,6 +21,7 @@ TOLERANCE = 1e-9
 IGNORED = {
     "plugin_version": "the plugin's version",
     "content_hash": "of onboard files, which holds the version; that it is right is recorded",
+    "exported": "time at which an onboard file was exported",
     "last_change": "time at which a GeoPackage was written",
     "timestamp": "time at which a GeoPackage's metadata were written",
     "update_time": "time at which a style was written",

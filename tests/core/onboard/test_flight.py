@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import json
 import math
 import os
 import pickle
+import subprocess
+import sys
 import zipfile
+from datetime import datetime, timezone
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -20,7 +25,12 @@ from semref.core.geometry.lens_distortion import LensDistortion
 from semref.core.geometry.leveling import Attitude, leveling
 from semref.core.localizer.leveled import level_labels
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, WRONG_USAGE, main
-from semref.core.onboard.flight import FORMAT
+from semref.core.onboard.flight import FORMAT, VERSION
+from semref.core.onboard.read import read_onboard
+from semref.core.onboard.state_file import StateFile
+from semref.core.onboard.write import write_onboard
+
+ROOT = Path(__file__).resolve().parents[3]
 
 STEP = 60
 COUNT = 7
@@ -44,6 +54,14 @@ def database(tmp_path_factory):
     path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
     write_area(path)
     return path
+
+
+@pytest.fixture(autouse=True)
+def home(tmp_path, monkeypatch):
+    """A user of its own, with a secret of its own."""
+    for name in ("XDG_CACHE_HOME", "XDG_DATA_HOME", "SEMREF_CACHE"):
+        monkeypatch.setenv(name, str(tmp_path / "home"))
+    return tmp_path / "home"
 
 
 @pytest.fixture
@@ -184,10 +202,26 @@ def test_a_damaged_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_p
     assert state.read_bytes()[:2] == b"PK" and state.stat().st_size > 1000
 
 
+def sign(path, data):
+    """Writes a state as one who has the key."""
+    path.write_bytes(data + StateFile.at(str(path), None)._code(data))
+
+
 def zipped(path, method=zipfile.ZIP_STORED, **members):
-    with zipfile.ZipFile(path, "w", method) as archive:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", method) as archive:
         for name, data in members.items():
             archive.writestr(f"{name}.npy", data)
+    sign(path, file.getvalue())
+
+
+def arrays_of(state):
+    with np.load(io.BytesIO(state.read_bytes()[:-32])) as found:
+        return dict(found)
+
+
+def write_arrays(state, arrays):
+    StateFile.at(str(state), None).write(arrays)
 
 
 def npy(shape, kind="|u1", data=b"x"):
@@ -197,7 +231,8 @@ def npy(shape, kind="|u1", data=b"x"):
 
 
 def header(**values):
-    text = json.dumps({"format": FORMAT, "version": 1, "content_hash": "", "after": [1, "a"], **values}).encode()
+    known = {"format": FORMAT, "version": VERSION, "content_hash": "", "after": [1, "a"]}
+    text = json.dumps({**known, "times_s": [None, None], "newest": None, **values}).encode()
     return npy((len(text),), data=text)
 
 
@@ -213,9 +248,24 @@ def header(**values):
         (zipfile.ZIP_STORED, npy((50_000,), data=b"[" * 50_000)),
         (zipfile.ZIP_STORED, header(after=[math.inf, "a"])),
         (zipfile.ZIP_STORED, header(after=["a"])),
+        (zipfile.ZIP_STORED, header(version=VERSION - 1)),
+        (zipfile.ZIP_STORED, header(newest="2026-01-01")),
         (zipfile.ZIP_STORED, npy((2,), data=b"[]")),
     ],
-    ids=["1 TB", "deflated", "LZMA", "pickle", "negative", "no JSON", "deep JSON", "endless", "after", "list"],
+    ids=[
+        "1 TB",
+        "deflated",
+        "LZMA",
+        "pickle",
+        "negative",
+        "no JSON",
+        "deep JSON",
+        "endless",
+        "after",
+        "version",
+        "date",
+        "list",
+    ],
 )
 def test_a_hostile_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_path, method, data, capsys):
     zipped(tmp_path / "flight.npz", method, header=data)
@@ -230,22 +280,167 @@ def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys
     state = tmp_path / "flight.npz"
     put(folder, range(1))
     watch("--state", str(state))
-    with np.load(state) as found:
-        arrays = dict(found)
+    arrays = arrays_of(state)
     header = json.loads(arrays["header"].tobytes())
     header["content_hash"] = "0" * 64
-    arrays["header"] = np.frombuffer(json.dumps(header).encode(), np.uint8)
-    np.savez(state, **arrays)
+    write_arrays(state, {**arrays, "header": np.frombuffer(json.dumps(header).encode(), np.uint8)})
     _, records = watch("--state", str(state))
     assert len(records) == 1
     assert "another database" in json.loads(capsys.readouterr().err.splitlines()[-1])["reason"]
 
 
-def test_a_state_that_can_not_be_written_does_not_end_the_flight(watch, folder, tmp_path, capsys):
+def test_a_folder_of_the_state_that_is_missing_ends_the_start_once(watch, folder, tmp_path, capsys):
     put(folder, range(2))
-    _, records = watch("--state", str(tmp_path / "nowhere" / "flight.npz"))
+    code, records = watch("--state", str(tmp_path / "nowhere" / "flight.npz"))
+    assert (code, records) == (REFUSED, [])
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "nowhere" in line and "does not exist" in line
+
+
+# --- who may write a state ---
+
+
+@pytest.fixture
+def flown(watch, folder, tmp_path):
+    """A state of three images; a fourth one has come since."""
+    put(folder, range(3))
+    state = tmp_path / "flight.npz"
+    watch("--state", str(state))
+    put(folder, [3])
+    return state
+
+
+def events(capsys):
+    return [json.loads(line) for line in capsys.readouterr().err.splitlines() if line.startswith("{")]
+
+
+def test_a_state_that_somebody_moved_is_not_used(watch, flown, capsys):
+    data = flown.read_bytes()
+    arrays = arrays_of(flown)
+    arrays["tracker_pool_states"] = arrays["tracker_pool_states"] + np.array([4000.0, 0, 0, 0])
+    file = io.BytesIO()
+    np.savez(file, **arrays)
+    for moved in (file.getvalue(), file.getvalue() + data[-32:]):
+        flown.write_bytes(moved)
+        _, records = watch("--state", str(flown))
+        (told,) = events(capsys)
+        assert told["event"] == "flight_state_not_used" and "changed since" in told["reason"]
+        assert len(records) == 4 and records[-1]["track"] in (None, 1)
+
+
+def test_a_state_needs_the_key_that_the_onboard_file_needs(watch, folder, tmp_path, database, capsys):
+    keys = []
+    for name in ("key", "other"):
+        keys.append(str(tmp_path / name))
+        (tmp_path / name).write_bytes(name.encode() * 8)
+    signed, state = str(tmp_path / "signed.npz"), str(tmp_path / "flight.npz")
+    onboard = read_onboard(database)
+    put(folder, range(2))
+    for number, key in enumerate([None, keys[0], keys[0], keys[1]]):
+        if key:
+            write_onboard(signed, onboard.database, onboard.lon_lat, key_file=key)
+        watch("--state", state, *(["--database", signed, "--require-signature", key] if key else []))
+        is_refused = "flight_state_not_used" in [told["event"] for told in events(capsys)]
+        # First none is there; then one of this user without a key; then the right one; then one of another key.
+        assert is_refused == (number in (1, 3)), number
+
+
+@pytest.mark.skipif(os.name == "nt", reason="rights of POSIX")
+def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(watch, flown, home, capsys, monkeypatch):
+    (secret,) = [path for path in home.rglob("*") if path.is_file() and path.stat().st_size == 32]
+    assert secret.stat().st_mode & 0o077 == 0 and flown.stat().st_mode & 0o077 == 0
+    for name in ("XDG_CACHE_HOME", "XDG_DATA_HOME", "SEMREF_CACHE"):
+        monkeypatch.setenv(name, str(home / "other"))
+    watch("--state", str(flown))
+    (told,) = events(capsys)
+    assert told["event"] == "flight_state_not_used" and "secret of this user" in told["reason"]
+
+
+@pytest.mark.parametrize("kind", ["g", "f2", ">i8", "?"])
+def test_other_types_of_numbers_in_a_state_are_numbers(watch, flown, capsys, kind):
+    """Of long doubles every image of the rest of the flight was an error: linear algebra takes none."""
+    arrays = arrays_of(flown)
+    header = arrays.pop("header")
+    write_arrays(flown, {"header": header, **{name: np.clip(a, 0, 9999).astype(kind) for name, a in arrays.items()}})
+    _, records = watch("--state", str(flown))
+    assert records and "error" not in [record["status"] for record in records]
+    assert "traceback" not in capsys.readouterr().err
+
+
+def test_a_fault_in_the_flight_is_not_carried_on(watch, folder, monkeypatch, capsys):
+    from semref.core.flight.tracker import FlightTracker
+
+    put(folder, range(3))
+    original, calls = FlightTracker.add, []
+
+    def add(tracker, *arguments):
+        calls.append(tracker)
+        if tracker is calls[0] and len(calls) > 1:
+            raise ZeroDivisionError
+        return original(tracker, *arguments)
+
+    monkeypatch.setattr(FlightTracker, "add", add)
+    _, records = watch()
+    assert [record["status"] == "error" for record in records] == [False, True, False]
+
+
+def test_a_disk_that_takes_no_state_is_reported_once_and_the_flight_goes_on(watch, folder, flown, capsys, monkeypatch):
+    put(folder, [4])
+    before = flown.read_bytes()
+
+    def full(_):
+        raise OSError(errno.ENOSPC, "full")
+
+    monkeypatch.setattr("semref.core.onboard.state_file.os.fsync", full)
+    _, records = watch("--state", str(flown))
     assert len(records) == 2
-    assert json.loads(capsys.readouterr().err.splitlines()[0])["event"] == "state_not_kept"
+    assert [told["event"] for told in events(capsys)] == ["state_not_kept"]
+    assert flown.read_bytes() == before and not list(flown.parent.glob(".*.part"))
+
+
+# --- what lies where the state is to be ---
+
+
+def test_a_link_with_the_name_of_a_temporary_file_is_not_followed(watch, folder, tmp_path):
+    victim = tmp_path / "victim"
+    victim.write_text("mine", encoding="utf-8")
+    (tmp_path / "flight.npz.part").symlink_to(victim)
+    put(folder, range(1))
+    watch("--state", str(tmp_path / "flight.npz"))
+    assert victim.read_text(encoding="utf-8") == "mine" and (tmp_path / "flight.npz").is_file()
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
+def test_a_pipe_in_the_place_of_the_state_blocks_nothing(folder, database, tmp_path):
+    os.mkfifo(tmp_path / "flight.npz")
+    os.mkfifo(tmp_path / "flight.npz.part")
+    put(folder, range(1))
+    run = [sys.executable, "-m", "core", "watch", str(folder), "--database", database, "--once", "--flight"]
+    ended = subprocess.run(
+        [*run, "--state", str(tmp_path / "flight.npz")], cwd=ROOT, capture_output=True, timeout=60, check=False
+    )
+    assert ended.returncode == REFUSED and b"not a regular file" in ended.stderr
+    assert (tmp_path / "flight.npz").is_fifo()
+
+
+# --- older onboard files ---
+
+
+DATES = [datetime(2026, month, 1, tzinfo=timezone.utc) for month in (3, 5)]
+
+
+def test_an_onboard_file_that_is_older_than_one_used_before_is_reported(watch, folder, tmp_path, database, capsys):
+    onboard = read_onboard(database)
+    older, newer = (str(tmp_path / f"{date:%m}.npz") for date in DATES)
+    for path, date in zip((older, newer), DATES):
+        write_onboard(path, onboard.database, onboard.lon_lat, exported=date)
+    put(folder, range(1))
+    warned = []
+    for path in (older, newer, older, older, database, newer):
+        watch("--state", str(tmp_path / "flight.npz"), "--database", path)
+        warned.append([told["newest"] for told in events(capsys) if told["event"] == "older_database"])
+    newest = [DATES[1].isoformat()]
+    assert warned == [[], [], newest, newest, newest, []]
 
 
 @pytest.mark.slow

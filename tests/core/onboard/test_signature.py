@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import json
 import zipfile
+from datetime import datetime, timezone
 
 import numpy as np
 import pytest
@@ -98,3 +100,58 @@ def test_the_command_line_requires_the_signature(folder, capsys):
     for command in (["info"], ["localize", "photo.png", "--database"], ["watch", str(folder), "--database"]):
         assert main([*command, str(folder / "unsigned.npz"), "--require-signature", key]) == REFUSED
         assert "is not signed" in capsys.readouterr().err
+
+
+def described(capsys, *arguments):
+    assert main(["info", *map(str, arguments), "--json"]) == ALL_FIXED
+    return json.loads(capsys.readouterr().out)
+
+
+def test_info_shows_the_date_and_what_is_known_of_the_signature(folder, tmp_path, capsys):
+    database, date = read_onboard(str(folder / "unsigned.npz")).database, datetime(2026, 5, 1, tzinfo=timezone.utc)
+    write_onboard(str(tmp_path / "dated.npz"), database, None, key_file=str(folder / "key"), exported=date)
+    found = described(capsys, tmp_path / "dated.npz")
+    assert (found["exported"], found["signature"]) == (date.isoformat(), "signed, not checked: no key was given")
+    found = described(capsys, tmp_path / "dated.npz", "--require-signature", folder / "key")
+    assert found["signature"] == "signed with the key"
+    found = described(capsys, folder / "unsigned.npz")
+    assert (found["exported"], found["signature"]) == ("not recorded", "not signed")
+
+
+def test_localizing_logs_the_date_and_what_is_known_of_the_signature(folder, tmp_path, capsys):
+    database, date = read_onboard(str(folder / "unsigned.npz")).database, datetime(2026, 5, 1, tzinfo=timezone.utc)
+    path = str(tmp_path / "dated.npz")
+    write_onboard(path, database, None, key_file=str(folder / "key"), exported=date)
+    for key, said in ((None, "signed, not checked: no key was given"), (folder / "key", "signed with the key")):
+        required = ["--require-signature", str(key)] if key else []
+        main(["localize", str(tmp_path), "--database", path, "--log-level", "info", *required])
+        told = [json.loads(line) for line in capsys.readouterr().err.splitlines() if line.startswith("{")]
+        (ready,) = [line for line in told if line["event"] == "ready"]
+        assert (ready["exported"], ready["signature"]) == (date.isoformat(), said)
+
+
+@pytest.mark.parametrize("text", ["yesterday", "2026-05-01", 5])
+def test_a_date_that_is_none_is_refused(folder, tmp_path, monkeypatch, text):
+    class Moment:
+        def isoformat(self, timespec):
+            return text
+
+    database = read_onboard(str(folder / "unsigned.npz")).database
+    write_onboard(str(tmp_path / "dated.npz"), database, None, exported=Moment())
+    with pytest.raises(SemRefError, match="exported|date|isoformat"):
+        read_onboard(str(tmp_path / "dated.npz"))
+
+
+def test_the_date_is_signed(folder, tmp_path):
+    """Whoever sets an older file's date forward needs the key."""
+    database = read_onboard(str(folder / "unsigned.npz")).database
+    dates = [datetime(year, 5, 1, tzinfo=timezone.utc) for year in (2025, 2026)]
+    for date in dates:
+        write_onboard(str(tmp_path / f"{date.year}.npz"), database, None, key_file=str(folder / "key"), exported=date)
+    with zipfile.ZipFile(tmp_path / "2025.npz") as old, zipfile.ZipFile(tmp_path / "2026.npz") as new:
+        files = {name: (new if "signature" not in name else old).read(name) for name in new.namelist()}
+    with zipfile.ZipFile(tmp_path / "forged.npz", "w") as archive:
+        for name, data in files.items():
+            archive.writestr(name, data)
+    assert read_onboard(str(tmp_path / "forged.npz")).exported == dates[1]
+    assert "was changed since" in refusal(tmp_path / "forged.npz", folder / "key")

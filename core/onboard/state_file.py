@@ -1,0 +1,116 @@
+"""The file that keeps a flight: authenticated as a whole before any of it is read, and replaced as a whole.
+
+It is numpy's ``.npz`` without pickles and, behind it, 32 bytes: HMAC-SHA256 of a purpose and of all bytes before. The
+key is that of the onboard file (``--require-signature``), otherwise a secret of this user on this machine.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import hmac
+import io
+import os
+import stat
+import tempfile
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..cache import user_secret
+from ..errors import ParameterError
+from .arrays import UNREADABLE, number_arrays
+from .signature import read_key
+
+MOST_STATE_BYTES = 256_000_000
+"""A state has some ten images at a few hundred pixels an edge; a larger file is none."""
+
+_PURPOSE = b"semref flight state 2\0"
+"""Keeps the code from being one of something else that is made with the same key."""
+
+_CODE_BYTES = hashlib.sha256().digest_size
+
+
+@dataclass(frozen=True)
+class StateFile:
+    """The place of a state, and the key that authenticates it.
+
+    Attributes:
+        path: Of the file.
+        key: Of ``read_key``, or the user's secret.
+    """
+
+    path: str
+    key: bytes = field(repr=False)
+
+    @classmethod
+    def at(cls, path: str, key_file: str | None) -> StateFile:
+        """Return the state file at a path, which need not exist.
+
+        Args:
+            path: Of the file.
+            key_file: Key of the onboard file; None for the user's secret.
+
+        Raises:
+            ParameterError: The key can't be used, or no state can be at the path.
+        """
+        folder = os.path.dirname(path) or "."
+        if not os.path.isdir(folder):
+            raise ParameterError("onboard.no_state_folder", path=path, folder=folder)
+        # Replacing a device or a pipe would remove it.
+        if os.path.exists(path) and not os.path.isfile(path):
+            raise ParameterError("onboard.state_no_file", path=path)
+        key = read_key(key_file) if key_file else user_secret()
+        if key is None:
+            raise ParameterError("onboard.no_secret")
+        return cls(path, key)
+
+    def write(self, arrays: dict[str, np.ndarray]) -> None:
+        """Replace the state at once; raises OSError where it can't be written, and leaves the one before.
+
+        Args:
+            arrays: Numbers by name.
+        """
+        packed = io.BytesIO()
+        np.savez(packed, **arrays)
+        data = packed.getvalue()
+        descriptor, made = tempfile.mkstemp(prefix=".", suffix=".part", dir=os.path.dirname(self.path) or ".")
+        try:
+            with os.fdopen(descriptor, "wb") as file:
+                file.write(data + self._code(data))
+                file.flush()
+                os.fsync(file.fileno())
+            os.replace(made, self.path)
+        except OSError:
+            # A full disk must not be filled with half a state.
+            with contextlib.suppress(OSError):
+                os.unlink(made)
+            raise
+
+    def read(self) -> dict[str, np.ndarray]:
+        """Return the arrays of the state by name.
+
+        Raises:
+            OSError: The file can't be read.
+            ParameterError: It was not written with the key, was changed since, or is no state.
+        """
+        with open(self.path, "rb", opener=_open_at_once) as file:
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode) or status.st_size > MOST_STATE_BYTES:
+                raise ParameterError("onboard.no_flight_state", path=self.path)
+            data = file.read(status.st_size)
+        data, code = data[:-_CODE_BYTES], data[-_CODE_BYTES:]
+        if not hmac.compare_digest(self._code(data), code):
+            raise ParameterError("onboard.state_not_ours", path=self.path)
+        try:
+            return number_arrays(io.BytesIO(data), MOST_STATE_BYTES)
+        except UNREADABLE as error:
+            raise ParameterError("onboard.no_flight_state", path=self.path) from error
+
+    def _code(self, data: bytes) -> bytes:
+        return hmac.new(self.key, _PURPOSE + data, hashlib.sha256).digest()
+
+
+def _open_at_once(path: str, flags: int) -> int:
+    """Open a file without waiting for the writer of a pipe."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))

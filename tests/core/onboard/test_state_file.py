@@ -1,0 +1,88 @@
+"""The file of a flight's state: nobody else's, whole or not used, never in the way."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+import pytest
+
+from semref.core.errors import ParameterError
+from semref.core.onboard.state_file import StateFile
+
+ARRAYS = {"header": np.arange(40, dtype=np.uint8), "tracker_counts": np.array([1.5, 2.5])}
+KEY = bytes(range(32))
+
+
+@pytest.fixture
+def state(tmp_path):
+    found = StateFile(str(tmp_path / "flight.npz"), KEY)
+    found.write(ARRAYS)
+    return found
+
+
+def test_what_was_written_is_read(state):
+    found = state.read()
+    assert found.keys() == ARRAYS.keys()
+    assert all((found[name] == ARRAYS[name]).all() for name in ARRAYS)
+
+
+def test_every_byte_is_authenticated(state, tmp_path):
+    path = tmp_path / "flight.npz"
+    data = path.read_bytes()
+    for place in range(len(data)):
+        path.write_bytes(data[:place] + bytes([data[place] ^ 1]) + data[place + 1 :])
+        with pytest.raises(ParameterError, match="changed since"):
+            state.read()
+    for count in (0, 10, 32, len(data) - 1):
+        path.write_bytes(data[:count])
+        with pytest.raises(ParameterError, match="changed since"):
+            state.read()
+
+
+def test_another_key_is_refused(state):
+    with pytest.raises(ParameterError, match="key of this flight"):
+        StateFile(state.path, KEY[::-1]).read()
+
+
+def test_a_key_of_an_onboard_file_signs_a_state_for_nothing_else(state, tmp_path):
+    """A signature of other bytes with the same key, as of an onboard file, is no code of a state."""
+    import hashlib
+    import hmac
+
+    data = (tmp_path / "flight.npz").read_bytes()[:-32]
+    (tmp_path / "flight.npz").write_bytes(data + hmac.new(KEY, data, hashlib.sha256).digest())
+    with pytest.raises(ParameterError, match="changed since"):
+        state.read()
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
+@pytest.mark.parametrize("make", [os.mkfifo, os.mkdir])
+def test_what_is_no_regular_file_is_refused_at_once(tmp_path, make):
+    make(tmp_path / "flight.npz")
+    with pytest.raises(ParameterError, match="not a regular file"):
+        StateFile.at(str(tmp_path / "flight.npz"), None)
+    with pytest.raises((ParameterError, OSError)):
+        StateFile(str(tmp_path / "flight.npz"), KEY).read()
+
+
+@pytest.mark.skipif(not hasattr(os, "symlink") or os.name == "nt", reason="rights of POSIX")
+def test_a_link_is_replaced_and_what_it_leads_to_stays(tmp_path):
+    (tmp_path / "victim").write_bytes(b"mine")
+    (tmp_path / "flight.npz").symlink_to(tmp_path / "victim")
+    StateFile(str(tmp_path / "flight.npz"), KEY).write(ARRAYS)
+    assert (tmp_path / "victim").read_bytes() == b"mine" and not (tmp_path / "flight.npz").is_symlink()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["flight.npz", "victim"]
+
+
+def test_a_folder_that_is_not_there_is_refused_by_name(tmp_path):
+    with pytest.raises(ParameterError, match="nowhere.*does not exist"):
+        StateFile.at(str(tmp_path / "nowhere" / "flight.npz"), None)
+
+
+def test_without_a_secret_a_key_is_asked_for(tmp_path, monkeypatch):
+    monkeypatch.setattr("semref.core.onboard.state_file.user_secret", lambda: None)
+    with pytest.raises(ParameterError, match="--require-signature"):
+        StateFile.at(str(tmp_path / "flight.npz"), None)
+    (tmp_path / "key").write_bytes(KEY)
+    assert StateFile.at(str(tmp_path / "flight.npz"), str(tmp_path / "key")).key == KEY
