@@ -8,7 +8,7 @@ from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from ...core.errors import ImageError, ParameterError
+from ...core.errors import ImageError, ParameterError, TrainingError
 from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm
@@ -294,7 +294,10 @@ class TrainModel(AnnotationAlgorithm):
         with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:
             for event in events:
                 teller.tell(event)
-        result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
+        try:
+            result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise TrainingError("training.ended", python=python, reason=error) from None
         examples = [path.read_bytes() for path in sorted((run.folder / EXAMPLES).glob("*.png"))]
         return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)
 

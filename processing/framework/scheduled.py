@@ -16,13 +16,12 @@ from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...cluster import sentences
 from ...core.errors import ParameterError, SemRefError
-from ...core.sentences import Sentence
 from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
 from .base import check_canceled
 from .declarations import Text
-from .told_process import ToldProcess
+from .told_process import FAILED, ToldProcess, failure
 from .values import Values
 
 if TYPE_CHECKING:
@@ -34,7 +33,16 @@ __all__ = ["SCHEDULER", "ordered", "require_scheduler", "scheduled", "scheduled_
 SCHEDULER = "SCHEDULER"
 
 _PROGRAM = Path(__file__).resolve().parents[2] / "cluster"
-_ASKED_TO_END_MS, _KILLED_WITHIN_MS = 700, 5000
+_ASKED_TO_END_MS = 700
+_EVENTS = {
+    "step": {"text": str, "share": float},
+    "info": {"text": str},
+    "failed": FAILED,
+    "broke": {"reason": str},
+    "done": {},
+}
+"""What cluster/ tells."""
+
 _LOCAL = re.compile(r"local:(\d{1,4})")
 _REMOTE = re.compile(r"(tcp|tls|ucx|ws|wss)://[^\s:/]+:\d+/?")
 
@@ -92,14 +100,15 @@ def scheduled(
     process.start(_python(), order)
     if not process.waitForStarted():
         raise SemRefError("cluster.not_started", reason=process.errorString())
-    told, result = ToldProcess(process), None
+    told, result = ToldProcess(process, _EVENTS), None
     try:
         with closing(told.read(feedback)) as events:
             for event in events:
                 result = _shown(event, feedback, first) or result
                 check_canceled(feedback)
     finally:
-        _end(process)
+        # It clears up what it began, and who asked waits less than a second.
+        told.end(_ASKED_TO_END_MS)
     if result is None:
         raise SemRefError("cluster.ended", reason=told.reason or process.errorString())
     return result
@@ -181,21 +190,10 @@ def _shown(event: dict, feedback: QgsProcessingFeedback, first: float) -> dict[s
     elif kind == "info":
         feedback.pushInfo(event["text"])
     elif kind == "failed":
-        values = {key: tuple(value) if isinstance(value, list) else value for key, value in event["values"].items()}
-        raise SemRefError(Sentence(event["code"], **values))
+        raise SemRefError(failure(event, "cluster.ended"))
     elif kind == "broke":
         raise SemRefError("cluster.ended", reason=event["reason"].rstrip("."))
     return event if kind == "done" else None
-
-
-def _end(process: QProcess) -> None:
-    """Lets it clear up what it began; who asked waits less than a second. Its workers end with it."""
-    if process.state() == QProcess.ProcessState.NotRunning:
-        return
-    process.terminate()
-    if os.name == "nt" or not process.waitForFinished(_ASKED_TO_END_MS):
-        process.kill()
-        process.waitForFinished(_KILLED_WITHIN_MS)
 
 
 def _python() -> str:

@@ -2,24 +2,41 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
-from collections.abc import Iterator
+import os
+import signal
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 
 from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess
 
+from ...core.sentences import Sentence
 from .base import check_canceled
 
-_LOOKED_EVERY_MS = 200
+FAILED = {"code": str, "values": dict}
+"""What the event “failed” of any process holds."""
+
+_LOOKED_EVERY_MS, _KILLED_WITHIN_MS = 200, 5000
 _LAST_LINES = 20
 """Of what it says beside events; the last of them tell why it ended."""
+
+_LONGEST_LINE = 1 << 20
+_LARGEST_NUMBER = 1e15
 
 
 class ToldProcess:
     """What a process prints: events on its output, and the last words beside them."""
 
-    def __init__(self, process: QProcess) -> None:
-        self._process = process
+    def __init__(self, process: QProcess, events: Mapping[str, Mapping[str, type]]) -> None:
+        """Nothing is read yet.
+
+        Args:
+            process: Was started.
+            events: Names of its events, with the types of the values that are used; ``float`` is any finite number.
+        """
+        self._process, self._known = process, events
         self._rest = b""
         self._said: list[str] = []
 
@@ -29,7 +46,10 @@ class ToldProcess:
         return self._said[-1].rstrip(".") if self._said else ""
 
     def read(self, feedback: QgsProcessingFeedback) -> Iterator[dict]:
-        """Every event until the process ends; raises Canceled when the user canceled."""
+        """Every event until the process ends; raises Canceled when the user canceled.
+
+        Lines that are no such events are ignored: libraries print, too.
+        """
         running = True
         while running:
             check_canceled(feedback)
@@ -38,20 +58,99 @@ class ToldProcess:
                 self._process.waitForReadyRead(_LOOKED_EVERY_MS)
             yield from self._events()
 
+    def end(self, asked_ms: int = 0) -> None:
+        """Ends the process, if it runs, and all processes that it and they started.
+
+        Args:
+            asked_ms: How long it may take to end by itself and clear up; systems that can't ask it give it no time.
+        """
+        if self._process.state() == QProcess.ProcessState.NotRunning:
+            return
+        if asked_ms and os.name != "nt":
+            self._process.terminate()
+            if self._process.waitForFinished(asked_ms):
+                return
+        if os.name == "nt":
+            QProcess.execute("taskkill", ["/F", "/T", "/PID", str(self._process.processId())])
+        else:
+            _kill(self._process.processId())
+        self._process.kill()
+        self._process.waitForFinished(_KILLED_WITHIN_MS)
+
     def _events(self) -> Iterator[dict]:
         errors = bytes(self._process.readAllStandardError()).decode("utf-8", "replace")
         self._said = [*self._said, *filter(None, map(str.strip, errors.splitlines()))][-_LAST_LINES:]
-        *lines, self._rest = (self._rest + bytes(self._process.readAllStandardOutput())).split(b"\n")
+        *lines, rest = (self._rest + bytes(self._process.readAllStandardOutput())).split(b"\n")
+        self._rest = rest[-_LONGEST_LINE:]
         for line in lines:
-            event = _event(line)
+            event = self._event(line)
             if event is not None:
                 yield event
 
+    def _event(self, line: bytes) -> dict | None:
+        try:
+            found = json.loads(line.decode("utf-8", "replace"))
+        except (ValueError, RecursionError):
+            return None
+        name = found.get("event") if isinstance(found, dict) else None
+        if not isinstance(name, str) or name not in self._known:
+            return None
+        is_whole = all(_is(found.get(key), kind) for key, kind in self._known[name].items())
+        return found if is_whole else None
 
-def _event(line: bytes) -> dict | None:
-    """What a line tells; None for one that is no event: libraries print, too."""
+
+def failure(event: dict, code: str) -> Sentence:
+    """What an event “failed” says; where this SemRef has no such sentence, that of ``code`` with it as the reason."""
+    said = Sentence(event["code"], **event["values"])
     try:
-        found = json.loads(line.decode("utf-8", "replace"))
-    except ValueError:
-        return None
-    return found if isinstance(found, dict) and isinstance(found.get("event"), str) else None
+        str(said)
+    except (KeyError, IndexError, AttributeError, ValueError, TypeError):
+        return Sentence(code, reason=event["code"])
+    return said
+
+
+def _is(value: object, kind: type) -> bool:
+    if kind is float:
+        # Neither infinite nor NaN.
+        return isinstance(value, (int, float)) and abs(value) <= _LARGEST_NUMBER
+    return isinstance(value, kind)
+
+
+def _kill(root: int) -> None:
+    """Kills a process and its descendants: stopped first, so that none starts others meanwhile."""
+    stopped: set[int] = set()
+    while new := _descendants(root) - stopped:
+        _send(new, signal.SIGSTOP)
+        stopped |= new
+    _send(stopped, signal.SIGKILL)
+
+
+def _send(processes: set[int], number: signal.Signals) -> None:
+    for process in processes:
+        # Those that have ended since, or run as another user.
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.kill(process, number)
+
+
+def _descendants(root: int) -> set[int]:
+    """A process and all those that it and they started."""
+    parents, found = _parents(), [root]
+    for process in found:
+        found += [child for child, parent in parents.items() if parent == process]
+    return set(found)
+
+
+def _parents() -> dict[int, int]:
+    """The parent of each process of the machine: of Linux's /proc, elsewhere as ``ps`` lists them."""
+    if os.path.isdir("/proc/self"):
+        parents = {}
+        for file in Path("/proc").glob("[0-9]*/stat"):
+            with contextlib.suppress(OSError):
+                # The name before may have spaces and brackets.
+                parents[int(file.parent.name)] = int(file.read_bytes().rpartition(b")")[2].split()[1])
+        return parents
+    listing = QProcess()
+    listing.start("ps", ["-A", "-o", "pid=,ppid="])
+    listing.waitForFinished(_KILLED_WITHIN_MS)
+    rows = (line.split() for line in bytes(listing.readAllStandardOutput()).splitlines())
+    return {int(row[0]): int(row[1]) for row in rows if len(row) == 2}

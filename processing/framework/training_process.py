@@ -11,13 +11,22 @@ from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...core.errors import TrainingError
-from ...core.sentences import Sentence
 from ..translation import tr
-from .told_process import ToldProcess
+from .told_process import FAILED, ToldProcess, failure
 
 PROGRAM = Path(__file__).resolve().parents[2] / "training"
 
-_KILLED_WITHIN_MS = 5000
+_EVENTS = {
+    "ready": {"torch": str, "device": str},
+    "begun": {"device": str, "weights": float, "training": float, "validation": float},
+    "resumed": {"epoch": float},
+    "step": {"share": float, "epoch": float, "loss": float},
+    "epoch": {"share": float, "epoch": float, "training_loss": float, "mean_iou": float},
+    "exporting": {},
+    "failed": FAILED,
+    "broke": {"reason": str, "text": str},
+}
+"""What training/ tells."""
 
 _QGIS_OWN = ("PYTHONHOME", "PYTHONPATH", "PYTHONSTARTUP")
 """Variables by which QGIS leads its own Python, and another one astray."""
@@ -34,7 +43,7 @@ def require_training(python: str, feedback: QgsProcessingFeedback) -> dict:
 
 
 def training_events(python: str, arguments: list[str], feedback: QgsProcessingFeedback) -> Iterator[dict]:
-    """Runs the training and yields what it tells; a cancel ends it at once.
+    """Runs the training and yields what it tells; a cancel ends it at once, and all that it started.
 
     Raises:
         TrainingError: It can't be started, says that it can't go on, or ends without a word.
@@ -45,23 +54,21 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     process.start(python, [str(PROGRAM), *arguments])
     if not process.waitForStarted():
         raise TrainingError("training.not_started", python=python, reason=process.errorString())
-    told = ToldProcess(process)
+    told = ToldProcess(process, _EVENTS)
     try:
         with closing(told.read(feedback)) as events:
             for event in events:
                 _require_no_failure(event, feedback)
                 yield event
     finally:
-        if process.state() != QProcess.ProcessState.NotRunning:
-            process.kill()
-            process.waitForFinished(_KILLED_WITHIN_MS)
+        told.end()
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
         raise TrainingError("training.ended", python=python, reason=told.reason or process.errorString())
 
 
 def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
     if event["event"] == "failed":
-        raise TrainingError(Sentence(event["code"], **event["values"]))
+        raise TrainingError(failure(event, "training.broke"))
     if event["event"] == "broke":
         feedback.pushDebugInfo(event["text"])
         raise TrainingError("training.broke", reason=event["reason"].rstrip("."))
@@ -86,7 +93,7 @@ class TrainingTeller:
 
     def tell(self, event: dict) -> None:
         """Shows one event."""
-        if "share" in event:
+        if event["event"] in ("step", "epoch"):
             self._feedback.setProgress(self._first + (self._last - self._first) * event["share"])
         show = getattr(self, f"_{event['event']}", None)
         if show is not None:
@@ -108,7 +115,7 @@ class TrainingTeller:
     def _epoch(self, event: dict) -> None:
         classes = ((key[4:], value) for key, value in event.items() if key.startswith("iou_"))
         text = tr("Epoch {epoch}: loss {loss:.3f}, mean IoU {iou:.1%} ({classes})")
-        shown = ", ".join(f"{name} {100 * value:.0f} %" for name, value in classes)
+        shown = ", ".join(f"{name} {100 * value:.0f} %" for name, value in classes if isinstance(value, float))
         known = {"epoch": event["epoch"], "loss": event["training_loss"], "iou": event["mean_iou"]}
         self._feedback.pushInfo(text.format(classes=shown, **known))
 

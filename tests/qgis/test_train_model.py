@@ -8,6 +8,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shutil
 import time
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
 from tile_server import tile_server
 
+from semref.processing.framework import told_process
 from semref.storage.files import Batch
 
 TRAIN = "semref:trainmodel"
@@ -209,6 +211,55 @@ def test_a_cancel_ends_the_process_at_once_and_keeps_what_was_trained(train, tmp
     assert (tmp_path / "model.onnx").exists() and folders(tmp_path) == []
 
 
+def test_a_cancel_ends_whatever_the_process_started(train, tmp_path):
+    """The Python is a script that starts the real one, which starts others, as for loading data."""
+    worker = "import os, time; open({!r}, 'w').write(str(os.getpid())); time.sleep(60)"
+    pids = [tmp_path / "worker", tmp_path / "trainer"]
+    start = "import subprocess; subprocess.Popen([sys.executable, '-c', " + repr(worker.format(str(pids[0]))) + "]); "
+    start += f"open({str(pids[1])!r}, 'w').write(str(os.getpid())); "
+    wait = f"\nwhile not (os.path.exists({str(pids[0])!r}) and open({str(pids[0])!r}).read()): time.sleep(0.05)\n"
+    wrapper = tmp_path / "wrapper"
+    wrapper.write_text(f'#!/bin/sh\n"{tmp_path / "python_that_trains"}" "$@"\necho ended\n')
+    wrapper.chmod(0o755)
+    said = Said(cancel_at=50)
+    with pytest.raises(QgsProcessingException, match="is kept"):
+        train(said, training=f"{start}{wait}{EPOCH}; time.sleep(60)", PYTHON=str(wrapper))
+    assert time.monotonic() - said.canceled_at < 5
+    assert [is_running(int(path.read_text())) for path in pids] == [False, False]
+
+
+def is_running(pid):
+    """Whether a process runs; one that ended may still be listed."""
+    stat = Path(f"/proc/{pid}/stat")
+    return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] not in "ZX"
+
+
+ODD_LINES = [
+    '{"event": "later version"}',
+    '{"event": "step"}',
+    '{"event": "step", "share": "much", "epoch": 1, "loss": 1}',
+    '{"event": "step", "share": NaN, "epoch": 1, "loss": 1}',
+    '{"event": "step", "share": 1e999, "epoch": 1, "loss": 1}',
+    '{"event": "epoch", "share": 0.3, "epoch": [], "training_loss": 1, "mean_iou": 1}',
+    '{"event": "begun", "device": 1}',
+    '{"event": "failed"}',
+    '{"event": "failed", "code": 1, "values": []}',
+    '{"event": "broke"}',
+    '{"event": "_init__"}',
+    '{"event": ["step"]}',
+    '{"event": "epoch", "share": ' + "9" * 5000 + ', "epoch": 1, "training_loss": 1, "mean_iou": 1}',
+    "[" * 100_000,
+    "{",
+    "\xff\x00",
+]
+
+
+def test_lines_that_are_no_events_are_ignored(train):
+    lines = f"[print(line, flush=True) for line in {ODD_LINES!r}]; "
+    odd_class = 'tell("epoch", share=0.3, **{**row, "iou_water": "unknown"}); '
+    assert train(training=lines + odd_class + EPOCH)["MEAN_IOU"] == 0.4
+
+
 def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):
     with pytest.raises(QgsProcessingException, match="is kept"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
@@ -234,8 +285,11 @@ def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
         ('tell("broke", text="Traceback", reason="out of luck"); sys.exit(2)', "out of luck; please report"),
         ('sys.stderr.write("no memory\\n"); sys.exit(3)', r"ended without a word \(no memory\)"),
         ("os.kill(os.getpid(), 9)", "ended without a word"),
+        ("sys.exit(0)", "ended without a word .*result.json"),
+        ('tell("failed", code="training.of_later", values={"a": 1}); sys.exit(1)', "training.of_later"),
+        ('tell("failed", code="training.one_class", values={}); sys.exit(1)', "training.one_class"),
     ],
-    ids=["a sentence", "a bug", "a last word", "killed"],
+    ids=["a sentence", "a bug", "a last word", "killed", "nothing", "an unknown sentence", "a sentence without values"],
 )
 def test_what_stops_the_training_is_one_sentence(train, tmp_path, training, said):
     with pytest.raises(QgsProcessingException, match=said):
@@ -394,3 +448,11 @@ def test_a_run_whose_job_can_t_be_read_is_not_gone_on_with(train, tmp_path):
         train()
     train(RESUME=False)
     assert folders(tmp_path) == []
+
+
+@pytest.mark.skipif(shutil.which("ps") is None, reason="this system has no ps")
+def test_ps_tells_what_proc_tells(monkeypatch):
+    """macOS has no /proc."""
+    ours = told_process._descendants(os.getppid())
+    monkeypatch.setattr(os.path, "isdir", lambda _: False)
+    assert os.getpid() in ours & told_process._descendants(os.getppid())
