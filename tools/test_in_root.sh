@@ -11,13 +11,8 @@ set -euo pipefail
 
 packages=(
     qgis python3-qgis xvfb xauth gdal-bin sqlite3 ca-certificates
-<<<<<<< HEAD
-    python3-numpy python3-opencv python3-onnxruntime python3-shapely python3-pytest python3-onnx python3-pil
-    python3-distributed python3-cryptography # Dask, in an older version than on this machine
-=======
     python3-numpy python3-opencv python3-onnxruntime python3-shapely python3-pytest python3-onnx python3-pil python3-pip
-    python3-distributed # Dask, in an older version than on this machine
->>>>>>> b6529f0 (Start in a QGIS that lacks SemRef's Python packages)
+    python3-distributed python3-cryptography # Dask, in an older version than on this machine
 )
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

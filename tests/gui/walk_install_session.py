@@ -18,7 +18,7 @@ from pyplugin_installer.installer_data import plugins
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSlot
 from qgis.PyQt.QtGui import QDesktopServices
-from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QTabWidget, QWidget
+from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QTabWidget
 from walking import dock, settle, start, wait_until
 
 MODAL_AFTER_MS = 500
@@ -106,8 +106,10 @@ def in_modal(do):
 
     def go_on():
         dialog = QApplication.activeModalWidget()
-        came.append(do(dialog))
-        dialog.reject()
+        try:
+            came.append(do(dialog))
+        finally:
+            dialog.reject()
 
     QTimer.singleShot(MODAL_AFTER_MS, go_on)
     return came
@@ -141,9 +143,10 @@ def opened_dialogs():
 
 def installed_packages():
     """By the notice's button and the page's."""
+    from semref.ui.packages.components_page import ComponentsPage
 
     def press(dialog):
-        page = dialog.findChild(QWidget, "SemRefOptions")
+        page = dialog.findChild(ComponentsPage)
         picture("options")
         page.install.click()
         wait_until(lambda: not page._installer.running, "the packages")
