@@ -210,7 +210,7 @@ class ComponentsPage(QgsOptionsPageWidget):
     def _asked_folder(self) -> str:
         """A folder of wheels; empty where the user thought better of it."""
         last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
-        folder = QFileDialog.getExistingDirectory(self, tr("Choose a folder with wheels (*.whl)"), last)
+        folder = QFileDialog.getExistingDirectory(self.window(), tr("Choose a folder with wheels (*.whl)"), last)
         if folder:
             QgsSettings().setValue(_WHEELS_SETTING, folder)
         return folder
@@ -227,7 +227,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.state.setText(tr("Copied: {command}").format(command=command))
 
     def _show_models(self) -> None:
-        ModelsDialog(parent=self, can_use=False).exec()
+        ModelsDialog(parent=self.window(), can_use=False).exec()
 
     def _remove(self) -> None:
         try:

@@ -95,7 +95,7 @@ class TrainingGroup(QGroupBox):
         self._start("")
 
     def _choose_wheels(self) -> None:
-        folder = QFileDialog.getExistingDirectory(self, tr("Choose a folder with wheels (*.whl)"))
+        folder = QFileDialog.getExistingDirectory(self.window(), tr("Choose a folder with wheels (*.whl)"))
         if folder:
             self._start(folder)
 

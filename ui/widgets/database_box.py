@@ -18,7 +18,7 @@ from ..project_state import DATABASE_SETTING, remembered_database
 from .buttons import tool_button
 from .choice_box import ChoiceBox
 from .folding_box import FoldingBox
-from .layouts import name_fold, narrow, row_of
+from .layouts import content_of, name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
 
@@ -54,7 +54,7 @@ class DatabaseBox(FoldingBox):
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
         self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Make a reference database of polygons…"))
         self.making: QWidget | None = None
-        layout = narrow(QVBoxLayout(self))
+        layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))
         layout.addWidget(self.in_project)
         name_fold(self)
@@ -113,7 +113,7 @@ class DatabaseBox(FoldingBox):
 
     def _show_folded(self, *_) -> None:
         """What is seen of the box as it is, folded or not: layers may come at any time."""
-        self.in_project.setVisible(self.in_project.count() > 1 and not self.isCollapsed())
+        self.in_project.setVisible(self.in_project.count() > 1)
         self._show_title()
 
     def _show_in_project(self) -> None:

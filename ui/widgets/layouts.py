@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QEvent, QSize
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QToolButton, QWidget
+from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from ...processing.translation import tr
 
@@ -63,6 +63,16 @@ def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:
     """The layout with margins as narrow as a dock needs them."""
     layout.setContentsMargins(margin, margin, margin, margin)
     return layout
+
+
+def content_of(box: QgsCollapsibleGroupBox) -> QWidget:
+    """Make the one child of a box that folds, to be laid out.
+
+    QGIS shows every child of the box when it unfolds: widgets that are hidden, and dialogs that were closed.
+    """
+    content = QWidget()
+    narrow(QVBoxLayout(box)).addWidget(content)
+    return content
 
 
 def name_fold(box: QgsCollapsibleGroupBox) -> None:

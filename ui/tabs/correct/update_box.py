@@ -15,7 +15,7 @@ from ....storage.database.undo import can_undo, file_before
 from ...fields.class_name_box import ClassNameBox
 from ...fields.guessed import class_field_of, class_of_all, priority_field_of
 from ...running.correction_run import Correction
-from ...widgets.layouts import name_fold, narrow
+from ...widgets.layouts import content_of, name_fold, narrow
 from ...widgets.remaining_bar import RemainingBar
 from ...widgets.status_line import StatusLine
 from ...widgets.tips import plain_tip
@@ -49,7 +49,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.progress = RemainingBar()
         self.state = StatusLine()
         self.undo = QPushButton(tr("Undo the last update"))
-        layout = narrow(QFormLayout(self))
+        layout = narrow(QFormLayout(content_of(self)), 0)
         layout.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         layout.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         for title, widget in (

@@ -32,7 +32,7 @@ from ...running.background import Reader
 from ...widgets.buttons import tool_button
 from ...widgets.choice_box import ChoiceBox
 from ...widgets.folding_box import FoldingBox
-from ...widgets.layouts import name_fold, narrow, row_of
+from ...widgets.layouts import content_of, name_fold, narrow, row_of
 from .image_list import ImageList
 
 _METHOD_SETTING = "semref/dock/method"
@@ -83,10 +83,10 @@ class ImageBox(FoldingBox):
         self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
         self.model.setFilePath(QgsSettings().value(MODEL_SETTING, "", type=str))
         self.models = tool_button("/mActionOpenTable.svg", tr("Models at hand, and what they are good for…"))
-        self.choosing: QWidget | None = None
+        self.choosing: ModelsDialog | None = None
         self.train = tool_button("/processingAlgorithm.svg", tr("Train a model on an orthophoto and polygons…"))
         self.training: QWidget | None = None
-        layout = narrow(QVBoxLayout(self))
+        layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.list)
         layout.addLayout(row_of((self.add_files, 1), (self.add_folder, 1), self.add_layer, self.remove))
         layout.addWidget(self.flight)
@@ -124,8 +124,9 @@ class ImageBox(FoldingBox):
             self.setCollapsed(False)
 
     def shut_down(self) -> None:
-        """Waits for what is being read."""
+        """Waits for what is being read, and closes the list of models."""
         self._reader.shut_down()
+        self._close_models()
 
     def _look_for_flight(self) -> None:
         self._reader.forget()
@@ -146,9 +147,17 @@ class ImageBox(FoldingBox):
 
     def _choose_model(self) -> None:
         """Shows the models at hand with their cards."""
-        self.choosing = ModelsDialog(self.model_path(), self)
+        self._close_models()
+        # Not a child of the box, which shows all of its children when it unfolds.
+        self.choosing = ModelsDialog(self.model_path(), self.window())
         self.choosing.chosen.connect(self.model.setFilePath)
         self.choosing.show()
+
+    def _close_models(self) -> None:
+        if self.choosing is not None:
+            self.choosing.close()
+            self.choosing.deleteLater()
+            self.choosing = None
 
     def _train_model(self) -> None:
         """Opens the algorithm's dialog, beside which QGIS can be used; its model becomes the chosen one."""
@@ -176,11 +185,11 @@ class ImageBox(FoldingBox):
 
     def _choose_files(self) -> None:
         filters = QgsProviderRegistry.instance().fileRasterFilters()
-        paths, _ = QFileDialog.getOpenFileNames(self, tr("Add images"), _last_folder(), filters)
+        paths, _ = QFileDialog.getOpenFileNames(self.window(), tr("Add images"), _last_folder(), filters)
         self._add(paths)
 
     def _choose_folder(self) -> None:
-        self._add([QFileDialog.getExistingDirectory(self, tr("Add a folder of images"), _last_folder())])
+        self._add([QFileDialog.getExistingDirectory(self.window(), tr("Add a folder of images"), _last_folder())])
 
     def _list_layers(self) -> None:
         self.layers.clear()

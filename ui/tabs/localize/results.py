@@ -13,7 +13,7 @@ from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBo
 from ....processing.translation import tr
 from ...findings import Finding
 from ...widgets.buttons import shortcut, split_button, tool_button
-from ...widgets.layouts import FoldingRow, name_fold, narrow, row_of
+from ...widgets.layouts import FoldingRow, content_of, name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
 from .position_formats import DATABASE, FORMATS, format_title, position_text, possible_formats
@@ -109,7 +109,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
             self.parts.setStretchFactor(number, share)
         self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
         self.parts.splitterMoved.connect(self._remember_parts)
-        layout = narrow(QVBoxLayout(self))
+        layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.parts, 1)
         layout.addLayout(row_of(self.before, self.after, self.play, self.zoom, (self.copy, 1)))
         layout.addWidget(FoldingRow(self.drape, self.keep))

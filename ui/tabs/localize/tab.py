@@ -247,7 +247,7 @@ class LocalizeTab(QWidget):
 
     def _save_results(self) -> None:
         folder = QgsSettings().value(_RESULTS_FOLDER_SETTING, "", type=str)
-        path, _ = QFileDialog.getSaveFileName(self, tr("Save results"), folder, tr("GeoPackage (*.gpkg)"))
+        path, _ = QFileDialog.getSaveFileName(self.window(), tr("Save results"), folder, tr("GeoPackage (*.gpkg)"))
         if not path:
             return
         path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
