@@ -17,6 +17,9 @@ from .images import GdalImage
 from .label_map_file import CLASS_BIAS_ITEM
 from .rasters import GdalLabels, open_raster
 
+_SAMPLED_PX, _MOST_LABEL_COLORS = 128, 256
+"""Edge of the square whose colors are counted, and colors that a label image has at most, blurred borders included."""
+
 
 class LabelImageReader:
     """Reads label images: ``label_images(path)`` gives (H, W) uint8 labels in the classes of a table."""
@@ -89,6 +92,20 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         labels = decode_colors(read_bgr(dataset, path, 0, height), table)
     wanted = _own_mask(dataset, path)
     return labels if wanted is None else np.where(wanted, labels, UNLABELED)
+
+
+def has_photo_colors(path: str) -> bool:
+    """Whether an image of three or more bands has more colors in its middle than a label image; False if unreadable."""
+    try:
+        dataset = open_raster(path)
+        if dataset.RasterCount < 3:
+            return False
+        size = min(_SAMPLED_PX, dataset.RasterXSize), min(_SAMPLED_PX, dataset.RasterYSize)
+        first = (dataset.RasterXSize - size[0]) // 2, (dataset.RasterYSize - size[1]) // 2
+        bands = dataset.ReadAsArray(*first, *size)
+    except (LabelMapError, RuntimeError):
+        return False
+    return bands is not None and len(np.unique(bands[:3].reshape(3, -1), axis=1).T) > _MOST_LABEL_COLORS
 
 
 def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:

@@ -308,7 +308,10 @@ def image_files(paths: list[str]) -> list[str]:
         if not os.path.isdir(path):
             found.append(path)
             continue
-        inside = sorted(os.listdir(path))
+        try:
+            inside = sorted(os.listdir(path))
+        except OSError as error:
+            raise LabelMapError("labels.image_unreadable", path=path, reason=error.strerror) from None
         images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
         if not images:
             raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)

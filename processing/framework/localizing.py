@@ -176,7 +176,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             raise ParameterError("algorithms.no_images")
         if not values.file(self.MODEL) and any(map(is_photo, paths)):
             feedback.pushWarning(
-                tr("These are photos: choose a model.") + " " + tr("Else colors are taken for classes.")
+                tr("These are photos: choose a model.") + " " + tr("Otherwise colors are taken for classes.")
             )
         cameras = cancelable(read_cameras, paths, values.file(self.ATTITUDE), feedback=feedback)
         if method == Method.TOPOLOGY_VECTOR:

@@ -14,20 +14,16 @@ LEAST = 3
 """Images that make a flight worth the name."""
 
 
-def looks_like_flight(paths: Sequence[str]) -> int:
-    """How many images there are in files and folders, if they look like those of one flight; else 0.
+def looks_like_flight(files: Sequence[str]) -> int:
+    """How many images there are, if they look like those of one flight; else 0.
 
     Photos tell when they were taken; they do when names and times have one order and no pause is long. For background
     threads.
-
-    Raises:
-        LabelMapError: A folder has no images.
     """
     from ...core.labels.photo_camera import photo_camera
-    from ...storage.rasters import image_files
     from ..framework.flight_images import by_name
 
-    files = sorted(image_files(list(paths)), key=by_name)
+    files = sorted(files, key=by_name)
     if len(files) < LEAST:
         return 0
     step = max(1, len(files) // LOOKED_AT)

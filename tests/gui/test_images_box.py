@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import pytest
-from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages
+from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, wait_until
 
 
 def test_dropped_files_are_added_once(dock, area, tab):
@@ -113,3 +115,86 @@ def test_the_report_of_a_training_is_opened_from_a_message_and_not_in_qgis_s_res
     (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Open report"]
     button.click()
     assert opened == [page]
+
+
+@pytest.fixture
+def photo_folder(tmp_path):
+    """Three photos and a text."""
+    import numpy as np
+
+    from semref.storage.pictures import write_jpeg
+
+    folder = tmp_path / "photos"
+    folder.mkdir()
+    bands = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
+    for number in range(3):
+        write_jpeg(folder / f"{number}.jpg", bands)
+    (folder / "notes.txt").write_text("of the flight", encoding="utf-8")
+    return folder
+
+
+def test_a_folder_of_photos_without_a_model_is_not_ready_and_its_photos_are_counted(dock, area, tab, photo_folder):
+    dock.content.database.file.setFilePath(area.database)
+    tab.images.list.add([str(photo_folder)])
+    wait_until(lambda: tab.images.title() == "Images (3)", "the count")
+    assert tab.state.text_shown.startswith("These are photos: choose a model.")
+    tab.images.list.add([area.image])
+    wait_until(lambda: tab.images.title() == "Images (4)", "the count")
+
+
+def test_pictures_with_the_colors_of_photos_are_photos_whatever_their_names(dock, area, tab, tmp_path):
+    import numpy as np
+
+    from semref.storage.pictures import write_png
+
+    photo, labels = tmp_path / "photo.png", tmp_path / "labels.png"
+    colors = np.random.default_rng(3).integers(0, 255, (3, 40, 40), np.uint8)
+    write_png(photo, colors)
+    write_png(labels, colors // 100 * 100)
+    dock.content.database.file.setFilePath(area.database)
+    tab.images.list.show_only([str(labels)])
+    wait_until(lambda: not tab.images._reader.reading, "the look")
+    assert tab.state.text_shown == "Ready to localize."
+    tab.images.list.show_only([str(photo)])
+    wait_until(lambda: tab.state.text_shown.startswith("These are photos"), "the look")
+
+
+def test_a_folder_without_images_is_refused_before_a_run(dock, area, tab, tmp_path):
+    dock.content.database.file.setFilePath(area.database)
+    tab.images.list.add([str(tmp_path)])
+    wait_until(lambda: tab.images.fault, "the look")
+    assert "holds no image" in tab.state.text_shown and not tab.localize_button.isEnabled()
+    tab.images.list.show_only([area.image])
+    assert tab.state.text_shown == "Ready to localize." and tab.localize_button.isEnabled()
+
+
+def test_what_is_found_out_about_images_does_not_replace_the_end_of_a_run(dock, area, tab, photo_folder):
+    dock.content.database.file.setFilePath(area.database)
+    tab.images.list.add([str(photo_folder)])
+    tab.state.show_text("2 of 3 images have a fix.")
+    wait_until(lambda: tab.images.title() == "Images (3)", "the count")
+    assert tab.state.text_shown == "2 of 3 images have a fix."
+
+
+@pytest.mark.parametrize("content", [b"<html>no database</html>", b"", None], ids=["html", "empty", "of others"])
+def test_a_file_that_is_no_database_is_refused_before_a_run(dock, area, tab, tmp_path, content):
+    import sqlite3
+
+    path = tmp_path / "index.html"
+    if content is None:
+        with contextlib.closing(sqlite3.connect(path)) as other:
+            other.execute("CREATE TABLE features (fid INTEGER)")
+    else:
+        path.write_bytes(content)
+    box = dock.content.database
+    tab.images.list.add([area.image])
+    box.setCollapsed(True)
+    box.file.setFilePath(str(path))
+    wait_until(lambda: box.fault, "the look")
+    assert not tab.localize_button.isEnabled() and tab.state.text_shown == "Choose a database."
+    assert box.fault.startswith("index.html is not a") and "choose" in box.fault
+    assert box.fault_label.isVisible() and box.fault_label.text() == box.fault and not box.add_to_map.isEnabled()
+    box.file.setFilePath(area.database)
+    wait_until(lambda: not box._reader.reading, "the look")
+    assert box.fault_label.isHidden() and tab.localize_button.isEnabled()
+    assert tab.state.text_shown == "Ready to localize."

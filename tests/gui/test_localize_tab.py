@@ -47,7 +47,7 @@ def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
     photo.write_bytes(b"")
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.add([str(photo)])
-    assert tab.state.text_shown == "These are photos: choose a model. Else colors are taken for classes."
+    assert tab.state.text_shown == "These are photos: choose a model. Otherwise colors are taken for classes."
     tab.images.model.setFilePath(str(tmp_path / "model.onnx"))
     assert tab.state.text_shown == "Ready to localize."
 
@@ -164,7 +164,8 @@ def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area, tab):
     assert len(messages(iface)) == 1
     assert "broken.tif is not a GeoPackage; choose a database" in messages(iface)[0]
     assert tab.localize_button.text() == "Localize"
-    assert tab.localize_button.isEnabled()
+    wait_until(lambda: dock.content.database.fault, "the look at the file")
+    assert not tab.localize_button.isEnabled()
 
 
 def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):

@@ -112,7 +112,7 @@ def test_photos_without_a_model_are_told_so(localize, tmp_path, feedback):
     photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
     gdal.Translate(str(photo), str(plain), format="JPEG")
     localize([photo], MODEL=None)
-    assert "These are photos: choose a model. Else colors are taken for classes." in feedback.textLog()
+    assert "These are photos: choose a model. Otherwise colors are taken for classes." in feedback.textLog()
     label_image = write_raster(tmp_path / "b.png", LABELS[:SIZE, :SIZE], transform=None)
     before = feedback.textLog().count("These are photos")
     localize([label_image], MODEL=None)

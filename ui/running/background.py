@@ -40,6 +40,11 @@ class Reader(QObject):
         self._watch = BeginWatch(self)
         self._watch.lost.connect(self._begin_anew)
 
+    @property
+    def reading(self) -> bool:
+        """Whether an answer is to come."""
+        return self._is_wanted or self._next is not None
+
     def read(self, title: str, function: Callable, *arguments) -> None:
         self._next = title, function, arguments
         self._is_wanted = False
@@ -88,9 +93,11 @@ class Reader(QObject):
         task, self._task = self._task, None
         if self._next is not None:
             self._start()
-        elif not self._is_wanted:
             return
-        elif task.sentence:
+        is_wanted, self._is_wanted = self._is_wanted, False
+        if not is_wanted:
+            return
+        if task.sentence:
             self.failed.emit(task.sentence)
         elif task.report:
             self.broke.emit(task.report)

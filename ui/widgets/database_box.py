@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
 from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtCore import QSize, Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent, QFont, QFontMetrics, QResizeEvent
-from qgis.PyQt.QtWidgets import QVBoxLayout, QWidget
+from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
+from ...processing.inspection.chosen import require_database
 from ...processing.translation import tr
 from ..at_hand import annotation_at_hand
 from ..fields.known import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
+from ..running.background import Reader
 from .buttons import tool_button
 from .choice_box import ChoiceBox
 from .folding_box import FoldingBox
@@ -30,9 +33,12 @@ class DatabaseBox(FoldingBox):
     """The chosen database, remembered from session to session; ``chosen`` is its path for other threads.
 
     A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.
+
+    fault: why the file is no database, empty while that is not known; checked: it was looked at.
     """
 
     changed = pyqtSignal()
+    checked = pyqtSignal()
     addToMapAsked = pyqtSignal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -54,8 +60,16 @@ class DatabaseBox(FoldingBox):
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
         self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Make a reference database of polygons…"))
         self.making: QWidget | None = None
+        self.fault = ""
+        self.fault_label = QLabel()
+        self.fault_label.setWordWrap(True)
+        self.fault_label.setMinimumWidth(1)
+        # It has the name of a file, whatever that looks like.
+        self.fault_label.setTextFormat(Qt.TextFormat.PlainText)
+        self.fault_label.setVisible(False)
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addLayout(row_of((self.file, 1), self.add_to_map, self.make))
+        layout.addWidget(self.fault_label)
         layout.addWidget(self.in_project)
         name_fold(self)
         self.chosen = self.path()
@@ -63,7 +77,10 @@ class DatabaseBox(FoldingBox):
         self.in_project.activated.connect(self._choose_in_project)
         self.add_to_map.clicked.connect(self.addToMapAsked)
         self.make.clicked.connect(self._make_database)
-        self.add_to_map.setEnabled(bool(self.path()))
+        self._reader = Reader(self)
+        self._reader.answered.connect(lambda _nothing: self._show_fault(""))
+        self._reader.failed.connect(self._show_fault)
+        self._check()
         # Layers come into the project before they come into its tree, which has the names of their groups.
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
@@ -79,6 +96,7 @@ class DatabaseBox(FoldingBox):
         project.layersAdded.disconnect(self._list_soon)
         project.layersRemoved.disconnect(self._list_soon)
         self._soon.stop()
+        self._reader.shut_down()
 
     def path(self) -> str:
         """Of the chosen database; empty without one."""
@@ -87,6 +105,7 @@ class DatabaseBox(FoldingBox):
     def choose(self, path: str) -> None:
         """Chooses a database; says ``changed`` also where it is the chosen one, whose content may be another."""
         if path == self.path():
+            self._check()
             self.changed.emit()
         else:
             self.file.setFilePath(path)
@@ -130,12 +149,29 @@ class DatabaseBox(FoldingBox):
             # A project that is cleared takes its database along, but not what the next session begins with.
             QgsSettings().setValue(DATABASE_SETTING, self.chosen)
             note_used(DATABASE, self.chosen)
-        self.add_to_map.setEnabled(bool(self.path()))
+        self._check()
         self._show_in_project()
         if not self.chosen:
             self.setCollapsed(False)
         self._show_title()
         self.changed.emit()
+
+    def _check(self) -> None:
+        """Look at the file in the background: it may be of any kind, and on a slow disk."""
+        self._reader.forget()
+        self._show_fault("")
+        if self.path():
+            self._reader.read(tr("Reading the database"), require_database, self.path())
+
+    def _show_fault(self, sentence: str) -> None:
+        # The name is enough where the path is shown above.
+        self.fault = sentence.replace(self.path(), os.path.basename(self.path()))
+        self.fault_label.setText(self.fault)
+        self.fault_label.setVisible(bool(self.fault))
+        if self.fault:
+            self.setCollapsed(False)
+        self.add_to_map.setEnabled(bool(self.path()) and not self.fault)
+        self.checked.emit()
 
     def _show_title(self, *_) -> None:
         """With the file's name while the box that shows it is folded away."""

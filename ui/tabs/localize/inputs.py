@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from functools import partial
 
 from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsSettings
@@ -20,7 +21,8 @@ from qgis.PyQt.QtWidgets import (
 
 from ....core.localization import Method
 from ....processing.framework.base import REPORTS_AS_FILES
-from ....processing.inspection.flight import looks_like_flight
+from ....processing.framework.localized_image import is_photo
+from ....processing.inspection.chosen import ChosenImages, look_at_images
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...at_hand import training_at_hand
@@ -44,11 +46,15 @@ TRAIN_MODEL = "semref:trainmodel"
 class ImageBox(FoldingBox):
     """The images, and the buttons that add and remove them.
 
-    refused: names of layers that are not added because they are no file; drawAsked: the layer, such as map tiles, of
-    which the map's extent shall become an image; trained: a model was made and is the chosen one; its report's file.
+    chosen: what is known of them, None while folders are being read; fault: why a folder can't be used.
+
+    looked: ``chosen`` or ``fault`` is another now; refused: names of layers that are not added because they are no
+    file; drawAsked: the layer, such as map tiles, of which the map's extent shall become an image; trained: a model was
+    made and is the chosen one; its report's file.
     """
 
     changed = pyqtSignal()
+    looked = pyqtSignal()
     trained = pyqtSignal(str)
     refused = pyqtSignal(list)
     drawAsked = pyqtSignal(object)
@@ -101,12 +107,12 @@ class ImageBox(FoldingBox):
         self.remove.clicked.connect(self.list.remove_selected)
         self.remove.setEnabled(False)
         self.list.itemSelectionChanged.connect(self._enable_remove)
-        self.list.changed.connect(self._show_count)
+        self.list.changed.connect(self._look)
         self.list.changed.connect(self.changed)
-        self.list.changed.connect(self._look_for_flight)
         self._reader = Reader(self)
-        self._reader.answered.connect(self._offer_flight)
-        self._offer_flight(0)
+        self._reader.answered.connect(self._take_look)
+        self._reader.failed.connect(self._take_fault)
+        self._look()
         self.list.refused.connect(self.refused)
 
     def paths(self) -> list[str]:
@@ -117,29 +123,38 @@ class ImageBox(FoldingBox):
         """Whether the images are of one flight, as the user says."""
         return self.flight.isChecked()
 
-    def _show_count(self) -> None:
-        count = self.list.count()
-        self.setTitle(tr("Images ({count})").format(count=count) if count else tr("Images"))
-        if not count:
-            self.setCollapsed(False)
-
     def shut_down(self) -> None:
         """Waits for what is being read, and closes the list of models."""
         self._reader.shut_down()
         self._close_models()
 
-    def _look_for_flight(self) -> None:
+    def _look(self) -> None:
+        """Show what the names say; folders, colors and times are read in the background."""
         self._reader.forget()
-        self._offer_flight(0)
-        if self.paths():
-            self._reader.read(tr("Reading the times of images"), looks_like_flight, self.paths())
+        self.fault, paths = "", self.paths()
+        is_known = not any(map(os.path.isdir, paths))
+        self._show_chosen(ChosenImages(len(paths), any(map(is_photo, paths))) if is_known else None)
+        if paths:
+            self._reader.read(tr("Looking at the images"), look_at_images, paths)
         else:
             self.flight.setChecked(False)
+            self.setCollapsed(False)
 
-    def _offer_flight(self, count: int) -> None:
-        """Says so where the images look like a flight; it is for the user to say that they are."""
-        looks = tr("One flight? {count} photos in a row").format(count=count)
-        self.flight.setText(looks if count else tr("These images are one flight"))
+    def _take_look(self, chosen: ChosenImages) -> None:
+        self._show_chosen(chosen)
+        self.looked.emit()
+
+    def _take_fault(self, sentence: str) -> None:
+        self.fault = sentence
+        self.looked.emit()
+
+    def _show_chosen(self, chosen: ChosenImages | None) -> None:
+        """Show how many there are, and whether they look like a flight; the user decides whether they are."""
+        self.chosen = chosen
+        count, flight = (chosen.count, chosen.flight) if chosen is not None else (0, 0)
+        self.setTitle(tr("Images ({count})").format(count=count) if count else tr("Images"))
+        looks = tr("One flight? {count} photos in a row").format(count=flight)
+        self.flight.setText(looks if flight else tr("These images are one flight"))
 
     def model_path(self) -> str:
         """Of the network for photos; empty for label images."""

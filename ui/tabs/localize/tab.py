@@ -15,7 +15,6 @@ from ....core.errors import ParameterError
 from ....core.localization import Status
 from ....processing.exchange.flight_styles import flight_look, track_look
 from ....processing.exchange.results_file import open_results, write_results
-from ....processing.framework.localized_image import is_photo
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...findings import ResultLayers, read_findings
@@ -50,7 +49,7 @@ class LocalizeTab(QWidget):
         super().__init__()
         self._database, self._messages = database, messages
         self._layers = ResultLayers()
-        self._results_file = self._model_used = self._database_used = ""
+        self._results_file = self._model_used = self._database_used = self._idle_shown = ""
         self.run = LocalizationRun(self)
         self._reader = Reader(self)
         self.images = ImageBox()
@@ -75,7 +74,9 @@ class LocalizeTab(QWidget):
 
     def _connect(self) -> None:
         self._database.changed.connect(self._show_idle)
+        self._database.checked.connect(self._show_looked)
         self.images.changed.connect(self._show_idle)
+        self.images.looked.connect(self._show_looked)
         self.images.collapsedStateChanged.connect(self._show_choices)
         self.images.refused.connect(self._refuse_layers)
         self.images.drawAsked.connect(self._draw)
@@ -172,21 +173,39 @@ class LocalizeTab(QWidget):
         self.localize_button.setEnabled(running or self._is_ready())
 
     def _is_ready(self) -> bool:
-        return bool(self._database.path() and self.images.paths())
+        return self._has_database() and bool(self.images.paths()) and not self.images.fault
+
+    def _has_database(self) -> bool:
+        return bool(self._database.path()) and not self._database.fault
 
     def _show_idle(self, *_) -> None:
         self.modelChosen.emit(self.images.model_path())
-        self._set_running(False)
-        if self._is_ready() and not self.images.model_path() and any(map(is_photo, self.images.paths())):
-            self.state.show_text(tr("These are photos: choose a model."), tr("Else colors are taken for classes."))
-        elif self._is_ready():
-            self.state.show_text(tr("Ready to localize."))
-        elif self.images.paths():
-            self.state.show_text(tr("Choose a database."))
-        elif self._database.path():
-            self.state.show_text(tr("Add images."))
-        else:
-            self.state.show_text(tr("Choose a database and add images."))
+        # A model or a database may be finished while images are localized.
+        if not self.run.running:
+            self._set_running(False)
+            self.state.show_text(*self._idle_text())
+            self._idle_shown = self.state.text_shown
+
+    def _show_looked(self) -> None:
+        """Show what was found out about the choices, but not in place of what is said about a run."""
+        if not self.run.running:
+            self.localize_button.setEnabled(self._is_ready())
+            if self.state.text_shown == self._idle_shown:
+                self._show_idle()
+
+    def _idle_text(self) -> tuple[str, ...]:
+        """A sentence, and one beside it where there is room."""
+        if not self.images.paths():
+            return (tr("Add images.") if self._has_database() else tr("Choose a database and add images."),)
+        if not self._has_database():
+            return (tr("Choose a database."),)
+        if self.images.fault:
+            return tr("A folder of images can’t be used."), self.images.fault
+        if self.images.chosen is None:
+            return (tr("Reading the folder…"),)
+        if self.images.chosen.has_photos and not self.images.model_path():
+            return tr("These are photos: choose a model."), tr("Otherwise colors are taken for classes.")
+        return (tr("Ready to localize."),)
 
     def _show_progress(self, percent: float) -> None:
         self.progress.show_percent(percent)
