@@ -72,6 +72,7 @@ class SampleProject(QObject):
         self.run.failed.connect(self._fail)
         self.run.broke.connect(self._break)
         self.run.canceled.connect(self.ended)
+        self.run.canceled.connect(lambda: self._messages.take_back_failure(self.run.title))
 
     def shut_down(self) -> None:
         self.run.abandon()

@@ -22,6 +22,7 @@ from dock_area import (
     localize,
     messages,
     rubber_bands,
+    settle,
     shown_center,
     shown_outline,
     start,
@@ -177,6 +178,38 @@ def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
     assert tab.state.text() == "Canceled."
     assert tab.localize_button.text() == "Localize"
     assert (table(dock), messages(iface)) == ([], [])
+
+
+@pytest.fixture
+def failures_said(iface):
+    """QGIS's window says of each task that was terminated that it failed, if the task is not silent."""
+    from qgis.core import QgsApplication, QgsTask
+
+    def say(number: int, status) -> None:
+        task = manager.task(number)
+        is_silent = hasattr(QgsTask.Flag, "Silent") and task.flags() & QgsTask.Flag.Silent
+        if status == QgsTask.TaskStatus.Terminated and not is_silent:
+            said.append(task.description())
+            iface.bar.pushInfo("Task failed", task.description())
+
+    said, manager = [], QgsApplication.taskManager()
+    manager.statusChanged.connect(say)
+    yield said
+    manager.statusChanged.disconnect(say)
+
+
+def test_a_canceled_run_did_not_fail(dock, iface, area, slow, tab, failures_said):
+    from qgis.core import Qgis
+
+    start(dock, area.database, [area.image])
+    wait_until(lambda: tab.progress.value() > 0, "progress")
+    iface.bar.pushInfo("Task failed", "Another plugin’s")
+    tab.localize_button.click()
+    wait_until(lambda: not tab.run.running, "the end of the run")
+    settle()
+    assert tab.state.text() == "Canceled."
+    assert failures_said == (["Localizing images"] if Qgis.QGIS_VERSION_INT < 32600 else [])
+    assert messages(iface) == ["Another plugin’s"]
 
 
 def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow, tab):

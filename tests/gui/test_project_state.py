@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import shutil
 import time
 from pathlib import Path
 
-from dock_area import corners, localize, messages, shown_outline, start, table, wait_until
+from dock_area import corners, localize, messages, settle, shown_outline, start, table, wait_until
 
 
 def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
@@ -109,3 +110,60 @@ def test_a_project_of_another_profile_works_with_the_model_that_ships_here(dock,
         QgsProject.instance().clear()
         assert QgsProject.instance().read(str(tmp_path / "project.qgs"))
         assert tab.images.model_path() == str(expected)
+
+
+def test_results_go_with_their_database_and_come_back_with_it(dock, iface, area, tab, tmp_path):
+    localize(dock, area.database, [area.image])
+    shown, other = table(dock), str(shutil.copy(area.database, tmp_path / "other.gpkg"))
+    dock.content.database.file.setFilePath(other)
+    assert (table(dock), shown_outline(iface), tab.state_now().results) == ([], None, "")
+    dock.content.database.file.setFilePath(area.database)
+    assert table(dock) == shown and shown_outline(iface) is not None and tab.state_now().results
+
+
+def test_results_go_with_their_model(dock, area, tab):
+    localize(dock, area.database, [area.image])
+    shown = table(dock)
+    tab.images.model.setFilePath("/models/other.onnx")
+    assert table(dock) == []
+    tab.images.model.setFilePath("")
+    assert table(dock) == shown
+
+
+def test_other_images_leave_the_results_where_they_are(dock, area, tab):
+    localize(dock, area.database, [area.image])
+    shown = table(dock)
+    tab.images.list.add([area.unreadable])
+    assert table(dock) == shown
+
+
+def test_results_of_a_database_that_was_replaced_are_among_the_earlier_ones(dock, area, tab):
+    localize(dock, area.database, [area.image])
+    shown = table(dock)
+    dock.choose_database(area.database)
+    assert table(dock) == []
+    tab.results.earlier.aboutToShow.emit()
+    tab.results.earlier.actions()[0].trigger()
+    assert table(dock) == shown
+
+
+def test_earlier_results_of_another_database_are_shown_until_another_choice(dock, area, tab, tmp_path):
+    localize(dock, area.database, [area.image])
+    shown = table(dock)
+    dock.content.database.file.setFilePath(str(shutil.copy(area.database, tmp_path / "other.gpkg")))
+    tab.results.earlier.aboutToShow.emit()
+    tab.results.earlier.actions()[0].trigger()
+    tab.images.list.add([area.unreadable])
+    assert table(dock) == shown
+    tab.images.model.setFilePath("/models/other.onnx")
+    assert table(dock) == []
+
+
+def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab):
+    from qgis.core import QgsProject
+
+    tab.images.trained.emit("/models/report.html")
+    assert messages(iface) == ["The model is trained, and chosen in the dock."]
+    QgsProject.instance().clear()
+    settle()
+    assert messages(iface) == []

@@ -8,6 +8,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingFeedback,
     QgsProject,
+    QgsTask,
 )
 from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 
@@ -50,6 +51,11 @@ class AlgorithmRun(QObject):
     def running(self) -> bool:
         return self._task is not None
 
+    @property
+    def title(self) -> str:
+        """What QGIS calls the task that was started last."""
+        return self._asked[2]
+
     def start_algorithm(self, algorithm_id: str, parameters: dict, title: str) -> bool:
         """False when it can't even begin; then ``failed`` has said why."""
         algorithm = QgsApplication.processingRegistry().algorithmById(algorithm_id)
@@ -67,7 +73,7 @@ class AlgorithmRun(QObject):
         self._feedback.said.connect(self.said)
         self._feedback.logged.connect(self.logged)
         self._feedback.progressChanged.connect(self.progressed)
-        self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback)
+        self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback, *_flags())
         self._task.setDescription(title)
         # The task uses both to its end, which may come after this object's.
         self._feedback.setParent(self._task)
@@ -126,6 +132,12 @@ class AlgorithmRun(QObject):
             self.broke.emit(error)
         else:
             self.failed.emit(error)
+
+
+def _flags() -> tuple:
+    """From 3.26 on QGIS can be told not to say that a task failed, which it says of canceled ones."""
+    silent = getattr(QgsTask.Flag, "Silent", None)
+    return () if silent is None else (QgsTask.Flag.CanCancel | silent,)
 
 
 class _Feedback(QgsProcessingFeedback):

@@ -76,6 +76,11 @@ class CorrectionRun(QObject):
             part.broke.connect(self._break)
         self._run.canceled.connect(self._cancel)
 
+    @property
+    def title(self) -> str:
+        """What QGIS calls the task that was started last."""
+        return self._run.title
+
     def shut_down(self) -> None:
         """Cancels, and waits until no code of the plugin runs in the background any more."""
         self._reader.shut_down()

@@ -34,10 +34,12 @@ class DatabaseBox(FoldingBox):
 
     A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.
 
-    fault: why the file is no database, empty while that is not known; checked: it was looked at.
+    fault: why the file is no database, empty while that is not known; replaced: the chosen file has another content;
+    checked: it was looked at.
     """
 
     changed = pyqtSignal()
+    replaced = pyqtSignal()
     checked = pyqtSignal()
     addToMapAsked = pyqtSignal()
 
@@ -106,6 +108,7 @@ class DatabaseBox(FoldingBox):
         """Chooses a database; says ``changed`` also where it is the chosen one, whose content may be another."""
         if path == self.path():
             self._check()
+            self.replaced.emit()
             self.changed.emit()
         else:
             self.file.setFilePath(path)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from html import escape
 
-from qgis.core import Qgis, QgsMessageLog
+from qgis.core import Qgis, QgsMessageLog, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
+from qgis.PyQt.QtCore import QCoreApplication, QTimer
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
@@ -46,8 +47,10 @@ class Messages:
         return self._push_with(sentence, button, pressed, Qgis.MessageLevel.Critical)
 
     def success_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
-        """Something that was done, and a button for what comes next; stays until it is pressed or closed."""
-        self._push_with(sentence, button, pressed, Qgis.MessageLevel.Success)
+        """Something that was done, and a button for what comes next; stays until it is pressed or closed, or until
+        another project is opened."""
+        item = self._push_with(sentence, button, pressed, Qgis.MessageLevel.Success)
+        QgsProject.instance().cleared.connect(item.dismiss)
 
     def _push_with(
         self, sentence: str, button: str, pressed: Callable[[], None], level: Qgis.MessageLevel
@@ -60,6 +63,15 @@ class Messages:
         item.layout().addWidget(next_step)
         self._bar.pushWidget(item, level)
         return item
+
+    def take_back_failure(self, task: str) -> None:
+        """Remove what QGIS says about a task that its user canceled: that it failed. QGIS says it a moment later."""
+        QTimer.singleShot(0, lambda: self._remove(QCoreApplication.translate("QgisApp", "Task failed"), task))
+
+    def _remove(self, title: str, text: str) -> None:
+        for item in self._bar.items():
+            if (item.title(), item.text()) == (title, text):
+                self._bar.popWidget(item)
 
     def bug(self, report: str) -> None:
         """One sentence in the bar, the traceback in the log panel."""

@@ -17,7 +17,7 @@ from ....processing.exchange.flight_styles import flight_look, track_look
 from ....processing.exchange.results_file import open_results, write_results
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
-from ...findings import ResultLayers, read_findings
+from ...findings import Finding, ResultLayers, read_findings
 from ...project_state import DockState
 from ...running.background import DatabaseShelf, Reader
 from ...running.kept_runs import KeptRun, forget_old_runs, kept_runs, labels_of
@@ -49,7 +49,9 @@ class LocalizeTab(QWidget):
         super().__init__()
         self._database, self._messages = database, messages
         self._layers = ResultLayers()
-        self._results_file = self._model_used = self._database_used = self._idle_shown = ""
+        self._findings: list[Finding] = []
+        self._results_file = self._idle_shown = ""
+        self._used = self._found_with = self._chosen = "", ""
         self.run = LocalizationRun(self)
         self._reader = Reader(self)
         self.images = ImageBox()
@@ -73,8 +75,11 @@ class LocalizeTab(QWidget):
         layout.addWidget(self.results, 1)
 
     def _connect(self) -> None:
+        self._database.changed.connect(self._follow_choice)
+        self._database.replaced.connect(self._forget_results)
         self._database.changed.connect(self._show_idle)
         self._database.checked.connect(self._show_looked)
+        self.images.changed.connect(self._follow_choice)
         self.images.changed.connect(self._show_idle)
         self.images.looked.connect(self._show_looked)
         self.images.collapsedStateChanged.connect(self._show_choices)
@@ -121,7 +126,7 @@ class LocalizeTab(QWidget):
             self.method.method(),
             self.images.paths(),
             self.results.image.opacity.value(),
-            self._results_file,
+            self._results_file if self._now_chosen() == self._found_with else "",
             self.prior.circle(),
             self.images.is_flight(),
         )
@@ -160,7 +165,7 @@ class LocalizeTab(QWidget):
         if self.run.start(
             self._database.path(), self.images.paths(), self.method.method(), settings, self.images.is_flight()
         ):
-            self._model_used, self._database_used = self.images.model_path(), self._database.path()
+            self._used = self._now_chosen()
             self._set_running(True)
             self.state.show_text(tr("Starting…"))
 
@@ -217,7 +222,8 @@ class LocalizeTab(QWidget):
 
     def _show_found(self, layers: ResultLayers, labels: str) -> None:
         self._set_running(False)
-        self._show_layers(layers, self.run.file, self._model_used, labels, self._database_used)
+        database, model = self._used
+        self._show_layers(layers, self.run.file, model, labels, database)
         self._reader.read(tr("Removing old results"), forget_old_runs)
         self._fold()
         if self.run.pace:
@@ -234,14 +240,34 @@ class LocalizeTab(QWidget):
             labels: Folder of the photos' label images; empty where they were not kept.
             database: That they were found in; empty for the chosen one.
         """
-        self._layers, self._results_file, self._model_used = layers, file, model
-        self.hit.use(database or self._database.path(), model)
-        findings = read_findings(layers, labels)
+        self._layers, self._results_file = layers, file
+        self._found_with = database or self._database.path(), model
+        self._chosen = self._now_chosen()
+        self.hit.use(*self._found_with)
+        self._findings = findings = read_findings(layers, labels)
         if findings:
             fixes = sum(1 for finding in findings if finding.status == Status.FIX)
             self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
+        self._show_findings(findings)
+
+    def _show_findings(self, findings: list[Finding]) -> None:
         self.hit.track.show(findings)
         self.results.show_findings(findings)
+
+    def _now_chosen(self) -> tuple[str, str]:
+        """Paths of the database and of the model."""
+        return self._database.path(), self.images.model_path()
+
+    def _follow_choice(self) -> None:
+        """Results go when another database or model is chosen, and come back with their own."""
+        chosen = self._now_chosen()
+        if chosen != self._chosen:
+            self._chosen = chosen
+            self._show_findings(self._findings if chosen == self._found_with else [])
+
+    def _forget_results(self) -> None:
+        """The database has another content now; what was found in the old one is among the earlier results."""
+        self._show_layers(ResultLayers(), "", self.images.model_path())
 
     def _fold(self) -> None:
         """What one wants to look at now is below."""
