@@ -7,6 +7,9 @@ SENTENCES = {
     ),
     "framework.drawn_layer": "QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.",
     "framework.not_scheduled": "{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.",
+    "inspection.not_editable": (
+        "The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation."
+    ),
     "inspection.elsewhere": (
         "“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this database."
     ),

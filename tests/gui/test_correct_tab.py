@@ -70,7 +70,7 @@ def test_the_list_has_the_words_of_each_kind_and_nothing_of_a_file_is_taken_for_
     tab.layer.setLayer(issues)
     assert [tab.places.item(row, 1).text() for row in range(2)] == ["outside the CRS’s area", "kind of tomorrow"]
     tab.places.selectRow(0)
-    assert tab.text.text() == "outside the CRS’s area · <b>far</b> away"
+    assert tab.text.text() == "outside the CRS’s area · <b>far</b> away · 550000, 5420000"
     assert tab.text.textFormat() == Qt.TextFormat.PlainText
 
 
@@ -82,7 +82,7 @@ def test_other_layers_may_be_removed(tab, add_layer):
     tab.places.selectRow(1)
     QgsProject.instance().removeMapLayer(other.id())
     assert tab.layer.currentLayer() == issues
-    assert tab.text.text() == "invalid geometry · 100.0 m"
+    assert tab.text.text() == "invalid geometry · 100.0 m · 550050, 5420050"
     assert tab.progress.text() == "0 of 2 done" and tab.progress.isTextVisible()
 
 
@@ -153,7 +153,7 @@ def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add
 
 def test_headings_are_there_before_a_choice(tab):
     header = [tab.places.horizontalHeaderItem(column).text() for column in range(tab.places.columnCount())]
-    assert header == ["", "Kind", "Message", "Area (m²)"]
+    assert header == ["", "Kind", "Message", "Area (m²)", "Position"]
     assert tab.places.horizontalHeaderItem(0).toolTip() == "Severity"
 
 
@@ -283,3 +283,151 @@ def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_l
     table.selectRow(1)
     assert table.selected_row() == 1
     table.deleteLater()
+
+
+# --- many places that read alike, repaired at once ---
+
+SQUARES = ("550000 5420000 550020 5420020", "550015 5420000 550040 5420020", "550060 5420000 550080 5420020")
+BOW_TIE = "MULTIPOLYGON(((550100 5420000, 550120 5420020, 550120 5420000, 550100 5420020, 550100 5420000)))"
+
+
+@pytest.fixture
+def annotation(qgis_app, tmp_path):
+    """A GeoPackage of two buildings that overlap, one in order, one that crosses itself, and one without a class."""
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorFileWriter, QgsVectorLayer
+
+    made = QgsVectorLayer(f"MultiPolygon?crs={CRS}&field=class:string&field=note:string", "cover", "memory")
+    shapes = [QgsGeometry.fromRect(QgsRectangle(*map(float, square.split()))) for square in SQUARES]
+    shapes += [QgsGeometry.fromWkt(BOW_TIE), QgsGeometry.fromRect(QgsRectangle(550200, 5420000, 550210, 5420010))]
+    for number, shape in enumerate(shapes):
+        feature = QgsFeature(made.fields())
+        feature.setGeometry(QgsGeometry(shape))
+        feature.setAttributes([None if number == 4 else ("building", "water")[number % 2], f"number {number}"])
+        made.dataProvider().addFeature(feature)
+    path = str(tmp_path / "cover.gpkg")
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    QgsVectorFileWriter.writeAsVectorFormatV3(made, path, QgsProject.instance().transformContext(), options)
+    layer = QgsVectorLayer(f"{path}|layername=cover", "cover", "ogr")
+    QgsProject.instance().addMapLayer(layer)
+    return layer
+
+
+@pytest.fixture
+def found(annotation, run_algorithm):
+    """What “Check annotation” finds in it."""
+    from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
+
+    context = QgsProcessingContext()
+    checked = QgsApplication.processingRegistry().createAlgorithmById("semref:checkannotation")
+    parameters = {"INPUT": annotation, "CLASS_FIELD": "class", "MINIMUM_AREA": 1, "ISSUES": "memory:"}
+    results, worked = checked.run(parameters, context, QgsProcessingFeedback())
+    assert worked
+    layer = context.takeResultLayer(results["ISSUES"])
+    QgsProject.instance().addMapLayer(layer)
+    return layer
+
+
+def shapes(layer) -> list:
+    return sorted((f["note"], str(f["class"]), f.geometry().asWkt(1)) for f in layer.getFeatures())
+
+
+def press_repair(tab, monkeypatch, answer: str) -> list[str]:
+    from qgis.PyQt.QtWidgets import QMessageBox
+
+    asked = []
+    monkeypatch.setattr(
+        QMessageBox,
+        "question",
+        lambda _parent, _title, text: asked.append(text) or getattr(QMessageBox.StandardButton, answer),
+    )
+    tab.repair.click()
+    wait_until(lambda: not tab.repair.run.running, "the repair")
+    settle()
+    return asked
+
+
+def test_repair_all_edits_the_annotation_in_one_step_that_can_be_undone(dock, annotation, found, monkeypatch):
+    tab = dock.content.correct
+    settle()
+    before = shapes(annotation)
+    tab.layer.setLayer(found)
+    tab.kind.setCurrentIndex(0)
+    kinds = sorted(feature["kind"] for feature in found.getFeatures())
+    assert kinds == ["invalid", "no_class", "overlap"]
+    assert tab.repair.text() == "Repair all (2)…"
+    (question,) = press_repair(tab, monkeypatch, "No")
+    assert "Repair 2 places in “cover” (invalid geometry: 1, overlap: 1)?" in question and not annotation.isEditable()
+    press_repair(tab, monkeypatch, "Yes")
+    after = shapes(annotation)
+    assert annotation.isEditable() and annotation.undoStack().count() == 1
+    assert "1 added" in tab.text.text() and "0 removed" in tab.text.text() and "Ctrl+Z" in tab.text.text()
+    assert {note for note, *_ in set(before) & set(after)} >= {"number 2", "number 4"}
+    assert all(f.geometry().isGeosValid() for f in annotation.getFeatures())
+    total = sum(f.geometry().area() for f in annotation.getFeatures())
+    assert total == pytest.approx(40 * 20 + 20 * 20 + 200 + 100)
+    assert listed(tab) == ["no class"] and tab.repair.text() == "Repair all…" and not tab.repair.isEnabled()
+    annotation.undoStack().undo()
+    assert shapes(annotation) == before
+    assert sorted(listed(tab)) == ["invalid geometry", "no class", "overlap"]
+    annotation.undoStack().redo()
+    assert annotation.commitChanges() and shapes(annotation) == after
+    assert listed(tab) == ["no class"]
+
+
+def test_repairing_what_is_repaired_changes_nothing(dock, annotation, found, monkeypatch):
+    tab = dock.content.correct
+    settle()
+    tab.layer.setLayer(found)
+    press_repair(tab, monkeypatch, "Yes")
+    annotation.commitChanges()
+    tab._done.clear()
+    tab._fill()
+    press_repair(tab, monkeypatch, "Yes")
+    assert "0 polygons changed, 0 added, 0 removed" in tab.text.text()
+
+
+def test_a_layer_that_can_t_be_edited_is_not_repaired_and_says_so(dock, iface, annotation, found, monkeypatch):
+    from dock_area import messages
+
+    settle()
+    annotation.setReadOnly(True)
+    dock.content.correct.layer.setLayer(found)
+    press_repair(dock.content.correct, monkeypatch, "Yes")
+    assert ["The layer cover can't be edited" in text for text in messages(iface)] == [True]
+
+
+def test_places_are_listed_by_kind_with_their_number(dock, issues):
+    from qgis.core import QgsFeature
+
+    tab = dock.content.correct
+    second = QgsFeature(next(issues.getFeatures()))
+    issues.dataProvider().addFeature(second)
+    tab.layer.setLayer(None)
+    tab.layer.setLayer(issues)
+    offered = [tab.kind.itemText(row) for row in range(tab.kind.count())]
+    assert offered == ["All kinds (4)", "overlap (2)", "gap between neighbors (1)", "sliver (1)"]
+    tab.kind.setCurrentIndex(1)
+    tab.kind.activated.emit(1)
+    assert listed(tab) == ["overlap", "overlap"] and tab.progress.text() == "0 of 2 done"
+    tab.places.selectRow(0)
+    tab.done.click()
+    assert listed(tab) == ["overlap"] and tab.kind.currentData() == "overlap"
+
+
+def test_places_of_one_kind_differ_by_size_and_position(dock):
+    from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
+
+    fields = "field=annotated_class:string&field=predicted_class:string&field=area:double"
+    layer = QgsVectorLayer(f"Polygon?crs={CRS}&{fields}", "disagreements", "memory")
+    for number in range(22):
+        feature = QgsFeature(layer.fields())
+        feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(550000 + 50 * number, 0, 550010 + 50 * number, 10)))
+        feature.setAttributes(["building", "other", 100.0])
+        layer.dataProvider().addFeature(feature)
+    QgsProject.instance().addMapLayer(layer)
+    places = dock.content.correct.places
+    rows = {tuple(places.item(row, column).text() for column in (1, 2, 3, 4)) for row in range(places.rowCount())}
+    assert len(rows) == 22
+    assert dock.content.correct.kind.itemText(1) == "building → other (22)"
+    narrow = {tuple(places.item(row, column).text() for column in (1, 2)) for row in range(places.rowCount())}
+    assert len(narrow) == 22

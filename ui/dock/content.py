@@ -82,6 +82,8 @@ class DockContent(QWidget):
         self.correct.updated.connect(self._show_updated)
         self.correct.failed.connect(self._messages.error)
         self.correct.broke.connect(self._messages.bug)
+        for run in (self.localize.run, self.correct.run, self.correct.repair.run):
+            run.canceled.connect(lambda run=run: self._messages.take_back_failure(run.title))
         self._reader.answered.connect(self.inspect.use)
         self._reader.failed.connect(self._messages.error)
         self._reader.broke.connect(self._messages.bug)

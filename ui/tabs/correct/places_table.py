@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from qgis.core import QgsFeature, QgsFeatureRequest, QgsMapLayer, QgsVectorLayer
+from qgis.core import QgsFeature, QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QEvent, Qt
 from qgis.PyQt.QtGui import QIcon, QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
@@ -20,7 +20,7 @@ from ...widgets.rows import changes_font, select_row
 from ...widgets.severity_icons import severity_icon
 from ...widgets.tips import plain_tip
 
-SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, AREA_COLUMN = range(4)
+SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, AREA_COLUMN, POSITION_COLUMN = range(5)
 
 SEVERITY = "severity"
 """Field of *Check annotation*'s issues."""
@@ -35,22 +35,34 @@ _LINES = 2
 """Of a message, before it is cut: most have no more in a dock of the usual width."""
 _MARGIN_PX = 6
 _WIDE_LETTERS = 70
-"""From this width on there is room for areas beside messages."""
+"""From this width on there is room for positions beside messages."""
 
 
 class Place(NamedTuple):
-    """One row: id of the feature, its severity (empty without one), and the texts of the other columns."""
+    """One row.
+
+    Attributes:
+        id: Of the feature.
+        severity: Empty without one.
+        texts: Of the other columns.
+        kind: Key of *Check annotation*; of disagreements both classes.
+        kind_title: What the user calls it.
+    """
 
     id: int
     severity: str
     texts: list[str]
+    kind: str = ""
+    kind_title: str = ""
 
 
 class PlacesTable(QTableWidget):
     """Rows of places, each with the id of its feature; done ones are struck out."""
 
+    _positions_beside = True
+
     def __init__(self) -> None:
-        super().__init__(0, 1 + len(_COLUMNS))
+        super().__init__(0, 2 + len(_COLUMNS))
         self._icons: dict[str, QIcon] = {}
         self.setObjectName("SemRefPlaces")
         self.setAccessibleName(tr("Places"))
@@ -73,9 +85,10 @@ class PlacesTable(QTableWidget):
     def show_titles(self, layer: QgsVectorLayer | None) -> None:
         """Headings for a layer; those of a check before one is chosen."""
         names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
-        self.setHorizontalHeaderLabels(["", *(_title(name) for name in names)])
+        self.setHorizontalHeaderLabels(["", *(_title(name) for name in names), tr("Position")])
         self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
         self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(severity_icon(WARNING))
+        self._positions_beside = layer is None or _has_messages(layer)
         self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
@@ -93,7 +106,7 @@ class PlacesTable(QTableWidget):
             item.setData(Qt.ItemDataRole.UserRole, place.id)
             if column == MESSAGE_COLUMN:
                 item.setToolTip(plain_tip(item.text()))
-            if column == AREA_COLUMN:
+            if column in (AREA_COLUMN, POSITION_COLUMN):
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.setItem(number, column, item)
         return number
@@ -126,20 +139,20 @@ class PlacesTable(QTableWidget):
 
     def fit_columns(self) -> None:
         """As wide as kinds need, but no wider than a third: the message matters more."""
-        self.resizeColumnToContents(KIND_COLUMN)
-        self.resizeColumnToContents(AREA_COLUMN)
+        for column in (KIND_COLUMN, AREA_COLUMN, POSITION_COLUMN):
+            self.resizeColumnToContents(column)
         self._fit_width()
 
     def _fit_width(self) -> None:
         width = self.viewport().width()
         self.setColumnWidth(KIND_COLUMN, min(max(self.columnWidth(KIND_COLUMN), 1), width // 3))
-        # The line below the list tells the area as well.
-        has_room = width >= _WIDE_LETTERS * self.fontMetrics().averageCharWidth()
-        if has_room and self.isColumnHidden(AREA_COLUMN):
-            self.setColumnHidden(AREA_COLUMN, False)
+        # The line below the list shows the position as well.
+        has_room = self._positions_beside and width >= _WIDE_LETTERS * self.fontMetrics().averageCharWidth()
+        if has_room and self.isColumnHidden(POSITION_COLUMN):
+            self.setColumnHidden(POSITION_COLUMN, False)
             # A hidden column is as wide as its rows: nobody asks for its heading.
-            self.resizeColumnToContents(AREA_COLUMN)
-        self.setColumnHidden(AREA_COLUMN, not has_room)
+            self.resizeColumnToContents(POSITION_COLUMN)
+        self.setColumnHidden(POSITION_COLUMN, not has_room)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -154,7 +167,7 @@ class PlacesTable(QTableWidget):
         super().paintEvent(event)
         if not self.rowCount():
             paint_placeholder(
-                self, tr("Places to mend appear here: “Check annotation” and “Compare label maps” find them.")
+                self, tr("Places to repair appear here: “Check annotation” and “Compare label maps” find them.")
             )
 
 
@@ -171,20 +184,30 @@ def has_severity(layer: QgsVectorLayer) -> bool:
     return SEVERITY in layer.fields().names()
 
 
+def _has_messages(layer: QgsVectorLayer) -> bool:
+    return "message" in layer.fields().names()
+
+
 def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
     """All of a layer, one after the other."""
     fields, words, with_severity = _fields(layer), kind_titles(), has_severity(layer)
-    for feature in layer.getFeatures(QgsFeatureRequest().setFlags(QgsFeatureRequest.NoGeometry)):
+    for feature in layer.getFeatures():
         severity = feature[SEVERITY] if with_severity else ""
-        yield Place(feature.id(), "" if is_null(severity) else severity, _texts(feature, fields, words))
+        texts = _texts(feature, fields, words, layer.crs().isGeographic())
+        title = texts[0] if fields[0] == KIND else " → ".join(texts[:2])
+        kind = feature[KIND] if fields[0] == KIND else title
+        if not _has_messages(layer):
+            # There is room, and everything else may be the same in all rows.
+            texts[1] += f"\n{texts[-1]}"
+        yield Place(feature.id(), "" if is_null(severity) else severity, texts, "" if is_null(kind) else kind, title)
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
     """All that is known of a place."""
     severity = feature[SEVERITY] if has_severity(layer) else None
     first = "" if is_null(severity) else severity_title(severity)
-    kind, message, area = _texts(feature, _fields(layer), kind_titles())
-    return " · ".join(filter(None, (first, kind, message, f"{area} m²" if area else "")))
+    kind, message, area, position = _texts(feature, _fields(layer), kind_titles(), layer.crs().isGeographic())
+    return " · ".join(filter(None, (first, kind, message, f"{area} m²" if area else "", position)))
 
 
 def _fields(layer: QgsVectorLayer) -> list[str | None]:
@@ -204,9 +227,18 @@ def _title(field: str | None) -> str:
     return titles.get(field, "")
 
 
-def _texts(feature: QgsFeature, fields: list[str | None], kinds: dict[str, str]) -> list[str]:
+def _texts(feature: QgsFeature, fields: list[str | None], kinds: dict[str, str], in_degrees: bool) -> list[str]:
     values = [(name, None if name is None else feature[name]) for name in fields]
-    return ["" if is_null(value) else _text(value, kinds if name == KIND else {}) for name, value in values]
+    texts = ["" if is_null(value) else _text(value, kinds if name == KIND else {}) for name, value in values]
+    return [*texts, _position(feature, 5 if in_degrees else 0)]
+
+
+def _position(feature: QgsFeature, decimals: int) -> str:
+    """Of the middle, in the layer's CRS."""
+    if feature.geometry().isNull():
+        return ""
+    middle = feature.geometry().boundingBox().center()
+    return f"{middle.x():.{decimals}f}, {middle.y():.{decimals}f}"
 
 
 def _text(value: object, words: dict[str, str]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -13,13 +14,17 @@ from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from ....core.annotation.findings import INFORMATION
+from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
 from ...canvas.place_mark import PlaceMark
 from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.buttons import shortcut, tool_button
+from ...widgets.choice_box import ChoiceBox
 from ...widgets.layouts import narrow, row_of
+from ...widgets.numbers import number_text
 from .places_table import Place, PlacesTable, has_severity, is_places, place_text, places_of
+from .repair_button import RepairButton
 from .update_box import UpdateBox
 
 DONE_PROPERTY = "semref/done"
@@ -51,6 +56,9 @@ class CorrectTab(QWidget):
         self._canvas = canvas
         self._done: set[int] = set()
         self._ids: set[int] = set()
+        self._kinds: dict[int, tuple[str, str]] = {}
+        self._report = ""
+        self._repaired: tuple[int, set[int]] | None = None
         self._counted: set[int] = set()
         self._rows: Iterator[Place] = iter(())
         self._soon = QTimer(self)
@@ -76,6 +84,12 @@ class CorrectTab(QWidget):
         self.layer.setAccessibleName(tr("Layer of places"))
         self.layer.setMinimumWidth(1)
         self.places = PlacesTable()
+        self.kind = ChoiceBox()
+        self.kind.setAccessibleName(tr("Kind"))
+        self.kind.setToolTip(tr("Lists the places of one kind only"))
+        self.updating = UpdateBox()
+        self.repair = RepairButton(self.updating.correction)
+        self.repair.setMinimumWidth(1)
         self.text = QLabel()
         self.text.setWordWrap(True)
         # It comes from a file, whatever that holds.
@@ -95,9 +109,9 @@ class CorrectTab(QWidget):
             box.setMinimumWidth(1)
         self.progress = QProgressBar()
         self.progress.setFormat(tr("%v of %m done"))
-        self.updating = UpdateBox()
         layout = narrow(QVBoxLayout(self), 0)
         layout.addWidget(self.layer)
+        layout.addLayout(row_of((self.kind, 1), (self.repair, 1)))
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
         layout.addLayout(row_of(self.before, self.after, (self.done, 1)))
@@ -108,6 +122,9 @@ class CorrectTab(QWidget):
     def _connect(self) -> None:
         self.layer.layerChanged.connect(self._use_layer)
         self.places.itemSelectionChanged.connect(self._show_place)
+        self.kind.activated.connect(lambda _row: self._fill())
+        self.repair.said.connect(self._show_report)
+        self.repair.repaired.connect(self._mark_repaired)
         self.before.clicked.connect(lambda: self._step(-1))
         self.after.clicked.connect(lambda: self._step(1))
         self.done.clicked.connect(self._mark_done)
@@ -122,9 +139,10 @@ class CorrectTab(QWidget):
         self.run.done.connect(self._tell_updated)
         self.run.canceled.connect(lambda: self.updating.show_running(False, tr("Canceled.")))
         self._undoing.answered.connect(lambda _: self._tell_undone())
-        for part in (self.run, self._undoing):
+        for part in (self.repair, self.run, self._undoing):
             part.failed.connect(self.failed)
             part.broke.connect(self.broke)
+        for part in (self.run, self._undoing):
             for ended in (part.failed, part.broke):
                 ended.connect(lambda *_: self.updating.show_running(False))
         project = QgsProject.instance()
@@ -136,6 +154,7 @@ class CorrectTab(QWidget):
         for timer in (self._soon, self._listing):
             timer.stop()
         self._rows = iter(())
+        self.repair.shut_down()
         self.run.shut_down()
         self._undoing.shut_down()
         project = QgsProject.instance()
@@ -150,6 +169,8 @@ class CorrectTab(QWidget):
         self._layer = self.layer.currentLayer()
         stored = "" if self._layer is None else self._layer.customProperty(DONE_PROPERTY, "")
         self._done = set(json.loads(stored)) if stored else set()
+        self._report, self._repaired = "", None
+        self.kind.clear()
         self._fill()
 
     def _take_added(self, layers: list) -> None:
@@ -183,7 +204,7 @@ class CorrectTab(QWidget):
     def _fill(self) -> None:
         self.places.show_titles(self._layer)
         self._rows = iter(()) if self._layer is None else places_of(self._layer)
-        self._ids, self._counted = set(), set()
+        self._ids, self._counted, self._kinds = set(), set(), {}
         self.mend.setEnabled(self._layer is not None and has_severity(self._layer))
         self.places.setRowCount(0)
         self.progress.setRange(0, 1 if self._layer is None else max(self._layer.featureCount(), 1))
@@ -197,6 +218,9 @@ class CorrectTab(QWidget):
         end = time.perf_counter() + _FILL_S
         for place in self._rows:
             self._ids.add(place.id)
+            self._kinds[place.id] = place.kind, place.kind_title
+            if self.kind.currentData() not in (None, "", place.kind):
+                continue
             if not (place.severity == INFORMATION and self.mend.isEnabled() and self.mend.isChecked()):
                 self._counted.add(place.id)
                 if not (self.open.isChecked() and place.id in self._done):
@@ -211,7 +235,22 @@ class CorrectTab(QWidget):
             self.progress.setTextVisible(bool(self._counted))
             self._show_progress()
             self.places.fit_columns()
+            self._list_kinds()
+            self._show_repairable()
             self._show_place()
+
+    def _list_kinds(self) -> None:
+        """Offers the kinds that the layer has, the most frequent first."""
+        chosen, counts = self.kind.currentData(), Counter(self._kinds.values())
+        self.kind.clear()
+        self.kind.addItem(tr("All kinds ({count})").format(count=number_text(len(self._kinds))), "")
+        for (kind, title), count in counts.most_common():
+            self.kind.addItem(f"{title} ({number_text(count)})", kind)
+        self.kind.setCurrentIndex(max(0, self.kind.findData(chosen)))
+        self.kind.setEnabled(len(counts) > 1)
+
+    def _show_repairable(self) -> None:
+        self.repair.show_kinds(Counter(kind for place, (kind, _) in self._kinds.items() if place not in self._done))
 
     def _selected(self) -> QgsFeature | None:
         row = self.places.selected_row()
@@ -232,9 +271,7 @@ class CorrectTab(QWidget):
             return
         place = self.places.id_of(row)
         self._done ^= {place}
-        self._layer.setCustomProperty(DONE_PROPERTY, json.dumps(sorted(self._done)))
-        QgsProject.instance().setDirty()
-        self._show_progress()
+        self._keep_done()
         if place in self._done and self.open.isChecked():
             self.places.removeRow(row)
             self.places.selectRow(row if row < self.places.rowCount() else 0)
@@ -246,6 +283,12 @@ class CorrectTab(QWidget):
             following = next((n for n in order if self.places.id_of(n) not in self._done), None)
             if following is not None:
                 self.places.selectRow(following)
+
+    def _keep_done(self) -> None:
+        self._layer.setCustomProperty(DONE_PROPERTY, json.dumps(sorted(self._done)))
+        QgsProject.instance().setDirty()
+        self._show_progress()
+        self._show_repairable()
 
     def _show_progress(self) -> None:
         self.progress.setValue(len(self._done & self._counted))
@@ -260,11 +303,37 @@ class CorrectTab(QWidget):
             self.text.setText(self._what_is_left())
             return
         self.text.setText(place_text(feature, self._layer))
+        self._report = ""
         self._mark.show(feature.geometry(), self._layer.crs())
         whole = self._layer.extent()
         self._mark.zoom(_LEAST_EXTENT_SHARE * max(whole.width(), whole.height()))
 
+    def _show_report(self, sentence: str) -> None:
+        """What a repair is doing, or has done; until a place is selected."""
+        self._report = sentence
+        self.text.setText(sentence)
+
+    def _mark_repaired(self, annotation: QgsVectorLayer) -> None:
+        """What was repaired is done, unless the step is undone before the layer's edits are saved."""
+        places = {place for place, (kind, _) in self._kinds.items() if kind in REPAIRABLE} - self._done
+        self._repaired = annotation.undoStack().index(), places
+        annotation.undoStack().indexChanged.connect(self._follow_undo)
+        annotation.beforeCommitChanges.connect(self._leave_repaired)
+        self._follow_undo(annotation.undoStack().index())
+
+    def _follow_undo(self, step: int) -> None:
+        if self._repaired is not None:
+            repaired_step, places = self._repaired
+            self._done = self._done | places if step >= repaired_step else self._done - places
+            self._keep_done()
+            self._fill()
+
+    def _leave_repaired(self, *_) -> None:
+        self._repaired = None
+
     def _what_is_left(self) -> str:
+        if self._report:
+            return self._report
         if self.places.rowCount() or self._layer is None:
             return ""
         return tr("All places are done.") if self._counted else tr("No place to look at.")

@@ -80,6 +80,13 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self._database = path
         self._show_ready()
 
+    def correction(self) -> Correction | None:
+        """What is chosen; None without an annotation, or without its class field where one is needed."""
+        layer, of_all = self.annotation.currentLayer(), self.class_of_all.class_name()
+        fields = self.class_field.currentField(), self.priority_field.currentField()
+        has_classes = bool(of_all or fields[0])
+        return Correction(self._database, layer, *fields, of_all) if layer is not None and has_classes else None
+
     def leave_out(self, layers: Iterable[QgsMapLayer]) -> None:
         """Offers no places, nor the layers of databases; ``layers``: all there are."""
         self.annotation.setExceptedLayerList([layer for layer in layers if is_places(layer) or database_file(layer)])
@@ -108,10 +115,8 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self._show_ready()
 
     def _show_ready(self, *_) -> None:
-        of_all = self.class_of_all.class_name()
-        self.class_field.setEnabled(not self._running and not of_all)
-        has_classes = bool(of_all or self.class_field.currentField())
-        ready = bool(self._database and self.annotation.currentLayer() and has_classes)
+        self.class_field.setEnabled(not self._running and not self.class_of_all.class_name())
+        ready = bool(self._database and self.correction())
         self.button.setEnabled(self._running or ready)
         if not self._running and not self._database:
             self.state.show_text(tr("Choose a database."))
@@ -130,12 +135,11 @@ class UpdateBox(QgsCollapsibleGroupBox):
             self.state.show_text(tr("Canceling…"))
             self.cancelAsked.emit()
             return
-        layer = self.annotation.currentLayer()
-        values = self.class_field.currentField(), self.priority_field.currentField(), self.class_of_all.class_name()
-        project = QgsProject.instance()
-        for entry, value in zip((_ANNOTATION_ENTRY, *_VALUE_ENTRIES), (layer.id(), *values)):
+        wanted, project = self.correction(), QgsProject.instance()
+        values = wanted.class_field, wanted.priority_field, wanted.class_of_all
+        for entry, value in zip((_ANNOTATION_ENTRY, *_VALUE_ENTRIES), (wanted.annotation.id(), *values)):
             project.writeEntry(SCOPE, entry, value)
-        self.startAsked.emit(Correction(self._database, layer, *values))
+        self.startAsked.emit(wanted)
 
     # --- guesses, for the user to change ---
 

@@ -1,0 +1,126 @@
+"""Repairs everything in the annotation that *Repair annotation* can repair, as one step that can be undone."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Callable
+
+from qgis.core import QgsProcessingContext, QgsProject, QgsVectorLayer
+from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtWidgets import QMessageBox, QPushButton
+
+from ....core.errors import ParameterError
+from ....processing.inspection.repair import REPAIRABLE, apply_repair
+from ....processing.translation import tr
+from ....processing.wording.annotation_messages import kind_titles
+from ....processing.wording.sentences import worded
+from ...running.algorithm_run import AlgorithmRun
+from ...running.correction_run import Correction
+from ...widgets.numbers import number_text
+
+REPAIR = "semref:repairannotation"
+
+
+class RepairButton(QPushButton):
+    """``shut_down`` before it is deleted.
+
+    said: what it is doing, or what it has done; repaired: the annotation, which has one more step to undo; failed: a
+    sentence; broke: a bug's traceback.
+    """
+
+    said = pyqtSignal(str)
+    repaired = pyqtSignal(object)
+    failed = pyqtSignal(str)
+    broke = pyqtSignal(str)
+
+    def __init__(self, annotation: Callable[[], Correction | None]) -> None:
+        """Takes what to repair from ``annotation``, which gives None where none is chosen."""
+        super().__init__()
+        self._annotation = annotation
+        self._kinds: Counter = Counter()
+        self._layer: QgsVectorLayer | None = None
+        self.run = AlgorithmRun(self)
+        self.run.done.connect(self._apply)
+        self.run.progressed.connect(self._show_percent)
+        for ended in (self.run.failed, self.run.broke, self.run.canceled):
+            ended.connect(self._show)
+        self.run.failed.connect(self.failed)
+        self.run.broke.connect(self.broke)
+        self.run.canceled.connect(lambda: self.said.emit(tr("Canceled.")))
+        self.clicked.connect(self._press)
+        self.show_kinds(Counter())
+
+    def shut_down(self) -> None:
+        """Cancels what runs."""
+        self.run.abandon()
+
+    def show_kinds(self, kinds: Counter) -> None:
+        """``kinds``: how many places of each kind are open."""
+        self._kinds = Counter({kind: kinds[kind] for kind in REPAIRABLE if kinds[kind]})
+        self._show()
+
+    def _show(self, *_) -> None:
+        count = sum(self._kinds.values())
+        if self.run.running:
+            self.setText(tr("Cancel"))
+        elif count:
+            self.setText(tr("Repair all ({count})…").format(count=number_text(count)))
+        else:
+            self.setText(tr("Repair all…"))
+        self.setEnabled(self.run.running or bool(count))
+        self.setToolTip(tr("Repairs in the annotation what “Repair annotation” can repair; it can be undone"))
+
+    def _show_percent(self, percent: float) -> None:
+        self.said.emit(tr("Repairing: {percent} %").format(percent=int(percent)))
+
+    def _press(self) -> None:
+        if self.run.running:
+            self.run.cancel()
+            return
+        wanted = self._annotation()
+        if wanted is None:
+            self.failed.emit(tr("Choose the annotation and its class field below, under “Update the database”."))
+            return
+        if QMessageBox.question(self.window(), tr("Repair all"), self._question(wanted)) != _YES:
+            return
+        self._layer = wanted.annotation
+        parameters = {
+            "INPUT": wanted.annotation,
+            "CLASS_FIELD": wanted.class_field,
+            "CLASS": wanted.class_of_all,
+            **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
+            "OUTPUT": "memory:",
+            "CHANGES": "memory:",
+        }
+        self.run.start_algorithm(REPAIR, parameters, tr("Repairing the annotation"))
+        self._show()
+
+    def _question(self, wanted: Correction) -> str:
+        titles = kind_titles()
+        kinds = ", ".join(f"{titles[kind]}: {number_text(count)}" for kind, count in self._kinds.items())
+        return tr(
+            "Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is "
+            "edited, not saved: you can undo it."
+        ).format(count=number_text(sum(self._kinds.values())), layer=wanted.annotation.name(), kinds=kinds)
+
+    def _apply(self, results: dict, context: QgsProcessingContext) -> None:
+        self._show()
+        project, layer = QgsProject.instance(), self._layer
+        if layer is None or layer.id() not in project.mapLayers():
+            return
+        repaired, changes = (context.takeResultLayer(results[key]) for key in ("OUTPUT", "CHANGES"))
+        try:
+            done = apply_repair(layer, repaired, changes, project.transformContext(), tr("Repair all"))
+        except ParameterError as error:
+            self.failed.emit(worded(error))
+            return
+        self.repaired.emit(layer)
+        self.said.emit(
+            tr(
+                "Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s "
+                "edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left."
+            ).format(layer=layer.name(), **{name: number_text(count) for name, count in done._asdict().items()})
+        )
+
+
+_YES = QMessageBox.StandardButton.Yes
