@@ -19,7 +19,6 @@ from ..core.errors import DatabaseError, ParameterError
 from ..core.localizer.localizer import Localizer
 from ..storage.database.connection import DatabaseChangedError
 from ..storage.database.reader import read_database, read_overview
-from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.metadata import plugin_metadata
@@ -45,9 +44,8 @@ def assess(options: Namespace, teller: Teller) -> dict[str, Any]:
         SemRefError: Anything that the user can mend.
     """
     path = seen_by_workers(options.database)
-    read = files_of(path)
-    for file in read:
-        require_apart(file, options.output)
+    read = [path]
+    require_apart(path, options.output)
     footprints = footprint_sizes(options.footprints, 1.0)
     before = {file: state(file) for file in read}
     database = _read(path, teller)

@@ -15,7 +15,6 @@ from ..core.evaluation.plan import planned
 from ..core.evaluation.summary import summarize
 from ..core.localization import Method
 from ..storage.database.reader import read_database
-from ..storage.database.sets import files_of
 from ..storage.file_states import fingerprint
 from ..storage.files import written_beside
 from ..storage.map_frames import label_map_frame, require_classes_of, require_crs_of
@@ -39,7 +38,7 @@ def evaluate(options: Namespace, teller: Teller) -> dict[str, Any]:
         SemRefError: Anything that the user can mend.
     """
     database_path, path = seen_by_workers(options.database), seen_by_workers(options.labels)
-    read = (*files_of(database_path), path)
+    read = database_path, path
     for given in read:
         require_apart(given, options.output)
     methods, ranges = _methods(options.methods), _ranges(options)

@@ -10,7 +10,6 @@ from .algorithms.assess_route import AssessRoute
 from .algorithms.build_database import BuildDatabase
 from .algorithms.check_annotation import CheckAnnotation
 from .algorithms.classify_openstreetmap import ClassifyOpenStreetMap
-from .algorithms.combine_databases import CombineDatabases
 from .algorithms.compare_labels import CompareLabels
 from .algorithms.decode_color_labels import DecodeColorLabels
 from .algorithms.describe_image import DescribeImage
@@ -44,7 +43,6 @@ ALGORITHMS = (
     MakeSample,
     BuildDatabase,
     UpdateDatabase,
-    CombineDatabases,
     ExportOnboard,
     DescribeImage,
     LocalizeImages,

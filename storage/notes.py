@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 from osgeo import gdal, osr
 
-from .database.sets import is_set, parts_of
 from .gdal_errors import gdal_failures
 
 SENTENCES_OF_SOURCES = {"made_of": "Made of: {sources}"}
@@ -122,10 +121,9 @@ def raster_source(path: str) -> Source:
 
 
 def database_sources(path: str) -> list[Source]:
-    """What is known of a database, or of each of a set, that has a note: called as its file, the note is a layer's."""
-    files = parts_of(path) if is_set(path) else [path]
-    told = [(Path(file).stem, _told(file)) for file in files[:MOST_SOURCES]]
-    return [Source(name, _texts(own, "license"), _texts(own, "rights")) for name, own in told if own]
+    """What is known of a database that has a note: called as its file, the note is a layer's."""
+    told = _told(path)
+    return [Source(Path(path).stem, _texts(told, "license"), _texts(told, "rights"))] if told else []
 
 
 def _told(path: str) -> list[tuple[str, str]]:

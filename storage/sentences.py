@@ -56,24 +56,6 @@ SENTENCES = {
     "storage.bad_georeference": (
         "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew."
     ),
-    "storage.set_unreadable": (
-        "{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”."
-    ),
-    "storage.set_part_missing": (
-        "{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as "
-        "one”."
-    ),
-    "storage.set_in_set": (
-        "{path} names {part}, which is a set of databases itself; make the set anew of databases alone."
-    ),
-    "storage.set_names_twice": "{path} names {part} twice; make the set anew with each database once.",
-    "storage.set_other_crs": (
-        "{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS."
-    ),
-    "storage.set_is_read_only": (
-        "{path} is a set of databases, which is read only; give the database in it that is meant, for example the "
-        "sheet that was corrected."
-    ),
     "storage.database_in_use": "{path} is being written by another program; try again.",
     "storage.database_unfinished": (
         "{path} was left half written by another program and can't be mended where it lies; copy it with the file "

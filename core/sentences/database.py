@@ -24,35 +24,6 @@ SENTENCES = {
     "database.window_count": (
         "The database has {count} windows of level {level} where its grid has {known}; build it again."
     ),
-    "database.parts_other_pixel_size": (
-        "{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the "
-        "same pixel size."
-    ),
-    "database.parts_other_setting": (
-        "{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as "
-        "one."
-    ),
-    "database.setting_window_size": "window size",
-    "database.setting_stride": "stride",
-    "database.setting_levels": "levels",
-    "database.setting_references_per_vector": "number of landmarks a vector",
-    "database.setting_minimum_area": "minimum area",
-    "database.setting_overview_factor": "reduction of the overview",
-    "database.parts_other_classes": (
-        "{source} has another class table than {other}; build them with one class table to use them as one."
-    ),
-    "database.parts_off_grid": (
-        "{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one "
-        "both must be whole multiples of {factor} pixels ({length:g} m)."
-    ),
-    "database.parts_too_far": (
-        "The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together "
-        "that are neighbors."
-    ),
-    "database.parts_without_bounds": (
-        "{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together "
-        "with others; build it anew once."
-    ),
     "database.minimum_area": "The minimum area is {minimum_area:g} m²; it must be more than 0.",
     "database.vector_too_short": "A vector of {count} references is too short; use at least {least}.",
     "database.lengths": (

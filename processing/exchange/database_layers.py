@@ -21,7 +21,6 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import DatabaseError
 from ...storage.database.connection import no_database
-from ...storage.database.sets import is_set, parts_of
 from ..translation import tr
 from .column_names import name_columns
 from .layer_tree import leave_group, move, place_at_bottom
@@ -49,7 +48,7 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     """Adds references, windows and overview, from top to bottom, and gives their group; only references are visible.
 
     Args:
-        path: Of the database, or of a set of them, each of which gets a group in the set's.
+        path: Of the database.
         project: Where to.
         references: The layer of that table where the project has it already.
 
@@ -58,24 +57,6 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     """
     if not Path(path).is_file():
         raise no_database(path)
-    root = project.layerTreeRoot()
-    if not is_set(path):
-        return _add_database(path, project, root, references)
-    parts = parts_of(path)
-    group = root.insertGroup(0, Path(path).stem)
-    try:
-        for part in reversed(parts):
-            _add_database(part, project, group)
-    except DatabaseError:
-        project.removeMapLayers(group.findLayerIds())
-        root.removeChildNode(group)
-        raise
-    return group
-
-
-def _add_database(
-    path: str, project: QgsProject, parent: QgsLayerTreeGroup, references: QgsVectorLayer | None = None
-) -> QgsLayerTreeGroup:
     added: list[QgsMapLayer] = [
         QgsVectorLayer(_table_source(path, WINDOWS), tr("Windows"), "ogr"),
         QgsRasterLayer(_overview_source(path), tr("Overview"), "gdal"),
@@ -91,13 +72,14 @@ def _add_database(
     _tell_of(added[-1], added[-2])
     project.addMapLayers(added, False)
     shown = added if references is None else [references, *added]
-    group = parent.insertGroup(0, Path(path).stem)
+    root = project.layerTreeRoot()
+    group = root.insertGroup(0, Path(path).stem)
     for layer in added:
         group.addLayer(layer)
     if references is not None:
         references.setName(tr("Landmarks"))
         references.loadDefaultStyle()
-        before = parent.findLayer(references.id())
+        before = root.findLayer(references.id())
         if before is None:
             group.insertLayer(0, references)
         else:

@@ -18,7 +18,6 @@ from qgis.core import (
 )
 from qgis.PyQt.QtXml import QDomDocument
 
-from ...storage.database.sets import files_of, is_set
 from ...storage.notes import MOST_SOURCES, note_text
 
 LONGEST_COMMAND = 20_000
@@ -106,9 +105,7 @@ def _told_by_inputs(
 
 
 def _each(value: Any) -> list[Any]:
-    """What is given, one by one; of a set of databases these."""
-    given = value if isinstance(value, (list, tuple)) else (value,)
-    return [file for one in given for file in (files_of(one)[1:] if isinstance(one, str) and is_set(one) else (one,))]
+    return list(value) if isinstance(value, (list, tuple)) else [value]
 
 
 def _told_by(layer: QgsMapLayer) -> QgsLayerMetadata:

@@ -21,7 +21,6 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...storage.database.sets import files_of
 from ...storage.moving import clear
 from .destinations import Destination, destination_of
 
@@ -86,7 +85,7 @@ def clear_beside_inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> No
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():
             sources = _sources(values.raw(definition.name()), values.context)
-            for path in (file for source in sources for file in files_of(source.split("|")[0])):
+            for path in (source.split("|")[0] for source in sources):
                 folder = os.path.dirname(path) or "."
                 # Not by pathlib, which raises for texts that no file system takes as a name.
                 if (os.path.isabs(path) or os.path.exists(path)) and os.path.isdir(folder):
@@ -112,8 +111,7 @@ def _inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> Iterator[_Inpu
                 if os.path.exists(path):
                     layer = _LAYER_NAME.search(source)
                     name = layer.group(1) if layer else ""
-                    for file in files_of(path):
-                        yield _Input(definition.name(), definition.description(), file, name)
+                    yield _Input(definition.name(), definition.description(), path, name)
 
 
 def _sources(value: Any, context: QgsProcessingContext) -> Iterator[str]:

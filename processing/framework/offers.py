@@ -47,10 +47,8 @@ OF_NETWORKS = (MISSED, INVENTED, MISNAMED, RAGGED, BACKGROUND, SHIFTED)
 
 def database(text: str = "", optional: bool = False) -> File:
     """A reference database; ``text``: its help where another one is needed."""
-    text = text or tr(
-        "A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”."
-    )
-    kinds = tr("Reference databases (*.gpkg *.semrefset)")
+    text = text or tr("A GeoPackage made by “Build reference database”.")
+    kinds = tr("Reference databases (*.gpkg)")
     return File(DATABASE, tr("Reference database"), text, optional, filter=kinds, widget=DATABASE_WIDGET)
 
 

@@ -18,7 +18,6 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...storage.database.reader import read_database
-from ...storage.database.sets import require_no_set
 from ...storage.text_tables import CLASSES_FILE
 from ..exchange.reference_systems import database_crs
 
@@ -46,8 +45,6 @@ def rasterize_parameters(
         DatabaseError: It can't be read.
         ParameterError: A layer lies elsewhere: it belongs to another map.
     """
-    # Before a map of all sheets is made.
-    require_no_set(path)
     database = read_database(path)
     crs, extent = database_crs(database), QgsRectangle(*database.parameters.extent)
     for ground in grounds:

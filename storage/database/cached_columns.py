@@ -1,9 +1,9 @@
-"""Windows and landmarks of a large database, or set, as columns in the user's cache (docs/file-formats.md#cache)."""
+"""Windows and landmarks of a large database as columns in the user's cache (docs/file-formats.md#cache)."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -48,17 +48,15 @@ def content_of(connection: Snapshot) -> Content:
     return Content(rows, digest([json.dumps(connection.state).encode(), repr(told).encode("utf-8")]))
 
 
-def cached_columns(kind: str, contents: Sequence[Content], vector_length: int, read: Callable[[], Columns]) -> Columns:
+def cached_columns(content: Content, vector_length: int, read: Callable[[], Columns]) -> Columns:
     """Return windows and landmarks; many rows are loaded from the cache, or read and stored there.
 
     Args:
-        kind: “columns” of a database, “set” of a set: the columns of a set of one database differ from the database's.
-        contents: Of the database, or of the set's databases in their order.
+        content: Of the database.
         vector_length: Of a topology vector.
         read: Reads and checks the rows; whatever that raises goes on.
     """
-    keys = [content.key for content in contents]
-    if sum(content.rows for content in contents) < FEWEST or None in keys:
+    if content.rows < FEWEST or content.key is None:
         return read()
 
     def make() -> Arrays:
@@ -69,8 +67,8 @@ def cached_columns(kind: str, contents: Sequence[Content], vector_length: int, r
             if getattr(of_table, name) is not None
         }
 
-    key = digest([json.dumps([VERSION, *keys]).encode()])
-    arrays = load_or_build(kind, key, make, partial(_fit, vector_length=vector_length))
+    key = digest([json.dumps([VERSION, content.key]).encode()])
+    arrays = load_or_build("columns", key, make, partial(_fit, vector_length=vector_length))
     windows, landmarks = (
         {name: arrays.get(f"{table}_{name}") for name in columns} for table, columns in _COLUMNS.items()
     )
@@ -96,13 +94,9 @@ _COLUMNS = {
         "classes": ("|u1",),
         "areas_m2": ("<f8",),
         "touches_edge": ("|b1",),
-        "bounds_px": ("<i8", 4),
     },
 }
 """Kind and, where there is one, length of a row."""
-
-_OPTIONAL = {"windows_distinctiveness", "landmarks_bounds_px"}
-"""Sets have bounds and no distinctiveness, databases the other way round."""
 
 
 def _fit(arrays: Arrays, vector_length: int) -> bool:
@@ -114,6 +108,6 @@ def _fit(arrays: Arrays, vector_length: int) -> bool:
         for name, (kind, *row) in columns.items():
             lengths = [vector_length if length == _VECTOR else length for length in row]
             expected[f"{table}_{name}"] = kind, (count, *lengths)
-    if not set(expected) - _OPTIONAL <= set(arrays) <= set(expected):
+    if set(arrays) != set(expected):
         return False
     return all((array.dtype.str, array.shape) == expected[name] for name, array in arrays.items())

@@ -14,7 +14,6 @@ from osgeo import gdal
 from ...core.errors import DatabaseError
 from ..sqlite_copy import WAIT_S
 from . import schema
-from .sets import require_no_set
 
 _WAL_VERSION = 2
 """Read and write version in the header of a database whose changes wait in a -wal."""
@@ -50,12 +49,10 @@ def snapshot(path: str) -> Iterator[Snapshot]:
     views, virtual or have generated columns are none of ours.
 
     Raises:
-        DatabaseError: The file is missing, foreign, in use, or damaged, whatever the block stumbles over in it; or a
-            set of databases, which only ``reader`` reads.
+        DatabaseError: The file is missing, foreign, in use, or damaged, whatever the block stumbles over in it.
     """
     if not os.path.isfile(path):
         raise no_database(path)
-    require_no_set(path)
     try:
         with contextlib.closing(_connected(path)) as connection:
             connection.execute("PRAGMA trusted_schema=OFF")

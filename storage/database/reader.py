@@ -1,4 +1,4 @@
-"""Reading a reference database, or a set of them as one, with SQLite alone."""
+"""Read a reference database with SQLite."""
 
 from __future__ import annotations
 
@@ -7,26 +7,22 @@ import csv
 import io
 import json
 import sqlite3
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from datetime import datetime, timezone
-from typing import TypeVar
 
 import numpy as np
-from osgeo import gdal, osr
+from osgeo import gdal
 
 from ...core.cache import digest
 from ...core.database.checks import require_sound
-from ...core.database.joined import joined_database, joined_overview, joined_parameters
 from ...core.database.model import ReferenceDatabase
 from ...core.database.parameters import BuildParameters, build_parameters
 from ...core.errors import DatabaseError
 from ...core.labels.class_table import ClassTable, class_table_from_csv
-from ...core.values import read_json, short_text
+from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .batches import columns_of
-from .cached_columns import Columns, Content, cached_columns, content_of
+from .cached_columns import Columns, cached_columns, content_of
 from .checksums import (
     CHECKSUMS,
     checksums_of,
@@ -37,9 +33,6 @@ from .checksums import (
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
 from .rows import read_references, read_windows
-from .sets import is_set, parts_of
-
-_Read = TypeVar("_Read")
 
 _LONGEST_REASON = 200
 
@@ -48,141 +41,35 @@ _LONGEST_STYLE = 16 << 20
 
 
 def read_database(path: str, with_overview: bool = False, with_bounds: bool = False) -> ReferenceDatabase:
-    """Reads a reference database, or a set of them as one.
+    """Read a reference database.
 
     Args:
         path: Of the file.
-        with_overview: Whether its overview is read, too.
-        with_bounds: Whether its landmarks' bounds are; those of a set always are, those of old databases are None.
+        with_overview: Whether to read its overview, too.
+        with_bounds: Whether to read the bounds of its landmarks, too; old databases have none.
 
     Raises:
-        DatabaseError: For files that are missing, foreign, truncated or too new, or don't belong together.
+        DatabaseError: The file is missing, foreign, truncated or too new.
     """
-    if is_set(path):
-        return _read_set(path, with_overview)
     with snapshot(path) as connection:
-        return _read_one(connection, path, with_overview, with_bounds)
-
-
-def _read_one(connection: Snapshot, path: str, with_overview: bool, with_bounds: bool) -> ReferenceDatabase:
-    database = _read(connection, path, is_cached=True)
-    if with_bounds:
-        bounds = _checked_bounds(connection, database, path)
-        database = replace(database, references=replace(database.references, bounds_px=bounds))
-    return replace(database, overview=_overview(connection, path)) if with_overview else database
-
-
-def read_parts(parts: Sequence[str], with_overview: bool = False) -> list[ReferenceDatabase]:
-    """Databases that are to be used as one, from the oldest to the newest, with the bounds of their landmarks.
-
-    Each is read by itself, and none may change meanwhile.
-
-    Args:
-        parts: Their files; of equally old ones the last is the newest.
-        with_overview: Whether their overviews are read, too.
-
-    Raises:
-        DatabaseError: One can't be read, or they are in different CRS.
-    """
-
-    def read(connection: Snapshot, part: str) -> ReferenceDatabase:
-        return _read_one(connection, part, with_overview, with_bounds=True)
-
-    found = _parts(parts, read)
-    _require_one_crs([(part.source or "", part.parameters) for part in found])
-    return found
-
-
-def _read_set(path: str, with_overview: bool) -> ReferenceDatabase:
-    parts = parts_of(path)
-    heads = _parts(parts, _head)
-    named = [(head.name, head.parameters) for head in heads]
-
-    def read() -> Columns:
-        found = joined_database(read_parts(parts), path)
-        if found.parameters != joined_parameters(named):
-            raise DatabaseChangedError("storage.database_changed", path=path)
-        return found.windows, found.references
-
-    newest = heads[-1]
-    length = 3 * newest.parameters.references_per_vector
-    windows, landmarks = cached_columns("set", [head.content for head in heads], length, read)
-    parameters = joined_parameters(named)
-    overview = _read_set_overview(path, parameters) if with_overview else None
-    return ReferenceDatabase(windows, landmarks, newest.class_table, parameters, path, overview)
-
-
-@dataclass(frozen=True)
-class _Head:
-    """What a database of a set says of itself."""
-
-    name: str
-    parameters: BuildParameters
-    class_table: ClassTable
-    content: Content
-
-
-def _head(connection: Snapshot, path: str) -> _Head:
-    return _Head(path, _read_parameters(connection, path), _class_table(connection, path), content_of(connection))
-
-
-def _read_set_overview(path: str, of: BuildParameters | None) -> np.ndarray:
-    def read(connection: Snapshot, part: str) -> tuple[str, BuildParameters, np.ndarray]:
-        return part, _read_parameters(connection, part), _overview(connection, part)
-
-    parts = _parts(parts_of(path), read)
-    named = [(name, parameters) for name, parameters, _ in parts]
-    _require_one_crs(named)
-    parameters = joined_parameters(named)
-    if of is not None and parameters != of:
-        raise DatabaseChangedError("storage.database_changed", path=path)
-    return joined_overview([own for _, own in named], [overview for *_, overview in parts], parameters)
-
-
-def _parts(parts: Sequence[str], read: Callable[[Snapshot, str], _Read]) -> list[_Read]:
-    """What is read of each part, from the oldest to the newest; none may change meanwhile."""
-    found, states = [], {}
-    for part in parts:
-        with snapshot(part) as connection:
-            found.append((_written(connection), read(connection, part)))
-            states[part] = connection.state
-    for part, then in states.items():
-        require_unchanged_since(part, then)
-    return [of_part for _, of_part in sorted(found, key=lambda dated: dated[0])]
-
-
-def _written(connection: sqlite3.Connection) -> datetime:
-    """When a database was built or updated last."""
-    row = connection.execute("SELECT last_change FROM gpkg_contents WHERE table_name = 'parameters'").fetchone()
-    if row is None:
-        raise ValueError("it does not tell when it was written")
-    found = datetime.fromisoformat(short_text(row[0], "last_change").replace("Z", "+00:00"))
-    return found if found.tzinfo else found.replace(tzinfo=timezone.utc)
-
-
-def _require_one_crs(parts: Sequence[tuple[str, BuildParameters]]) -> None:
-    """Raises DatabaseError where parts are in different CRS."""
-    (other, first), known = parts[0], osr.SpatialReference(parts[0][1].crs)
-    for name, parameters in parts[1:]:
-        own = osr.SpatialReference(parameters.crs)
-        if parameters.crs != first.crs and not own.IsSame(known):
-            names = own.GetName() or "", known.GetName() or ""
-            raise DatabaseError("storage.set_other_crs", part=name, crs=names[0], other=other, other_crs=names[1])
+        database = _read(connection, path, is_cached=True)
+        if with_bounds:
+            bounds = _checked_bounds(connection, database, path)
+            database = replace(database, references=replace(database.references, bounds_px=bounds))
+        return replace(database, overview=_overview(connection, path)) if with_overview else database
 
 
 def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
     """(h, w) uint8 class values.
 
     Args:
-        path: The database, or a set of them.
+        path: The database.
         of: What was read from it before, if anything: what was updated since is refused.
 
     Raises:
         DatabaseError: It has no overview.
         DatabaseChangedError: It was updated since.
     """
-    if is_set(path):
-        return _read_set_overview(path, of)
     with snapshot(path) as connection:
         if of is not None and _read_parameters(connection, path) != of:
             raise DatabaseChangedError("storage.database_changed", path=path)
@@ -211,7 +98,7 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
         return windows, landmarks
 
     length = 3 * parameters.references_per_vector
-    windows, landmarks = cached_columns("columns", [content_of(connection)], length, read) if is_cached else read()
+    windows, landmarks = cached_columns(content_of(connection), length, read) if is_cached else read()
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 
@@ -322,10 +209,10 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
 
 
 def stored_style(path: str, table: str) -> str | None:
-    """QML of the style of one table of a database, None when it has none or a damaged one; of a set its first one's."""
+    """QML of the style of one table of a database, None when it has none or a damaged one."""
     query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
-        with snapshot(parts_of(path)[0] if is_set(path) else path) as connection:
+        with snapshot(path) as connection:
             row = connection.execute(query, (table, _LONGEST_STYLE)).fetchone()
     except DatabaseError:
         return None

@@ -147,20 +147,6 @@ def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, ifac
     assert Path(database).read_bytes() == before and not box.undo.isVisibleTo(dock.content.correct)
 
 
-def test_a_set_of_databases_is_told_to_be_read_only_before_anything_is_made(dock, iface, box, annotation, database):
-    from semref.storage.database.sets import set_text
-
-    country = Path(database).with_name("country.semrefset")
-    country.write_text(set_text(str(country), [database]), encoding="utf-8")
-    before = Path(database).read_bytes()
-    dock.content.database.file.setFilePath(str(country))
-    settle()
-    press(dock, box)
-    wait_until(lambda: messages(iface), "the refusal")
-    assert "country.semrefset is a set of databases, which is read only" in messages(iface)[0]
-    assert Path(database).read_bytes() == before
-
-
 def test_a_canceled_update_leaves_the_database_as_it_is(dock, box, annotation, database):
     before = Path(database).read_bytes()
     mend(annotation)

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import gc
-import shutil
 import time
-from pathlib import Path
 
 import pytest
 from dock_area import (
@@ -144,46 +142,6 @@ def test_layers_that_come_while_the_box_is_folded_away_do_not_open_it(dock, area
     box.setCollapsed(False)
     settle()
     assert box.in_project.isVisibleTo(dock) and box.file.isVisibleTo(dock)
-
-
-@pytest.fixture
-def country(area, tmp_path):
-    """A set of two databases, which happen to be of the same ground."""
-    from semref.storage.database.sets import set_text
-
-    sheets = [shutil.copy(area.database, tmp_path / f"{name}.gpkg") for name in ("west", "east")]
-    path = tmp_path / "country.semrefset"
-    path.write_text(set_text(str(path), sheets), encoding="utf-8")
-    return str(path)
-
-
-def test_a_set_of_databases_is_localized_in_inspected_and_shown_sheet_by_sheet(dock, iface, area, country):
-    from qgis.core import QgsProject
-
-    dock.content.database.file.setFilePath(country)
-    localize(dock, country, [area.image])
-    assert messages(iface) == []
-    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=1e-6)
-    dock.content.inspect.show_window("150_250")
-    wait_until(lambda: dock.content.inspect._database is not None, "the set is read")
-    assert dock.content.inspect._database.source == country
-    dock.content.database.add_to_map.click()
-    group = QgsProject.instance().layerTreeRoot().children()[0]
-    assert group.name() == "country"
-    assert [(sheet.name(), [node.name() for node in sheet.children()]) for sheet in group.children()] == [
-        (name, ["Landmarks", "Windows", "Overview"]) for name in ("west", "east")
-    ]
-
-
-def test_a_set_whose_databases_cannot_be_shown_adds_nothing_to_the_map(dock, iface, area, country):
-    from qgis.core import QgsProject
-
-    (Path(country).parent / "east.gpkg").write_bytes(b"no database")
-    dock.content.database.file.setFilePath(country)
-    dock.content.database.add_to_map.click()
-    assert QgsProject.instance().mapLayers() == {}
-    assert QgsProject.instance().layerTreeRoot().children() == []
-    assert "east.gpkg" in messages(iface)[0]
 
 
 def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, area):

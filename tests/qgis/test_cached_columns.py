@@ -6,7 +6,7 @@ import gzip
 import os
 import shutil
 import sqlite3
-from dataclasses import fields, replace
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -187,64 +187,6 @@ def test_small_databases_and_those_without_checksums_are_always_read(path, times
     edit(path, "DELETE FROM parameters WHERE key = 'checksums'")
     read_database(path)
     assert cached(path) == [] and len(times_read) == 2
-
-
-@pytest.fixture
-def together(path):
-    """Path of a set of two databases of the same ground."""
-    from semref.storage.database.sets import SUFFIX, set_text
-
-    older = Path(path).parent / "older.gpkg"
-    shutil.copyfile(path, older)
-    found = Path(path).parent / f"all{SUFFIX}"
-    found.write_text(set_text(str(found), [str(older), path]), encoding="utf-8")
-    return str(found)
-
-
-def test_a_set_is_joined_once_and_its_columns_opened_from_then_on(together, path, times_read, monkeypatch):
-    first = read_database(together, with_overview=True)
-    assert len(cached(path, "set")) == 1
-    monkeypatch.setattr(reader, "joined_database", lambda *_: pytest.fail("it was joined"))
-    again = read_database(together, with_overview=True)
-    assert len(times_read) == 2 and len(again.references) == 417
-    assert not again.references.positions.flags.writeable
-    assert_same(again, first)
-    np.testing.assert_array_equal(again.references.bounds_px, first.references.bounds_px)
-    np.testing.assert_array_equal(again.overview, first.overview)
-    assert again.windows.distinctiveness is None and again.source == together
-
-
-def test_a_set_one_database_of_which_was_updated_is_joined_anew(together, path, times_read):
-    before = read_database(together)
-    edit(path, 'UPDATE "references" SET area = area + 1')
-    store_checksums(path)
-    times_read.clear()
-    after = read_database(together)
-    np.testing.assert_allclose(after.references.areas_m2, before.references.areas_m2 + 1)
-    # The other one's columns are cached.
-    assert len(times_read) == 1
-
-
-def test_a_set_of_one_database_and_the_database_do_not_share_columns(path, tmp_path):
-    from semref.storage.database.sets import set_text
-
-    alone = str(tmp_path / "maps" / "alone.semrefset")
-    Path(alone).write_text(set_text(alone, [path]), encoding="utf-8")
-    for _ in range(2):
-        assert read_database(path).windows.distinctiveness is not None
-        assert read_database(alone).references.bounds_px is not None
-
-
-def test_a_set_whose_database_changes_while_it_is_read_is_refused(together, monkeypatch):
-    joined = reader.joined_database
-
-    def changed(parts, source):
-        found = joined(parts, source)
-        return replace(found, parameters=replace(found.parameters, map_hash="another"))
-
-    monkeypatch.setattr(reader, "joined_database", changed)
-    with pytest.raises(DatabaseError, match="changed"):
-        read_database(together)
 
 
 def test_without_a_cache_folder_rows_are_read_each_time_and_the_log_shows_it(path, times_read, monkeypatch, caplog):

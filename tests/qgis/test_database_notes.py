@@ -96,17 +96,6 @@ def test_a_history_of_long_lines_stays_what_a_reader_takes(qgis_app):
     assert 100_000 < sum(map(len, lines)) <= 150_001
 
 
-def test_what_is_made_of_a_set_has_the_licenses_of_its_databases(database, run_algorithm, tmp_path):
-    from semref.storage.database.sets import set_text
-
-    path = tmp_path / "country.semrefset"
-    path.write_text(set_text(str(path), [database]), encoding="utf-8")
-    output = str(tmp_path / "squares.gpkg")
-    run_algorithm("semref:assessdatabase", {"DATABASE": str(path), "TRIALS": 20, "OUTPUT": output})
-    told = QgsVectorLayer(output, "squares", "ogr").metadata()
-    assert told.licenses() == ["ODbL 1.0"] and Path(database).stem in told.abstract()
-
-
 def test_licenses_are_read_without_qgis_too(database, label_map, tmp_path):
     from semref.storage.notes import database_sources, raster_source
 
@@ -117,16 +106,6 @@ def test_licenses_are_read_without_qgis_too(database, label_map, tmp_path):
     plain.write_bytes(b"no note")
     assert database_sources(str(plain)) == []
     assert raster_source(str(tmp_path / "bare.tif")).text == "bare"
-
-
-def test_sources_of_a_set_are_its_databases_and_no_file_of_its_name(database, label_map):
-    from semref.storage.database.sets import set_text
-    from semref.storage.notes import database_sources
-
-    # Called as the label map, whose note lies beside it.
-    path = label_map.with_suffix(".semrefset")
-    path.write_text(set_text(str(path), [database]), encoding="utf-8")
-    assert [source.text for source in database_sources(str(path))] == ["area (ODbL 1.0)"]
 
 
 def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):

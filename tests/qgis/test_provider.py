@@ -26,7 +26,6 @@ NAMES = (
     "segmentimage",
     "builddatabase",
     "updatedatabase",
-    "combinedatabases",
     "exportonboard",
     "makesample",
     "describeimage",

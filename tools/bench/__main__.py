@@ -69,7 +69,6 @@ NAMES = (
     "segment",
     "annotation",
     "update",
-    "databases_in_parts",
     "dock",
 )
 KEEPING = (

@@ -1,7 +1,7 @@
 """Writing and opening databases of 10⁴ to 10⁷ landmarks: time, memory, bytes.
 
     python tools/bench/large_databases.py write SOURCE COUNT DATABASE
-    python tools/bench/large_databases.py open DATABASE_OR_SET
+    python tools/bench/large_databases.py open DATABASE
 
 does one of these in a process of its own, as the benchmark does, and prints JSON.
 """
@@ -26,8 +26,6 @@ import numpy as np
 
 from bench import inputs, page
 from bench.child import peak_bytes
-from semref.storage.database.sets import SUFFIX as SET_SUFFIX
-from semref.storage.database.sets import set_text
 
 PAGE = "benchmarks.md"
 SIZES = (10_000, 100_000, 1_000_000, 10_000_000)
@@ -36,26 +34,13 @@ OVERVIEW_FACTOR = 64
 
 
 def measure(run: inputs.Run) -> dict[str, str]:
-    source, rows, of_sets, landmarks, seconds = run.database(run.area.stride), [], [], [], []
+    source, rows, landmarks, seconds = run.database(run.area.stride), [], [], []
     for size in SIZES[:1] if run.quick else [size for size in SIZES if run.wants(f"10^{round(math.log10(size))}")]:
         path = run.work / f"large_{size}.gpkg"
         written = _in_child("write", str(source), str(size), str(path))
         opened, again = _in_child("open", str(path)), _in_child("open", str(path))
         kept, bytes_of = page.cached_size("columns"), path.stat().st_size
-        together = path.with_suffix(SET_SUFFIX)
-        together.write_text(set_text(str(together), [str(path)]), encoding="utf-8")
-        joined, opened_set = _in_child("open", str(together)), _in_child("open", str(together))
-        kept_of_set = page.cached_size("set")
-        page.cached_size("columns")
-        for left in (path, together):
-            left.unlink()
-        of_sets.append(
-            [
-                f"{joined['landmarks']:,} / {joined['windows']:,}",
-                *_both(joined, opened_set),
-                kept_of_set,
-            ]
-        )
+        path.unlink()
         rows.append(
             [
                 f"{opened['landmarks']:,} / {opened['windows']:,}",
@@ -69,10 +54,9 @@ def measure(run: inputs.Run) -> dict[str, str]:
         )
         landmarks.append(opened["landmarks"])
         seconds.append((written["processor"], opened["processor"], again["processor"]))
-        for row in (rows[-1], of_sets[-1]):
-            print("  " + " | ".join(row), file=sys.stderr, flush=True)
-    parts = _ABOUT, page.table(_HEADER, rows), _exponents(landmarks, seconds), _ABOUT_SETS
-    return {"large databases": "\n\n".join(filter(None, (*parts, page.table(_HEADER_OF_SETS, of_sets))))}
+        print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
+    parts = _ABOUT, page.table(_HEADER, rows), _exponents(landmarks, seconds)
+    return {"large databases": "\n\n".join(filter(None, parts))}
 
 
 _OPENED = ("memory that takes", "opened again, processor s", "memory that takes", "in the cache")
@@ -82,17 +66,12 @@ _HEADER = [
     *("opened first, processor s", *_OPENED),
 ]
 
-_HEADER_OF_SETS = ["landmarks / windows of the set", "joined first, processor s", *_OPENED]
-
 _ABOUT = """\
 Databases of the area's landmarks and windows, repeated side by side, with an overview of 64 m: written by the writer
 of builds, and opened as localizing opens them, each in a process of its own: first row by row, every table checked
 against its checksum, then again, by the columns that the first stored of a large one in
 the [cache](file-formats.md#cache). Memory is the largest resident one (`VmHWM`); of writing with what
 is written, of opening less that before it; of a mapped file the pages count that the system may take back."""
-
-_ABOUT_SETS = """\
-A set of this database alone: its rows, bounds of landmarks included, are read, checked and joined at first."""
 
 
 def _exponents(landmarks: list[int], seconds: list[tuple[float, float]]) -> str:

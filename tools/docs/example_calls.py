@@ -29,7 +29,6 @@ EXAMPLES: dict[str, dict] = {
         "rasterize:Label map": "area.tif",
         "build:Reference database": "area.gpkg",
     },
-    "combinedatabases": {"DATABASES": ["reference.gpkg", "area.gpkg"], "OUTPUT": "both.semrefset"},
     "classifyopenstreetmap": {"INPUT": "area.osm.pbf|layername=multipolygons", "OUTPUT": "classified.gpkg"},
     "segmentimage": {"INPUT": "sample/orthophoto.tif", "MODEL": MODEL, "OUTPUT": "predicted.tif"},
     "comparelabels": {

@@ -28,7 +28,6 @@ MENU: dict[str, tuple[tuple[str, str], ...]] = {
         ("On board", "guide/on_board.md"),
         ("For toolbox users", "guide/toolbox.md"),
         ("On a cluster", "guide/cluster.md"),
-        ("Databases by sheet", "guide/sheets.md"),
         ("Without a network", "guide/offline.md"),
     ),
     "Look up": (

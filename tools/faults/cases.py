@@ -42,7 +42,6 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "makesample": {"SEED": SEEDS[at.name]},
         "builddatabase": {"LABELS": labels, **_BUILD},
         "updatedatabase": {"DATABASE": area, "LABELS": str(at / "corrected.tif")},
-        "combinedatabases": {"DATABASES": [area, str(at / "again.gpkg")]},
         "exportonboard": {"DATABASE": area},
         "describeimage": {"INPUT": str(at / "images" / "0.png"), "DATABASE": area},
         "localizeimages": {"DATABASE": area, "IMAGES": [str(at / "images")], "METHOD": 2},

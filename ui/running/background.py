@@ -144,10 +144,7 @@ class DatabaseShelf:
 
     def read(self, path: str) -> ReferenceDatabase:
         """Raises DatabaseError."""
-        from ...storage.database.sets import files_of
-
-        # Of a set those of all its databases.
-        key = tuple((file, os.path.getmtime(file) if os.path.exists(file) else None) for file in files_of(path))
+        key = path, os.path.getmtime(path) if os.path.exists(path) else None
         known, database = self._held
         if key != known:
             # Not at the top: reading brings numpy and GDAL, and QGIS shall start at once.

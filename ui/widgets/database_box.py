@@ -51,7 +51,7 @@ class DatabaseBox(FoldingBox):
         self.collapsedStateChanged.connect(self._show_folded)
         self.setAcceptDrops(True)
         self.file = QgsFileWidget()
-        self.file.setFilter(tr("Reference databases (*.gpkg *.semrefset)"))
+        self.file.setFilter(tr("Reference databases (*.gpkg)"))
         self.file.setDialogTitle(tr("Choose a reference database"))
         self.file.lineEdit().setPlaceholderText(tr("Choose a reference database"))
         self.file.lineEdit().setAccessibleName(tr("Reference database"))

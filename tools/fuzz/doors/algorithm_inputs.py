@@ -88,7 +88,6 @@ def base_parameters(files: dict[str, str], out: Path) -> dict[str, dict[str, Any
             "DATABASE": layer,
         },
         "updatedatabase": {"DATABASE": database, "LABELS": files["newer"], "OUTPUT": layer},
-        "combinedatabases": {"DATABASES": [database, files["again"]], "OUTPUT": str(out / "x.semrefset")},
         "comparelabels": {
             "REFERENCE": files["labels"],
             "PREDICTED": files["newer"],
