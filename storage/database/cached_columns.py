@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 
 from ...core.cache import Arrays, digest, load_or_build
@@ -21,42 +20,16 @@ FEWEST = 100_000
 Columns = tuple[Windows, MapLandmarks]
 
 
-@dataclass(frozen=True)
-class Content:
-    """What a database holds, without reading its rows.
-
-    Attributes:
-        rows: About how many there are: counting them takes long, and fids begin at 1.
-        key: SHA-256 of all that a change of the database changes: its file's size and age, parameters, classes and the
-            checksums of all tables. None in a database of an older version, which has none.
-    """
-
-    rows: int
-    key: str | None
-
-
-def content_of(connection: Snapshot) -> Content:
-    """What a database holds."""
-    query = 'SELECT (SELECT max(fid) FROM windows), (SELECT max(fid) FROM "references")'
-    rows = sum(fid or 0 for fid in connection.execute(query).fetchone())
-    if not has_checksums(connection):
-        return Content(rows, None)
-    told = [
-        connection.execute("SELECT key, value FROM parameters ORDER BY key, value").fetchall(),
-        connection.execute("SELECT * FROM classes ORDER BY fid").fetchall(),
-    ]
-    return Content(rows, digest([json.dumps(connection.state).encode(), repr(told).encode("utf-8")]))
-
-
-def cached_columns(content: Content, vector_length: int, read: Callable[[], Columns]) -> Columns:
+def cached_columns(connection: Snapshot, vector_length: int, read: Callable[[], Columns]) -> Columns:
     """Return windows and landmarks; many rows are loaded from the cache, or read and stored there.
 
     Args:
-        content: Of the database.
+        connection: To the database.
         vector_length: Of a topology vector.
         read: Reads and checks the rows; whatever that raises goes on.
     """
-    if content.rows < FEWEST or content.key is None:
+    key = _key(connection)
+    if key is None:
         return read()
 
     def make() -> Arrays:
@@ -67,12 +40,25 @@ def cached_columns(content: Content, vector_length: int, read: Callable[[], Colu
             if getattr(of_table, name) is not None
         }
 
-    key = digest([json.dumps([VERSION, content.key]).encode()])
     arrays = load_or_build("columns", key, make, partial(_fit, vector_length=vector_length))
     windows, landmarks = (
         {name: arrays.get(f"{table}_{name}") for name in columns} for table, columns in _COLUMNS.items()
     )
     return Windows(**windows), MapLandmarks(**landmarks)
+
+
+def _key(connection: Snapshot) -> str | None:
+    """Return the hash of what every change of the database changes; None for few rows and without checksums."""
+    # Counting rows takes long; fids begin at 1.
+    query = 'SELECT (SELECT max(fid) FROM windows), (SELECT max(fid) FROM "references")'
+    rows = sum(fid or 0 for fid in connection.execute(query).fetchone())
+    if rows < FEWEST or not has_checksums(connection):
+        return None
+    content = [
+        connection.execute("SELECT key, value FROM parameters ORDER BY key, value").fetchall(),
+        connection.execute("SELECT * FROM classes ORDER BY fid").fetchall(),
+    ]
+    return digest([json.dumps([VERSION, connection.state]).encode(), repr(content).encode("utf-8")])
 
 
 _VECTOR = -1

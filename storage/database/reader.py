@@ -22,7 +22,7 @@ from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
 from .batches import columns_of
-from .cached_columns import Columns, cached_columns, content_of
+from .cached_columns import Columns, cached_columns
 from .checksums import (
     CHECKSUMS,
     checksums_of,
@@ -98,7 +98,7 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
         return windows, landmarks
 
     length = 3 * parameters.references_per_vector
-    windows, landmarks = cached_columns(content_of(connection), length, read) if is_cached else read()
+    windows, landmarks = cached_columns(connection, length, read) if is_cached else read()
     return ReferenceDatabase(windows, landmarks, table, parameters, path)
 
 

@@ -15,7 +15,6 @@ import pytest
 from semref.core.errors import DatabaseError
 from semref.core.localizer.localizer import Localizer
 from semref.storage.database import cached_columns, reader
-from semref.storage.database.connection import snapshot
 from semref.storage.database.reader import read_database, read_stored_database, store_checksums
 
 KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
@@ -196,6 +195,8 @@ def test_without_a_cache_folder_rows_are_read_each_time_and_the_log_shows_it(pat
     assert len(times_read) == 2 and "not_cached" in caplog.messages
 
 
-def test_rows_are_counted_from_their_last_number(path):
-    with snapshot(path) as connection:
-        assert cached_columns.content_of(connection).rows == 417 + 36
+@pytest.mark.parametrize(("fewest", "count"), [(417 + 36, 1), (417 + 36 + 1, 0)])
+def test_windows_and_landmarks_are_counted_together(path, monkeypatch, fewest, count):
+    monkeypatch.setattr(cached_columns, "FEWEST", fewest)
+    read_database(path)
+    assert len(cached(path)) == count
