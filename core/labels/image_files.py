@@ -183,7 +183,7 @@ def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> No
 
 def _read(path: str, kind: type[SemRefError]) -> bytes:
     try:
-        with open(path, "rb", opener=_open_at_once) as file:
+        with open(path, "rb", opener=open_at_once) as file:
             state = os.fstat(file.fileno())
             if not stat.S_ISREG(state.st_mode):
                 raise kind("labels.no_regular_file", path=path)
@@ -206,8 +206,13 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
     return data
 
 
-def _open_at_once(path: str, flags: int) -> int:
-    """Opens a file without waiting: a pipe that nobody writes into would be waited for without end."""
+def open_at_once(path: str, flags: int) -> int:
+    """Opens a file without waiting: a pipe that nobody writes into would be waited for without end.
+
+    Args:
+        path: Of the file.
+        flags: As ``open`` passes them to its opener.
+    """
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 

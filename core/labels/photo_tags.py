@@ -6,14 +6,13 @@ missing or of another kind than the standard says counts as not written, and is 
 
 from __future__ import annotations
 
-import mmap
 import os
 import re
 import stat
 import struct
 from dataclasses import dataclass
 
-from .tiff import ORDERS, TiffTags
+from .tiff import ORDERS, FileSlices, TiffTags
 
 MOST_HEAD_BYTES = 4_000_000
 """Of a JPEG that are looked at: cameras write tags first."""
@@ -93,8 +92,7 @@ def read_tags(path: str) -> PhotoTags:
             if head[:4] not in ORDERS or len(head) < MOST_HEAD_BYTES:
                 return photo_tags(head)
             # A TIFF's directories may stand behind its pixels.
-            with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as whole:
-                return _tiff_tags(whole)
+            return _tiff_tags(FileSlices(file))
     except (OSError, *_DAMAGED):
         return PhotoTags()
 
@@ -140,7 +138,7 @@ def _damaged_as_none(exif: bytes) -> PhotoTags:
         return PhotoTags()
 
 
-def _tiff_tags(data: bytes | mmap.mmap) -> PhotoTags:
+def _tiff_tags(data: bytes | FileSlices) -> PhotoTags:
     tags = TiffTags(data)
     directory = tags.values(_EXIF_DIRECTORY)
     exif = TiffTags(data, directory[0]) if directory and isinstance(directory[0], int) else tags

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import struct
 from math import cos, hypot, radians, sin
-from mmap import mmap
+from typing import BinaryIO
 
 ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
 """Byte order of a TIFF by its first four bytes."""
@@ -26,6 +27,27 @@ _EQUATOR_RADIUS_M, _ECCENTRICITY_SQUARED = 6378137.0, 0.0066943799901413165
 """Of WGS 84's ellipsoid."""
 
 
+class FileSlices:
+    """Slices of an open file, each read when it is asked for.
+
+    If another program truncates a mapped file, the process that reads it is killed; here a slice ends early.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        """Read nothing yet."""
+        self._file, self._size = file, os.fstat(file.fileno()).st_size
+
+    def __len__(self) -> int:
+        """Return the size of the file, bytes."""
+        return self._size
+
+    def __getitem__(self, where: slice) -> bytes:
+        """Return a slice between two places."""
+        start, stop, _ = where.indices(self._size)
+        self._file.seek(start)
+        return self._file.read(max(stop - start, 0))
+
+
 class TiffTags:
     """The tags of one directory of a TIFF, of the first image unless told otherwise.
 
@@ -34,21 +56,21 @@ class TiffTags:
         entries: By tag, (kind, number of values, where its value or the place of its values stands).
     """
 
-    def __init__(self, data: bytes | mmap, first: int | None = None) -> None:
+    def __init__(self, data: bytes | FileSlices, first: int | None = None) -> None:
         """Reads a directory; raises struct.error where the file is cut short and KeyError for no TIFF.
 
         Args:
-            data: The whole file.
+            data: The whole file, or its slices.
             first: Where the directory stands; None for the first image's.
         """
         self._data = data
         self.order = ORDERS[data[:4]]
         if first is None:
-            (first,) = struct.unpack_from(self.order + "I", data, 4)
-        (count,) = struct.unpack_from(self.order + "H", data, first)
+            (first,) = self._numbers("I", 4)
+        (count,) = self._numbers("H", first)
         self.entries: dict[int, tuple[int, int, int]] = {}
         for place in range(first + 2, first + 2 + 12 * count, 12):
-            tag, kind, length = struct.unpack_from(self.order + "HHI", data, place)
+            tag, kind, length = self._numbers("HHI", place)
             self.entries[tag] = kind, length, place + 8
 
     def values(self, tag: int) -> tuple:
@@ -58,11 +80,16 @@ class TiffTags:
             return ()
         size, code = _SIZES_AND_CODES[kind]
         if size * length > 4:
-            (place,) = struct.unpack_from(self.order + "I", self._data, place)
+            (place,) = self._numbers("I", place)
         if size * length > len(self._data):
             raise struct.error("longer than the file")
         count = 2 * length if kind == _RATIONAL else length
-        return struct.unpack_from(f"{self.order}{count}{code}", self._data, place)
+        return self._numbers(f"{count}{code}", place)
+
+    def _numbers(self, codes: str, place: int) -> tuple:
+        """Unpack what is stored at a place; raises struct.error behind the end."""
+        codes = self.order + codes
+        return struct.unpack(codes, self._data[place : place + struct.calcsize(codes)])
 
     def is_rational(self, tag: int) -> bool:
         """Whether a tag's values come as numerator and denominator, two each."""
@@ -74,7 +101,7 @@ class TiffTags:
         if kind not in _BYTE_KINDS:
             return b""
         if length > 4:
-            (place,) = struct.unpack_from(self.order + "I", self._data, place)
+            (place,) = self._numbers("I", place)
         return self._data[place : place + min(length, most)]
 
     def nodata(self) -> float | None:

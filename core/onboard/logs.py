@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import math
 import os
+import stat
 import time
 from dataclasses import replace
 
@@ -12,6 +14,7 @@ from ..flight.logs.files import MOST_LOG_BYTES
 from ..flight.logs.mavlink import TlogReader, is_tlog
 from ..flight.table import bytes_of
 from ..flight.telemetry import MOST_GAP_S, Telemetry
+from ..labels.image_files import open_at_once
 from .log import say
 from .tables import LOOK_EVERY_S, ROW_WITHIN_S
 
@@ -60,10 +63,13 @@ class GrowingLog:
         """Takes what was written since; what can't be read is told in the log once."""
         try:
             is_new = False
-            if os.stat(self.path).st_size < self._place:
+            status = os.stat(self.path)
+            if not stat.S_ISREG(status.st_mode):
+                raise OSError(errno.ESPIPE, os.strerror(errno.ESPIPE))
+            if status.st_size < self._place:
                 # Written anew.
                 self._reader, self._place, is_new = TlogReader(), 0, True
-            with open(self.path, "rb") as file:
+            with open(self.path, "rb", opener=open_at_once) as file:
                 while True:
                     file.seek(self._place)
                     piece = file.read(_PIECE_BYTES)

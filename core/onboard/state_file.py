@@ -19,6 +19,7 @@ import numpy as np
 
 from ..cache import user_secret
 from ..errors import ParameterError
+from ..labels.image_files import open_at_once
 from .arrays import UNREADABLE, number_arrays
 from .signature import read_key
 
@@ -94,7 +95,7 @@ class StateFile:
             OSError: The file can't be read.
             ParameterError: It was not written with the key, was changed since, or is no state.
         """
-        with open(self.path, "rb", opener=_open_at_once) as file:
+        with open(self.path, "rb", opener=open_at_once) as file:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode) or status.st_size > MOST_STATE_BYTES:
                 raise ParameterError("onboard.no_flight_state", path=self.path)
@@ -109,8 +110,3 @@ class StateFile:
 
     def _code(self, data: bytes) -> bytes:
         return hmac.new(self.key, _PURPOSE + data, hashlib.sha256).digest()
-
-
-def _open_at_once(path: str, flags: int) -> int:
-    """Open a file without waiting for the writer of a pipe."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))

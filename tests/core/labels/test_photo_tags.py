@@ -1,6 +1,9 @@
 """EXIF and XMP read without GDAL: a camera's figures as written."""
 
 import struct
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -39,6 +42,25 @@ def test_a_large_tiff_is_read_where_its_directory_stands_behind_the_pixels(tmp_p
     path = tmp_path / "large.tif"
     path.write_bytes(tiff(MOST_HEAD_BYTES + 1000))
     assert read_tags(str(path)).number("RelativeAltitude") == 52.5
+
+
+def test_a_photo_that_is_cut_short_while_it_is_read_does_not_end_the_process(tmp_path):
+    """A mapped file that is written again kills the process that reads it, on board in the air."""
+    path = tmp_path / "large.tif"
+    path.write_bytes(tiff(MOST_HEAD_BYTES + 1_000_000))
+    script = f"""
+import os, sys
+sys.path.insert(0, {str(Path(__file__).resolve().parents[3])!r})
+from core.labels import photo_tags
+original = photo_tags._tiff_tags
+def cut(data):
+    os.truncate({str(path)!r}, 100)
+    return original(data)
+photo_tags._tiff_tags = cut
+print(photo_tags.read_tags({str(path)!r}) == photo_tags.PhotoTags())
+"""
+    ended = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=False)
+    assert (ended.returncode, ended.stdout) == (0, "True\n")
 
 
 @pytest.mark.parametrize(

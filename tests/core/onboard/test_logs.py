@@ -123,3 +123,15 @@ def test_a_growing_log_gives_headings_of_images(path, start_s, tmp_path):
     append(path, attitude(start_s + 2, 30))
     os.utime(image, ns=(int(start_s + 2) * 10**9,) * 2)
     assert cameras.of(str(image)).heading_deg == pytest.approx(30, abs=0.01)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes with names")
+def test_a_pipe_that_takes_the_place_of_the_log_blocks_nothing(path, start_s, capsys):
+    log = GrowingLog(str(path))
+    before = len(log.until(start_s).times_s)
+    os.remove(path)
+    os.mkfifo(path)
+    ended = threading.Thread(target=log.until, args=(start_s,), daemon=True)
+    ended.start()
+    ended.join(10)
+    assert not ended.is_alive() and len(log._telemetry.times_s) == before

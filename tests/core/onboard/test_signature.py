@@ -143,11 +143,12 @@ def test_a_date_that_is_none_is_refused(folder, tmp_path, monkeypatch, text):
 
 
 def test_the_date_is_signed(folder, tmp_path):
-    """Whoever sets an older file's date forward needs the key."""
+    """An older file stays valid; whoever sets its date forward needs the key."""
     database = read_onboard(str(folder / "unsigned.npz")).database
     dates = [datetime(year, 5, 1, tzinfo=timezone.utc) for year in (2025, 2026)]
     for date in dates:
         write_onboard(str(tmp_path / f"{date.year}.npz"), database, None, key_file=str(folder / "key"), exported=date)
+    assert read_onboard(str(tmp_path / "2025.npz"), key_file=str(folder / "key")).exported == dates[0]
     with zipfile.ZipFile(tmp_path / "2025.npz") as old, zipfile.ZipFile(tmp_path / "2026.npz") as new:
         files = {name: (new if "signature" not in name else old).read(name) for name in new.namelist()}
     with zipfile.ZipFile(tmp_path / "forged.npz", "w") as archive:

@@ -40,6 +40,13 @@ def test_every_byte_is_authenticated(state, tmp_path):
             state.read()
 
 
+def test_nothing_is_parsed_before_the_code_is_right(state, tmp_path, monkeypatch):
+    monkeypatch.setattr("semref.core.onboard.state_file.number_arrays", lambda *_: pytest.fail("it was parsed"))
+    (tmp_path / "flight.npz").write_bytes((tmp_path / "flight.npz").read_bytes() + b"1")
+    with pytest.raises(ParameterError, match="changed since"):
+        state.read()
+
+
 def test_another_key_is_refused(state):
     with pytest.raises(ParameterError, match="key of this flight"):
         StateFile(state.path, KEY[::-1]).read()
