@@ -8,6 +8,7 @@ convolutions take the merged weights, and the normalizations behind them are fir
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +17,7 @@ import numpy as np
 import onnx
 import torch
 from onnx import numpy_helper
+from onnx.external_data_helper import uses_external_data
 
 from ..core.errors import TrainingError
 from .job import LITE0, NETWORK, SMALL
@@ -112,7 +114,7 @@ def restore_normalization(network: torch.nn.Module, batches: Iterable[torch.Tens
 
 
 def _from_onnx(path: Path) -> Base | None:
-    model = onnx.load(path)
+    model = onnx.load(path, load_external_data=False)
     texts = {entry.key: entry.value for entry in model.metadata_props}
     stored = {tensor.name: tensor for tensor in model.graph.initializer}
     stored |= {
@@ -120,6 +122,9 @@ def _from_onnx(path: Path) -> Base | None:
         for node in model.graph.node
         if node.op_type == "Constant" and node.attribute and node.attribute[0].name == "value"
     }
+    if any(map(uses_external_data, stored.values())):
+        # SemRef's models are one file; what another one says may be any file of the user's.
+        return None
     weights = [
         [numpy_helper.to_array(stored[name]) for name in node.input[1:]]
         for node in model.graph.node
@@ -127,7 +132,7 @@ def _from_onnx(path: Path) -> Base | None:
     ]
     names = json.loads(texts["class_names"])
     said = json.loads(texts.get("architecture", "null"))
-    for encoder, depth in [(said["encoder"], said["depth"])] if said else KNOWN:
+    for encoder, depth in [_architecture(said)] if said else KNOWN:
         network = pyramid_attention_network(encoder, depth, len(weights[-1][0]), False)
         if _filled(network, weights):
             mean, deviation = (np.array(json.loads(texts[f"standardization_{key}"])) for key in ("mean", "std"))
@@ -186,8 +191,15 @@ def _watched(network: torch.nn.Module, ran: Callable) -> None:
 
 def _from_checkpoint(path: Path) -> Base | None:
     said = json.loads((path.parent / NETWORK).read_text(encoding="utf-8"))
-    architecture = {"encoder": said["encoder"], "depth": said["depth"]}
-    network = pyramid_attention_network(said["encoder"], said["depth"], len(said["class_names"]), False)
+    encoder, depth = _architecture(said)
+    network = pyramid_attention_network(encoder, depth, len(said["class_names"]), False)
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
     mean, deviation = (np.array(said[f"standardization_{key}"]) for key in ("mean", "std"))
-    return Base(network, architecture, tuple(said["class_names"]), mean, deviation, False)
+    return Base(network, {"encoder": encoder, "depth": depth}, tuple(said["class_names"]), mean, deviation, False)
+
+
+def _architecture(said: dict) -> tuple[str, int]:
+    """Encoder and depth that a file names. Raises ValueError for an address, from which timm would fetch a network."""
+    if not re.fullmatch(r"[\w.-]+", said["encoder"]):
+        raise ValueError(said["encoder"])
+    return said["encoder"], said["depth"]

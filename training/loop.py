@@ -240,16 +240,23 @@ class Trainer:
         self._write(CHECKPOINT, state)
 
     def _write(self, name: str, state: dict) -> None:
-        """Under its name only when it is whole: the process may be ended at any moment."""
-        torch.save(state, self.folder / f"{name}.part")
-        (self.folder / f"{name}.part").replace(self.folder / name)
+        """Under its name only when it is whole: the process may be ended at any moment. Raises TrainingError."""
+        part = self.folder / f"{name}.part"
+        try:
+            torch.save(state, part)
+            part.replace(self.folder / name)
+        except (OSError, RuntimeError) as error:
+            raise TrainingError("training.not_saved", folder=self.folder, reason=_first_line(error)) from None
 
     def resume(self) -> None:
-        """Goes on where the last run in the folder stopped. Raises TrainingError when it had other settings."""
+        """Goes on where the last run in the folder stopped. Raises TrainingError where that can't be."""
         path = self.folder / CHECKPOINT
         if not path.exists():
             raise TrainingError("training.nothing_to_resume", folder=self.folder)
-        state = torch.load(path, map_location=self.device, weights_only=True)
+        try:
+            state = torch.load(path, map_location=self.device, weights_only=True)
+        except Exception as error:  # torch has many for files that were not written to their end
+            raise TrainingError("training.damaged", path=path, reason=_first_line(error)) from None
         differing = [k for k, v in asdict(self.settings).items() if k not in FREE and state["settings"].get(k) != v]
         if differing:
             raise TrainingError("training.other_settings", folder=self.folder, settings=differing)
@@ -258,6 +265,10 @@ class Trainer:
         self.epoch, self.step, self.best_score, self.best_epoch, self._seconds_before = state["progress"]
         self.history, self.best_confusion = state["history"], np.array(state["best_confusion"], np.int64)
         self._began = self._clock()
+
+
+def _first_line(error: Exception) -> str:
+    return str(error).partition("\n")[0].rstrip(".")
 
 
 def learning_rate_at(share: float, largest: float) -> float:

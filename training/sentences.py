@@ -25,6 +25,13 @@ SENTENCES = {
     ),
     "training.loss_not_finite": "The loss is no longer a number; train with a lower learning rate.",
     "training.nothing_to_resume": "There is no run to resume in {folder}.",
+    "training.damaged": (
+        "{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run."
+    ),
+    "training.not_saved": (
+        "{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: "
+        "it goes on after the last epoch that was saved."
+    ),
     "training.other_settings": "The run in {folder} had another {settings}; give the same again, or begin anew.",
     "training.differs_from_torch": (
         "{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit."

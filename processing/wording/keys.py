@@ -24,6 +24,10 @@ SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
         "RESOLUTION",
         "At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.",
     ),
+    "training.damaged": (
+        "RESUME",
+        "{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.",
+    ),
     "database.levels": (
         "LEVELS",
         "LEVELS must be positive multipliers of the window size, for example 1;2.",

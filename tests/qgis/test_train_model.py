@@ -21,7 +21,7 @@ from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLa
 from tile_server import tile_server
 
 from semref.processing.framework import told_process
-from semref.storage.files import Batch
+from semref.processing.framework.outputs import Outputs
 
 TRAIN = "semref:trainmodel"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -425,13 +425,11 @@ def test_a_folder_put_in_the_place_of_the_run_s_survives(train, tmp_path, as_lin
 def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(train, tmp_path, monkeypatch):
     """As where another program has the older model open."""
 
-    def refuse(_, *checks):
-        for check in checks:
-            check()
+    def refuse(_):
         raise PermissionError(errno.EACCES, "in use", "model.onnx")
 
     with monkeypatch.context() as patched, pytest.raises(QgsProcessingException, match="model.onnx"):
-        patched.setattr(Batch, "commit", refuse)
+        patched.setattr(Outputs, "commit", refuse)
         train()
     (folder,) = folders(tmp_path)
     assert (folder / "last.pt").exists()
