@@ -78,7 +78,7 @@ class StateFile:
         descriptor, made = tempfile.mkstemp(prefix=".", suffix=".part", dir=os.path.dirname(self.path) or ".")
         try:
             with os.fdopen(descriptor, "wb") as file:
-                file.write(data + self._code(data))
+                file.write(data + self.code(data))
                 file.flush()
                 os.fsync(file.fileno())
             os.replace(made, self.path)
@@ -101,12 +101,17 @@ class StateFile:
                 raise ParameterError("onboard.no_flight_state", path=self.path)
             data = file.read(status.st_size)
         data, code = data[:-_CODE_BYTES], data[-_CODE_BYTES:]
-        if not hmac.compare_digest(self._code(data), code):
+        if not hmac.compare_digest(self.code(data), code):
             raise ParameterError("onboard.state_not_ours", path=self.path)
         try:
             return number_arrays(io.BytesIO(data), MOST_STATE_BYTES)
         except UNREADABLE as error:
             raise ParameterError("onboard.no_flight_state", path=self.path) from error
 
-    def _code(self, data: bytes) -> bytes:
+    def code(self, data: bytes) -> bytes:
+        """Return the code that authenticates the bytes of a state.
+
+        Args:
+            data: The ``.npz``.
+        """
         return hmac.new(self.key, _PURPOSE + data, hashlib.sha256).digest()

@@ -204,7 +204,7 @@ def test_a_damaged_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_p
 
 def sign(path, data):
     """Writes a state as one who has the key."""
-    path.write_bytes(data + StateFile.at(str(path), None)._code(data))
+    path.write_bytes(data + StateFile.at(str(path), None).code(data))
 
 
 def zipped(path, method=zipfile.ZIP_STORED, **members):

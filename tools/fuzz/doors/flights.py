@@ -125,22 +125,25 @@ def states(world: World) -> Tools:
     from semref.core.flight.model import FlightImage
     from semref.core.flight.tracker import FlightTracker
     from semref.core.localizer.localizer import Localizer
-    from semref.core.onboard.arrays import UNREADABLE, number_arrays
+    from semref.core.onboard.state_file import StateFile
 
     localizer = Localizer(build_blobs())
     tracker = FlightTracker(localizer)
     image = FlightImage("a.png", np.ascontiguousarray(MAP[100:160, 100:160]))
     tracker.add(image)
     good = {name: _saved(value) for name, value in tracker.state().items()}
-    placed = Placed(world.folder, "flight.npz")
+    placed, key = Placed(world.folder, "flight.npz"), b"a key of the fuzzer"
 
     def attempt(data: bytes) -> None:
         with placed(data) as path:
             try:
-                arrays = number_arrays(path, 64_000_000)
-            except UNREADABLE as error:
-                # What the reader of state files catches around it.
-                raise ParameterError("onboard.no_flight_state", path="x") from error
+                StateFile(path, key).read()
+            except ParameterError:
+                pass
+            else:
+                require(False, "a state was used that nobody signed")
+        with placed(data + StateFile("", key).code(data)) as path:
+            arrays = StateFile(path, key).read()
         again = FlightTracker.from_state(localizer, arrays)
         require(set(again.state()) >= {"counts", "numbers"}, "a state without its counts")
 
