@@ -71,7 +71,9 @@ class ToldProcess:
             if self._process.waitForFinished(asked_ms):
                 return
         if os.name == "nt":
-            QProcess.execute("taskkill", ["/F", "/T", "/PID", str(self._process.processId())])
+            # By its whole path: a program of that name in the current folder would come first.
+            taskkill = os.path.join(os.environ.get("SYSTEMROOT", "C:\\Windows"), "System32", "taskkill.exe")
+            QProcess.execute(taskkill, ["/F", "/T", "/PID", str(self._process.processId())])
         else:
             _kill(self._process.processId())
         self._process.kill()
