@@ -352,5 +352,4 @@ def session() -> dict:
     return seen
 
 
-if __name__ != "walk_job_session":  # tools/docs/walk_before_session.py imports the walks, QGIS runs them.
-    start(session)
+start(session)
