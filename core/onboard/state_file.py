@@ -32,6 +32,18 @@ _PURPOSE = b"semref flight state 2\0"
 _CODE_BYTES = hashlib.sha256().digest_size
 
 
+_FIRST_BYTES = 64
+_ZIP, _FIRST_NAME = b"PK\x03\x04", b"header.npy"
+
+
+def _looks_like_a_state(path: str) -> bool:
+    """Whether a file begins as states do, or is empty as after a power failure: any other file is the user's."""
+    with contextlib.suppress(OSError), open(path, "rb", opener=open_at_once) as file:
+        first = file.read(_FIRST_BYTES)
+        return not first.strip(b"\0") or first.startswith(_ZIP) and _FIRST_NAME in first
+    return False
+
+
 @dataclass(frozen=True)
 class StateFile:
     """The place of a state, and the key that authenticates it.
@@ -61,6 +73,8 @@ class StateFile:
         # Replacing a device or a pipe would remove it.
         if os.path.exists(path) and not os.path.isfile(path):
             raise ParameterError("onboard.state_no_file", path=path)
+        if os.path.exists(path) and not _looks_like_a_state(path):
+            raise ParameterError("onboard.state_of_another_kind", path=path)
         key = read_key(key_file) if key_file else user_secret()
         if key is None:
             raise ParameterError("onboard.no_secret")

@@ -19,6 +19,9 @@ SENTENCES = {
     ),
     "onboard.no_state_folder": "The folder {folder} of --state {path} does not exist; create it or choose another one.",
     "onboard.state_no_file": "--state {path} is not a regular file; choose another name.",
+    "onboard.state_of_another_kind": (
+        "--state {path} is a file of another kind, which would be replaced; choose another name."
+    ),
     "onboard.no_secret": (
         "There is no private folder for the secret that --state is authenticated with; set up a home folder for this "
         "user, or add --require-signature."

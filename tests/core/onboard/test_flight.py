@@ -190,7 +190,7 @@ def test_the_state_does_not_grow_with_the_flight(watch, folder, tmp_path):
     assert not list(tmp_path.glob("*.part"))
 
 
-@pytest.mark.parametrize("data", [b"", b"no state", b"PK\x03\x04 half a zip"])
+@pytest.mark.parametrize("data", [b"", bytes(300), b"PK\x03\x04" + bytes(26) + b"header.npy, cut short"])
 def test_a_damaged_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_path, data, capsys):
     state = tmp_path / "flight.npz"
     state.write_bytes(data)

@@ -82,6 +82,22 @@ def test_a_link_is_replaced_and_what_it_leads_to_stays(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["flight.npz", "victim"]
 
 
+@pytest.mark.parametrize("content", [b"my notes", b"PK\x03\x04" + b"another archive" * 10])
+def test_a_file_of_the_user_is_not_replaced(tmp_path, content):
+    path = tmp_path / "notes.npz"
+    path.write_bytes(content)
+    with pytest.raises(ParameterError, match="of another kind"):
+        StateFile.at(str(path), None)
+    assert path.read_bytes() == content
+
+
+@pytest.mark.parametrize("left", [b"", bytes(5000)])
+def test_a_file_that_a_power_failure_emptied_is_no_obstacle(tmp_path, left):
+    path = tmp_path / "flight.npz"
+    path.write_bytes(left)
+    assert StateFile.at(str(path), None).path == str(path)
+
+
 def test_a_folder_that_is_not_there_is_refused_by_name(tmp_path):
     with pytest.raises(ParameterError, match="nowhere.*does not exist"):
         StateFile.at(str(tmp_path / "nowhere" / "flight.npz"), None)
