@@ -26,6 +26,9 @@ _KEYS = {
 """What the user calls the settings by which two runs differ."""
 
 
+_RUNNING: set[Path] = set()
+"""Models that are being trained now."""
+
 _SETTING = "semref/trainings/"
 _PROOF = "made_by_semref"
 """A file in the folder that holds the secret."""
@@ -62,20 +65,23 @@ class TrainingRun:
             resume: Whether an earlier run is gone on with; otherwise it is removed.
 
         Raises:
+            ParameterError: Another training of this model runs in this QGIS.
             OSError: The folder can't be made.
         """
-        path = Path(model).absolute()
+        self._model = path = Path(model).absolute()
+        if path in _RUNNING:
+            raise ParameterError("algorithms.training_runs", path=path)
         self._setting = _SETTING + hashlib.sha256(os.fsencode(path)).hexdigest()
         self._prefix = f"{path.stem}.training-"
         name, _, self._secret = QgsSettings().value(self._setting, "", type=str).rpartition(" ")
         self.folder = path.parent / name
-        if self._is_ours and resume and self.can_go_on:
-            return
-        self.clear()
-        self.folder = Path(tempfile.mkdtemp(prefix=self._prefix, dir=path.parent))
-        self._secret = secrets.token_hex()
-        (self.folder / _PROOF).write_text(self._secret, encoding="ascii")
-        QgsSettings().setValue(self._setting, f"{self.folder.name} {self._secret}")
+        if not (self._is_ours and resume and self.can_go_on):
+            self.clear()
+            self.folder = Path(tempfile.mkdtemp(prefix=self._prefix, dir=path.parent))
+            self._secret = secrets.token_hex()
+            (self.folder / _PROOF).write_text(self._secret, encoding="ascii")
+            QgsSettings().setValue(self._setting, f"{self.folder.name} {self._secret}")
+        _RUNNING.add(path)
 
     @property
     def _is_ours(self) -> bool:
@@ -149,6 +155,7 @@ class TrainingRun:
 
     def close(self) -> None:
         """Removes the folder unless there is something to go on with."""
+        _RUNNING.discard(self._model)
         if not self.can_go_on:
             self.clear()
 
