@@ -119,11 +119,20 @@ if [ -d "$data" ]; then
 fi
 
 inside=${work#"$root"}
+# pip's index as this machine reaches it: the test of a QGIS without packages installs them.
+pip=()
+for name_of_variable in PIP_INDEX_URL PIP_TRUSTED_HOST PIP_DEFAULT_TIMEOUT; do
+    [ -z "${!name_of_variable:-}" ] || pip+=("$name_of_variable=${!name_of_variable}")
+done
+if [ -r "${PIP_CERT:-}" ]; then
+    cp "$PIP_CERT" "$work/pip.crt"
+    pip+=(PIP_CERT="$inside/pip.crt")
+fi
 # The command is not the first process of its namespace: the shell is, because Xvfb tells nothing to a first process.
 run() {
     in_root "$root" env -i PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin LANG=C.UTF-8 CI="${CI:-}" \
         HOME="$inside/home" TMPDIR="$inside/tmp" SEMREF_DATA="$inside/shared/data" PYTHONDONTWRITEBYTECODE=1 \
-        SEMREF_DISPLAY="$display" SEMREF_ONE_AT_A_TIME="${SEMREF_ONE_AT_A_TIME:-}" \
+        SEMREF_DISPLAY="$display" SEMREF_ONE_AT_A_TIME="${SEMREF_ONE_AT_A_TIME:-}" "${pip[@]}" \
         sh -ec 'cd "$1"; shift; "$@"; exit 0' sh "$inside/semref" "$@"
 }
 
