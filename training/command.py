@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import sys
+import time
 import traceback
 from pathlib import Path
 
@@ -23,6 +24,7 @@ def tell(event: str, **values: object) -> None:
 
 def main(arguments: list[str]) -> int:
     """``JOB.json``: trains. Without: tells whether this Python could. Returns the exit status."""
+    began = time.monotonic()
     try:
         require_packages()
         if not arguments:
@@ -33,7 +35,7 @@ def main(arguments: list[str]) -> int:
             return 0
         from .train import run
 
-        run(read_job(Path(arguments[0])), tell)
+        run(read_job(Path(arguments[0])), tell, began)
     except SemRefError as error:
         sentence = error.sentence
         tell("failed", code=sentence.code, values={k: _plain(v) for k, v in sentence.values}, text=english(sentence))

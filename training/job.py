@@ -18,6 +18,10 @@ PACKAGED = "packaged"
 RESULT, NETWORK, JOB, EXAMPLES = "result.json", "network.json", "job.json", "examples"
 """Files in the folder of a run: what came of it, what its weights belong to, what was asked, pictures."""
 
+MOST_PIECES, FEWEST_PIECES, PIECE_SIZE = 320, 64, 256
+"""An epoch, where minutes are limited: at most, so that curves and checkpoints come often, and at least; their edge in
+pixels."""
+
 CHECKPOINT = "last.pt"
 """All that going on with a run needs, after each epoch."""
 
@@ -49,7 +53,7 @@ class Job:
         learning_rate: The largest; 0 for what suits the start.
         light: How much light and color vary.
         patience: Epochs without progress before it stops; 0 for never.
-        minutes: After which it stops; 0 for no limit.
+        minutes: From the start of the process to the written model; 0 for no limit.
         processor_time: Whether minutes are of the processor, not of the clock.
         mixed_precision: auto (with a GPU), on or off.
         channels_last: Faster for mobile encoders on a CPU.
@@ -78,7 +82,7 @@ class Job:
     learn_unlabeled: bool = False
     epochs: int = 60
     pieces: int = 0
-    piece_size: int = 256
+    piece_size: int = PIECE_SIZE
     batch: int = 8
     learning_rate: float = 0.0
     light: float = 1.0

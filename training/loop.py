@@ -26,6 +26,7 @@ WEIGHT_DECAY, LARGEST_GRADIENT = 1e-2, 5.0
 WARM_UP_SHARE = 0.05  # of the run, in which the learning rate rises
 FIRST_RATE = 0.04  # of the learning rate, at the very first step
 TOLD_EVERY_S = 0.5
+TRAINED = 0.97  # share of the work that is training, where no time limit tells
 BEST, CURVES = "best.pt", "curves.csv"
 
 Tell = Callable[..., None]
@@ -47,7 +48,7 @@ class Settings:
     workers: int
     seed: int
     light: float = 1.0  # how much light and color of the pieces vary
-    minutes: float = 0.0  # after which it stops; 0: no limit
+    minutes: float = 0.0  # from the start of the process to the written model; 0: no limit
     processor_time: bool = False  # whether minutes are of the processor: on a machine that does other work, too
 
 
@@ -110,19 +111,30 @@ class Trainer:
         self.stopped_by = ""
         self._seconds_before, self._told = 0.0, 0.0
         self._clock = time.process_time if settings.processor_time else time.monotonic
-        self._began = self._clock()
+        self.began = self._clock()
+        self._trained = TRAINED
 
     @property
     def seconds(self) -> float:
-        """How long it has trained, interrupted runs included."""
-        return self._seconds_before + self._clock() - self._began
+        """How long the process has worked, interrupted runs included."""
+        return self._seconds_before + self._clock() - self.began
 
     @property
     def share(self) -> float:
-        """0…1, how much of the run is done: of its steps, or of its minutes where these are over first."""
+        """0…1, how much of the training is done: of its steps, or of its minutes where these are over first."""
         by_steps = self.step / (self.settings.epochs * self.steps_an_epoch)
-        by_time = self.seconds / (60 * self.settings.minutes) if self.settings.minutes else 0.0
+        by_time = self.seconds / (60 * self.settings.minutes * self._trained) if self.settings.minutes else 0.0
         return min(max(by_steps, by_time), 1.0)
+
+    @property
+    def told_share(self) -> float:
+        """0…1, how much of everything is done until the model is written; of a time limit, what has passed of it."""
+        passed = self.seconds / (60 * self.settings.minutes) if self.settings.minutes else 0.0
+        return min(max(self.share * self._trained, passed), 1.0)
+
+    def reserve(self, seconds: float) -> None:
+        """Keeps so much of the time limit for what follows the training, at most half of it."""
+        self._trained = 1 - min(seconds / (60 * self.settings.minutes), 0.5)
 
     def run(self, reader: TileReader, validation: TileReader) -> None:
         while not self._is_over():
@@ -136,7 +148,7 @@ class Trainer:
             self.history.append(row)
             self._write_curves()
             self._save(row["mean_iou"], confusion)
-            self.tell("epoch", share=self.share, **row)
+            self.tell("epoch", share=self.told_share, **row)
         self.network.load_state_dict(torch.load(self.folder / BEST, map_location=self.device, weights_only=True))
 
     def _is_over(self) -> bool:
@@ -171,7 +183,7 @@ class Trainer:
     def _tell_step(self, loss: float) -> None:
         if time.monotonic() - self._told > TOLD_EVERY_S:
             self._told = time.monotonic()
-            self.tell("step", share=self.share, epoch=self.epoch + 1, loss=round(loss, 4))
+            self.tell("step", share=self.told_share, epoch=self.epoch + 1, loss=round(loss, 4))
 
     def _step(self, images: torch.Tensor, labels: torch.Tensor) -> float:
         for group in self.optimizer.param_groups:
@@ -264,7 +276,6 @@ class Trainer:
             getattr(self, name).load_state_dict(state[name])
         self.epoch, self.step, self.best_score, self.best_epoch, self._seconds_before = state["progress"]
         self.history, self.best_confusion = state["history"], np.array(state["best_confusion"], np.int64)
-        self._began = self._clock()
 
 
 def _first_line(error: Exception) -> str:

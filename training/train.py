@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import date
@@ -27,18 +28,21 @@ from . import (
     temperature,
     tiles,
 )
-from .job import CHECKPOINT, EXAMPLES, NETWORK, PACKAGED, RESULT, Job
+from .job import CHECKPOINT, EXAMPLES, FEWEST_PIECES, MOST_PIECES, NETWORK, PACKAGED, RESULT, Job
 from .partial import partial_labels
 
 FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
 """Learning rates that suit random weights, an encoder that knows photos, and a network that knows the classes."""
 
-MOST_PIECES, FEWEST_PIECES = 320, 64
-"""An epoch, where minutes are limited: so that curves and checkpoints come often enough; and at least."""
-
 WATCHED_TILES, JUDGED_TILES, TURNED_TILES = 16, 100, 25
-"""Validation tiles where minutes are limited: each epoch; in the end; for how far off classes are shown (four looks at
-each)."""
+"""Validation tiles where minutes are limited, at most: each epoch; in the end; for how far off classes are shown (four
+looks at each)."""
+
+LONGEST_END, EXPORT_S = 0.2, 15.0
+"""Share of the time limit in which the network is judged at the end, at most; seconds to write and check the model."""
+
+LONGEST_WATCH = 0.02
+"""Share of the time limit in which an epoch is judged, at most."""
 
 SMALLEST_IMAGE = 128
 """Edge in pixels of which the network's pyramid leaves something."""
@@ -89,8 +93,21 @@ class Start:
     learning_rate: float
 
 
-def run(job: Job, tell: loop.Tell) -> loop.Trainer:
-    """Trains, exports and checks; ``job.folder`` then holds the result and pictures. Raises TrainingError."""
+@dataclass(frozen=True)
+class Looks:
+    """How many validation tiles are looked at: each epoch, to judge the best network, and for the classes' shifts."""
+
+    watched: int
+    judged: int
+    turned: int
+
+
+def run(job: Job, tell: loop.Tell, began: float | None = None) -> loop.Trainer:
+    """Trains, exports and checks; ``job.folder`` then holds the result and pictures. Raises TrainingError.
+
+    ``began``: when the process was started (time.monotonic), as its time is limited; otherwise now.
+    """
+    began = time.monotonic() if began is None else began
     torch.manual_seed(job.seed)
     if job.threads:
         torch.set_num_threads(job.threads)
@@ -108,6 +125,8 @@ def run(job: Job, tell: loop.Tell) -> loop.Trainer:
         *(start.network, start.mean, start.deviation, ground.class_names),
         *(weights, ground.allowed, settings, folder, tell),
     )
+    if not job.processor_time:
+        trainer.began = began
     tell(
         "begun",
         device=_device_name(trainer.device),
@@ -118,12 +137,13 @@ def run(job: Job, tell: loop.Tell) -> loop.Trainer:
     )
     if job.resume and (folder / CHECKPOINT).exists():
         trainer.resume()
-        tell("resumed", epoch=trainer.epoch, share=trainer.share)
-    watched = ground.validation.spread(WATCHED_TILES) if job.minutes else ground.validation
+        tell("resumed", epoch=trainer.epoch, share=trainer.told_share)
+    looks = looks_of(job, trainer, ground.validation)
+    watched = ground.validation.spread(looks.watched)
     trainer.run(ground.training, watched)
     if len(watched) < len(ground.validation):
-        trainer.best_confusion = trainer.confusion(trainer.network, ground.validation.spread(JUDGED_TILES))
-    finish(job, trainer, ground, start, tell)
+        trainer.best_confusion = trainer.confusion(trainer.network, ground.validation.spread(looks.judged))
+    finish(job, trainer, ground, start, looks, tell)
     return trainer
 
 
@@ -188,6 +208,23 @@ def settings_of(job: Job, ground: Ground) -> loop.Settings:
     )
 
 
+def looks_of(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) -> Looks:
+    """As many looks as there is time for at the end; that time is reserved. All tiles without a time limit."""
+    count = len(reader)
+    if not job.minutes:
+        return Looks(count, min(JUDGED_TILES, count), count)
+    trainer.confusion(trainer.network, reader.spread(1))
+    started = time.monotonic()
+    trainer.confusion(trainer.network, reader.spread(2))
+    tile_s = (time.monotonic() - started) / max(min(count, 2), 1)
+    judged, turned = min(JUDGED_TILES, count), min(TURNED_TILES, count)
+    share = min(1.0, 60 * job.minutes * LONGEST_END / max(tile_s * (2 * judged + 4 * turned), 1e-6))
+    watched = min(WATCHED_TILES, max(2, int(60 * job.minutes * LONGEST_WATCH / max(tile_s, 1e-6))))
+    looks = Looks(watched, max(1, int(share * judged)), max(1, int(share * turned)))
+    trainer.reserve(EXPORT_S + tile_s * (min(watched, count) + 2 * looks.judged + 4 * looks.turned))
+    return looks
+
+
 def start_of(job: Job, ground: Ground, settings: loop.Settings) -> Start:
     """The network with what it knows at the start. Raises TrainingError for weights that don't fit."""
     if job.base_model:
@@ -217,9 +254,9 @@ def _batches(pieces: loop.Pieces, base: base_weights.Base, size: int):
         yield (torch.stack(images).float() - mean) / deviation
 
 
-def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: loop.Tell) -> None:
+def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, looks: Looks, tell: loop.Tell) -> None:
     """Writes the model beside its place, checks it and moves it there; then the result, with pictures."""
-    tell("exporting")
+    tell("exporting", share=trainer.told_share)
     output, folder = Path(job.output), Path(job.folder)
     temporary = output.with_name(f".{output.name}.part")
     export.write_onnx(trainer.network, ground.tile_size, temporary)
@@ -234,10 +271,11 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         job.ground,
         {**training_facts(job, trainer, ground), **job.card},
     )
-    turned = ground.validation.spread(TURNED_TILES) if job.minutes else ground.validation
     scores_of = export.scoring(temporary, start.mean, start.deviation)
-    entries |= _biases(export.answering(scores_of), ground, turned)
-    entries |= _temperature(scores_of, ground.validation.spread(JUDGED_TILES))
+    entries |= _biases(export.answering(scores_of), ground, ground.validation.spread(looks.turned))
+    tell("exporting", share=trainer.told_share)
+    entries |= _temperature(scores_of, ground.validation.spread(looks.judged))
+    tell("exporting", share=trainer.told_share)
     export.add_metadata(temporary, entries)
     image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
@@ -254,6 +292,7 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, tell: 
         "confusion": trainer.best_confusion[: len(ground.classes)].tolist(),
         "stopped_by": trainer.stopped_by,
         "seconds": round(trainer.seconds, 1),
+        "seconds_a_piece": round(sum(row["seconds"] for row in trainer.history) / max(trainer.step * job.batch, 1), 4),
         "device": _device_name(trainer.device),
         "training": len(ground.training),
         "validation": len(ground.validation),

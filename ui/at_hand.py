@@ -7,14 +7,15 @@ import os
 from qgis.core import QgsMapLayer, QgsProject, QgsVectorLayer
 
 from ..core.errors import ClassTableError, ParameterError
+from ..processing.algorithms.train_model import SOMETHING_ELSE
 from ..processing.compat import POLYGON_GEOMETRY
 from ..processing.exchange.database_layers import database_file
-from ..processing.inspection.models import base_model
+from ..processing.inspection.models import base_model, new_model_file
 from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .fields.guessed import class_field_of, class_of_all, named_class_field, priority_field_of
-from .layer_files import layer_file, raster_layers
+from .fields.resolution import proposed_resolution_cm
+from .layer_files import layer_file, photo_layer
 
-_COLOR_BANDS = 3
 _MOST_READ = 100_000
 
 
@@ -39,20 +40,28 @@ def annotation_at_hand(project: QgsProject) -> dict[str, str]:
     return {key: value for key, value in found.items() if value}
 
 
-def training_at_hand(project: QgsProject, model: str = "") -> dict[str, str]:
-    """The annotation, as IMAGE the project's one raster file with colors, and as BASE_MODEL one that knows its classes.
+def training_at_hand(project: QgsProject, model: str = "") -> dict[str, object]:
+    """The annotation and what suits it: IMAGE, BASE_MODEL, UNLABELED, RESOLUTION, and OUTPUT in the folder of models.
 
     Args:
         project: What is open.
         model: The dock's; where it fits it is the base, else the only one of the folder of models that does.
     """
     found = annotation_at_hand(project)
-    photo = _only([layer for layer in raster_layers(project) if layer.bandCount() >= _COLOR_BANDS])
+    names = _class_names(project, found)
+    more: dict[str, object] = {"OUTPUT": new_model_file("model")}
+    if len(names) == 1:
+        # There is nothing to tell the only class apart from, unless all other ground is “other”.
+        more["UNLABELED"] = SOMETHING_ELSE
+    photo = photo_layer(project)
     if photo is None:
-        return found
+        return {**found, **more}
     here = {photo.name(), os.path.basename(layer_file(photo))}
-    base = base_model(model, here, lambda: _class_names(project, found))
-    return {"IMAGE": photo.id(), **found, **({"BASE_MODEL": base} if base else {})}
+    base = base_model(model, here, lambda: names)
+    resolution = proposed_resolution_cm(project.mapLayer(found.get("INPUT", "")), found, photo)
+    more["OUTPUT"] = new_model_file(os.path.splitext(os.path.basename(layer_file(photo)))[0])
+    more.update({key: value for key, value in (("BASE_MODEL", base), ("RESOLUTION", resolution)) if value})
+    return {"IMAGE": photo.id(), **found, **more}
 
 
 def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:

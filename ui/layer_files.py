@@ -10,6 +10,7 @@ from qgis.PyQt.QtCore import QMimeData
 from ..processing.exchange.database_layers import database_file
 
 _DATABASE_SUFFIX = ".gpkg"
+_COLOR_BANDS = 3
 
 
 def layer_file(layer: QgsMapLayer) -> str:
@@ -23,6 +24,12 @@ def raster_layers(project: QgsProject) -> list[QgsRasterLayer]:
     # A database's overview is a raster, too; its file holds other things.
     found = [layer for layer in layers if layer_file(layer) and not layer_file(layer).endswith(_DATABASE_SUFFIX)]
     return sorted(found, key=lambda layer: layer.name().lower())
+
+
+def photo_layer(project: QgsProject) -> QgsRasterLayer | None:
+    """The project's one raster file with colors; None where it could be several, and never a label map."""
+    found = [layer for layer in raster_layers(project) if layer.bandCount() >= _COLOR_BANDS]
+    return found[0] if len(found) == 1 else None
 
 
 def drawn_layers(project: QgsProject) -> list[QgsRasterLayer]:

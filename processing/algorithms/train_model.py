@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import time
 from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
@@ -13,7 +14,17 @@ from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
 from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import Canceled, Declared, check_canceled, follow
-from ..framework.declarations import Choice, File, FileOutput, Number, NumberResult, RasterLayer, Switch
+from ..framework.declarations import (
+    PHOTO_WIDGET,
+    TIME_LIMIT_WIDGET,
+    Choice,
+    File,
+    FileOutput,
+    Number,
+    NumberResult,
+    RasterLayer,
+    Switch,
+)
 from ..framework.photo_source import PhotoSource
 from ..translation import tr
 
@@ -28,8 +39,11 @@ if TYPE_CHECKING:
     from ..framework.values import Values
     from ..reports.training_report import TrainingReport
 
-CUT, TRAINED = 12.0, 97.0
-"""Percent of the progress at which the tiles are cut, and the network is trained."""
+CUT, TRAINED = 1.0, 100.0
+"""Percent of the progress at which the tiles are cut, too little to tell the time left; and the model is written."""
+
+SHORTEST_SHARE = 0.2
+"""Of the time limit that the training gets, however long reading and cutting took."""
 
 LITE0_NETWORK, SMALL_NETWORK = range(2)
 UNKNOWN, SOMETHING_ELSE = range(2)
@@ -62,6 +76,8 @@ class TrainModel(AnnotationAlgorithm):
     MEAN_IOU = "MEAN_IOU"
     MASK = offers.MASK
 
+    _has_single_class = False
+
     def title(self) -> str:
         return tr("Train model")
 
@@ -83,6 +99,7 @@ class TrainModel(AnnotationAlgorithm):
                     "Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map "
                     "tiles and web maps are drawn by QGIS; they need extent and resolution."
                 ),
+                widget=PHOTO_WIDGET,
             ),
             *(replace(parameter, optional=True) for parameter in offers.annotation()),
             replace(
@@ -110,11 +127,12 @@ class TrainModel(AnnotationAlgorithm):
                 self.UNLABELED,
                 tr("Ground without a label"),
                 tr(
-                    "Unknown ground is left out of training. Choose “something else” only where everything that is of "
-                    "a class was drawn; the extent then keeps away ground where nothing was drawn."
+                    "Unknown ground is left out of training. Choose class “other” only where everything that is of a "
+                    "class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it "
+                    "for a layer with a single class, such as buildings."
                 ),
                 default=UNKNOWN,
-                options=(tr("is unknown"), tr("is something else")),
+                options=(tr("is unknown"), tr("is class “other”")),
             ),
             File(
                 self.BASE_MODEL,
@@ -126,10 +144,23 @@ class TrainModel(AnnotationAlgorithm):
             Number(
                 self.MINUTES,
                 tr("Time limit (minutes)"),
-                tr("Training is done within this time; ten minutes are a start, an hour does better. 0: no limit."),
+                tr(
+                    "From the start to the written model, reading and checking included. Ten minutes are a start, an "
+                    "hour does better. 0: no limit."
+                ),
                 optional=True,
                 default=30,
                 minimum=0,
+                widget=TIME_LIMIT_WIDGET,
+            ),
+            replace(
+                offers.resolution(
+                    tr(
+                        "Pixels that the network learns at, if not the image’s: the smallest buildings should be about "
+                        "14 pixels wide. Coarser pixels train faster."
+                    )
+                ),
+                advanced=False,
             ),
             offers.extent(),
         )
@@ -137,9 +168,6 @@ class TrainModel(AnnotationAlgorithm):
     def _details(self) -> tuple[Declared, ...]:
         return (
             *self._learning_parameters(),
-            offers.resolution(
-                tr("To learn at other pixels than the image’s: those of the photos that are to be localized.")
-            ),
             offers.validation_fraction(advanced=True),
             Switch(
                 self.RESUME,
@@ -226,6 +254,7 @@ class TrainModel(AnnotationAlgorithm):
         from ..framework.training_run import CanceledKeeping, TrainingRun
         from ..packages.training_environment import training_python
 
+        began = time.monotonic()
         python = training_python(values.file(self.PYTHON))
         self._require_classes(values, feedback)
         feedback.setProgressText(tr("Starting the Python that trains"))
@@ -235,7 +264,7 @@ class TrainModel(AnnotationAlgorithm):
         with outputs.file(self.OUTPUT) as temporary:
             self._run = run = TrainingRun(values.target(self.OUTPUT), values.switch(self.RESUME))
             try:
-                report = self._trained(values, python, temporary, run, feedback)
+                report = self._trained(values, python, temporary, run, began, feedback)
             except Canceled:
                 if run.can_go_on:
                     raise CanceledKeeping(run.folder) from None
@@ -255,7 +284,10 @@ class TrainModel(AnnotationAlgorithm):
         return results
 
     def _require_classes(self, values: Values, feedback: QgsProcessingFeedback) -> None:
-        """Refuses polygons of one class alone, by their boxes: before anything is started. Pixels tell the rest."""
+        """Refuses polygons of one class alone, by their boxes: before anything is started. Pixels tell the rest.
+
+        In a layer that has a single class, other ground is the other class, as in “Rasterize annotation”.
+        """
         from ..exchange.training_ground import classes_on, require_two_classes
 
         if self._labels is not None or not self._is_rest_unknown(values):
@@ -265,19 +297,30 @@ class TrainModel(AnnotationAlgorithm):
         parts += [] if wanted.isEmpty() else [(wanted, self._image.crs)]
         parts += [] if self._area is None else [(self._area.extent, self._area.crs)]
         lookup = self.classes(values, feedback)
+        if sum(bool(one.value) for one in lookup.table) == 1:
+            feedback.pushInfo(tr("The layer has a single class: ground without a polygon becomes class “other”."))
+            self._has_single_class = True
+            return
         found = classes_on(self._source, lookup, parts, values.transform_context, feedback.isCanceled)
         check_canceled(feedback)
         require_two_classes([value in found for value in range(256)], lookup.table)
 
     def _is_rest_unknown(self, values: Values) -> bool:
         """Whether nothing is learned of ground without a label."""
-        return values.choice(self.UNLABELED) == UNKNOWN
+        return values.choice(self.UNLABELED) == UNKNOWN and not self._has_single_class
 
     def _trained(
-        self, values: Values, python: str, target: str, run: TrainingRun, feedback: QgsProcessingFeedback
+        self,
+        values: Values,
+        python: str,
+        target: str,
+        run: TrainingRun,
+        began: float,
+        feedback: QgsProcessingFeedback,
     ) -> TrainingReport:
         """Cuts the ground, trains on it, writes the model; what there is to say of it."""
         from ...training.job import EXAMPLES, JOB, RESULT
+        from ..framework.training_estimate import remember_speed
         from ..framework.training_process import TrainingTeller, training_events
         from ..reports.training_report import TrainingReport
 
@@ -289,8 +332,10 @@ class TrainModel(AnnotationAlgorithm):
             self._cut(values, image, ground, run, feedback)
             base = {"base_model": os.path.basename(job.base_model)} if job.base_model else {}
             job = replace(job, ground={**ground.told(image), **base})
-            job.write(run.folder / JOB)
-        teller = TrainingTeller(feedback, CUT, TRAINED)
+        passed = (time.monotonic() - began) / (60 * job.minutes) if job.minutes else 0.0
+        job = replace(job, minutes=job.minutes * max(1 - passed, SHORTEST_SHARE))
+        job.write(run.folder / JOB)
+        teller = TrainingTeller(feedback, max(CUT, TRAINED * min(passed, 1 - SHORTEST_SHARE)), TRAINED)
         with closing(training_events(python, [str(run.folder / JOB)], feedback)) as events:
             for event in events:
                 teller.tell(event)
@@ -298,6 +343,7 @@ class TrainModel(AnnotationAlgorithm):
             result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
             raise TrainingError("training.ended", python=python, reason=error) from None
+        remember_speed(job.encoder, result)
         examples = [path.read_bytes() for path in sorted((run.folder / EXAMPLES).glob("*.png"))]
         return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)
 

@@ -37,9 +37,11 @@ WIDGETS: dict[str, str] = {}
 
 DATABASE_WIDGET, MODEL_WIDGET, OPEN_WIDGET, CLASS_TABLE_WIDGET = "database", "model", "open", "class table"
 CLASS_FIELD_WIDGET, CLASS_NAME_WIDGET = "class field", "class name"
+PHOTO_WIDGET, TIME_LIMIT_WIDGET = "photo", "time limit"
 """Kinds of widgets: a file box that offers the databases, or the models, that are at hand; a box ticked in a dialog; a
 file box with a button that edits the class table; a box of fields that begins with the likeliest class field; a box for
-the name of one class."""
+the name of one class; a box of rasters that begins with the only photo, otherwise empty; a box of minutes that shows
+how many epochs fit in."""
 
 
 @dataclass(frozen=True)

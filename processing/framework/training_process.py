@@ -19,10 +19,10 @@ PROGRAM = Path(__file__).resolve().parents[2] / "training"
 _EVENTS = {
     "ready": {"torch": str, "device": str},
     "begun": {"device": str, "weights": float, "training": float, "validation": float},
-    "resumed": {"epoch": float},
+    "resumed": {"share": float, "epoch": float},
     "step": {"share": float, "epoch": float, "loss": float},
     "epoch": {"share": float, "epoch": float, "training_loss": float, "mean_iou": float},
-    "exporting": {},
+    "exporting": {"share": float},
     "failed": FAILED,
     "broke": {"reason": str, "text": str},
 }
@@ -90,11 +90,17 @@ class TrainingTeller:
 
     def __init__(self, feedback: QgsProcessingFeedback, first: float, last: float) -> None:
         self._feedback, self._first, self._last = feedback, first, last
+        self._resumed_at = 0.0
 
     def tell(self, event: dict) -> None:
         """Shows one event."""
-        if event["event"] in ("step", "epoch"):
-            self._feedback.setProgress(self._first + (self._last - self._first) * event["share"])
+        share = event.get("share")
+        if event["event"] == "resumed":
+            # What an earlier run did says nothing of the time that this one takes.
+            self._resumed_at = min(max(share, 0.0), 0.99)
+        if event["event"] in ("resumed", "step", "epoch", "exporting"):
+            share = (share - self._resumed_at) / (1 - self._resumed_at)
+            self._feedback.setProgress(self._first + (self._last - self._first) * share)
         show = getattr(self, f"_{event['event']}", None)
         if show is not None:
             show(event)

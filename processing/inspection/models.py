@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
@@ -23,6 +24,14 @@ def models_folder() -> Path:
     """Where the user keeps models; one of the profile's unless another was chosen. It may not be there."""
     chosen = QgsSettings().value(_SETTING, "", type=str)
     return Path(chosen) if chosen else Path(QgsApplication.qgisSettingsDirPath()) / "semref" / "models"
+
+
+def new_model_file(name: str) -> str:
+    """A file of the user's folder of models, which is made, that does not exist yet; ``name`` without suffix."""
+    folder = models_folder()
+    folder.mkdir(parents=True, exist_ok=True)
+    numbered = (f"{name}_{number}" if number > 1 else name for number in count(1))
+    return str(next(folder / f"{one}.onnx" for one in numbered if not (folder / f"{one}.onnx").exists()))
 
 
 def choose_models_folder(path: str) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from made_inputs import square, write_layer, write_raster
@@ -44,7 +46,9 @@ def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_ta
     add.labels("label map")
     table = str(tmp_path / "classes.csv")
     fields = {"CLASS_FIELD": "Class", "PRIORITY_FIELD": "zorder", "CLASS_TABLE": table}
-    assert training_at_hand(project) == {"IMAGE": photo.id(), "INPUT": layer.id(), **fields}
+    found = training_at_hand(project)
+    assert found.pop("OUTPUT").endswith("orthophoto.onnx") and found.pop("UNLABELED") == 1
+    assert found == {"IMAGE": photo.id(), "INPUT": layer.id(), **fields}
 
 
 def test_of_several_layers_the_one_with_classes_is_taken(add, project):
@@ -119,7 +123,7 @@ def test_where_it_could_be_several_nothing_is_taken(add, project):
     for name in ("north", "south"):
         add(name, [("class", "text")])
         add.photo(f"{name}_photo")
-    assert training_at_hand(project) == {}
+    assert list(training_at_hand(project)) == ["OUTPUT"]
 
 
 def test_the_layers_of_a_database_are_no_annotation(area, dock, project):
@@ -141,3 +145,73 @@ def test_the_dock_makes_a_database_of_the_polygons_at_hand(dock, add, monkeypatc
     assert dock.content.database.making.isVisible()
     assert asked == [("semref:annotationtodatabase", {"INPUT": layer.id(), "CLASS_FIELD": "class"})]
     dock.content.database.making.close()
+
+
+def test_a_new_model_is_a_file_of_the_models_folder_that_no_model_has(add, project, models):
+    from semref.ui.at_hand import training_at_hand
+
+    add.photo("orthophoto")
+    folder = Path(models("orthophoto.onnx")).parent
+    assert training_at_hand(project)["OUTPUT"] == str(folder / "orthophoto_2.onnx")
+
+
+@pytest.fixture
+def ground(project, tmp_path):
+    """`ground(widths, kind)` adds a photo of 10 cm and rectangles of these widths, all of them twice as long."""
+    from made_inputs import NORTH, WEST, rectangle
+    from qgis.core import QgsRasterLayer, QgsVectorLayer
+
+    def make(widths, kinds=None):
+        fine = (WEST, 0.1, 0, NORTH, 0, -0.1)
+        file = write_raster(tmp_path / "orthophoto.tif", np.full((3, 20, 20), 9, np.uint8), transform=fine)
+        project.addMapLayer(QgsRasterLayer(str(file), "orthophoto"))
+        shapes = [rectangle(30 * n, 0, width, 2 * width) for n, width in enumerate(widths)]
+        rows = list(zip(shapes, kinds or ["building"] * len(shapes)))
+        layer = QgsVectorLayer(str(write_layer(tmp_path / "cover.gpkg", rows)), "cover", "ogr")
+        project.addMapLayer(layer)
+
+    return make
+
+
+def test_the_resolution_is_proposed_from_the_smallest_typical_building(ground, project):
+    from semref.ui.at_hand import training_at_hand
+
+    # One shed in twenty does not count; 3.6 m in 14 pixels.
+    ground([1.0, *[3.6] * 5, *[12.0] * 14])
+    assert training_at_hand(project)["RESOLUTION"] == 25
+
+
+def test_fields_of_grass_propose_no_resolution(ground, project):
+    from semref.ui.at_hand import training_at_hand
+
+    ground([5.0, 6.0, 7.0, 8.0], ["grass", "water", "grass", "water"])
+    assert "RESOLUTION" not in training_at_hand(project) and "UNLABELED" not in training_at_hand(project)
+
+
+def test_the_box_of_photos_begins_with_no_label_map_and_is_empty_when_unsure(add, project, open_dialog):
+    add.labels("label map")
+
+    def chosen():
+        return open_dialog("trainmodel", {}).mainWidget().wrappers["IMAGE"].parameterValue()
+
+    assert not chosen()
+    photo = add.photo("orthophoto")
+    assert chosen() == photo.id()
+    add.photo("another")
+    assert not chosen()
+
+
+def test_the_dialog_shows_how_many_epochs_fit_in_the_time_limit(ground, project, open_dialog):
+    from qgis.core import QgsProcessingContext
+    from qgis.PyQt.QtWidgets import QLabel
+
+    from semref.ui.at_hand import training_at_hand
+
+    ground([5.0, 12.0, 12.0])
+    wrappers = open_dialog("trainmodel", training_at_hand(project)).mainWidget().wrappers
+    line = wrappers["MINUTES"].wrappedWidget().findChild(QLabel, "SemRefEpochs")
+    assert line.text() == "Epochs that fit on this computer: about 69"
+    wrappers["MINUTES"].setParameterValue(1, QgsProcessingContext())
+    assert line.text() == "Epochs that fit: about 1. Choose a longer time or a coarser resolution."
+    wrappers["MINUTES"].setParameterValue(0, QgsProcessingContext())
+    assert line.text() == ""

@@ -89,7 +89,9 @@ def test_a_python_without_torch_says_what_it_lacks():
 def test_it_tells_each_epoch_and_in_the_end_what_it_made(first):
     job, events = first
     kinds = [event["event"] for event in events if event["event"] != "step"]
-    assert kinds == ["begun", "epoch", "epoch", "exporting", "done"]
+    assert kinds == ["begun", "epoch", "epoch", *["exporting"] * 3, "done"]
+    shares = [event["share"] for event in events if "share" in event]
+    assert shares == sorted(shares) and shares[-1] <= 1
     assert all(np.isfinite(event["training_loss"]) for event in events if event["event"] == "epoch")
     result = json.loads((Path(job.folder) / "result.json").read_text())
     assert [len(result["history"]), result["stopped_by"]] == [2, "epochs"]
@@ -150,10 +152,15 @@ def test_a_run_that_was_ended_goes_on_where_it_was(training_python, tiles, tmp_p
 
 
 @pytest.mark.slow
-def test_it_stops_when_its_time_is_over(training_python, tiles, tmp_path):
+def test_the_model_is_written_before_its_time_is_over(training_python, tiles, tmp_path):
+    """Starting torch, judging, writing and checking are in it."""
     started = time.monotonic()
-    events = trained(training_python, job_of(tiles, tmp_path, epochs=10_000, minutes=0.02))
-    assert events[-1]["stopped_by"] == "minutes" and events[-1]["seconds"] < time.monotonic() - started
+    events = trained(training_python, job_of(tiles, tmp_path, epochs=10_000, patience=0, minutes=0.75))
+    elapsed_s = time.monotonic() - started
+    assert events[-1]["stopped_by"] == "minutes"
+    assert 20 < events[-1]["seconds"] < elapsed_s < 45
+    shares = [event["share"] for event in events if "share" in event]
+    assert shares[-1] == pytest.approx(elapsed_s / 45, abs=0.15)
 
 
 def test_a_base_model_goes_on_from_what_it_knows(training_python, first, tiles, tmp_path):

@@ -18,13 +18,15 @@ from qgis.core import (
 )
 from qgis.gui import (
     QgsAbstractProcessingParameterWidgetWrapper,
+    QgsDoubleSpinBox,
     QgsFieldComboBox,
     QgsFileWidget,
     QgsGui,
     QgsProcessingGui,
+    QgsProcessingMapLayerComboBox,
 )
 from qgis.PyQt import sip
-from qgis.PyQt.QtWidgets import QWidget
+from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from ...processing.framework import offers
 from ...processing.framework.declarations import (
@@ -34,10 +36,15 @@ from ...processing.framework.declarations import (
     DATABASE_WIDGET,
     MODEL_WIDGET,
     OPEN_WIDGET,
+    PHOTO_WIDGET,
+    TIME_LIMIT_WIDGET,
     WIDGETS,
 )
 from ..class_table.edit_button import EditButton
+from ..layer_files import photo_layer
+from ..widgets.layouts import narrow
 from .class_name_box import ClassNameBox
+from .epochs import TRAINING_VALUES, epochs_text
 from .guessed import class_field_of, class_of_all
 from .known import DATABASE, MODEL, chosen
 from .known_button import KnownButton
@@ -56,6 +63,8 @@ def offer_widgets() -> None:
             CLASS_TABLE_WIDGET: f"{__name__}.ClassTableWidget",
             CLASS_FIELD_WIDGET: f"{__name__}.ClassFieldWidget",
             CLASS_NAME_WIDGET: f"{__name__}.ClassNameWidget",
+            PHOTO_WIDGET: f"{__name__}.PhotoWidget",
+            TIME_LIMIT_WIDGET: f"{__name__}.TimeLimitWidget",
         }
     )
 
@@ -126,6 +135,27 @@ class ClassNameWidget(ClassFieldWidget):
         return _ClassNameWrapper(parameter, kind_of_dialog)
 
 
+class PhotoWidget(ClassFieldWidget):
+    """A box of rasters that begins with the project's only photo, otherwise empty: QGIS would take the first raster."""
+
+    @staticmethod
+    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
+        """The wrapper outside of the model designer."""
+        photo = photo_layer(QgsProject.instance())
+        if photo is not None and kind_of_dialog == QgsProcessingGui.Standard:
+            parameter.setGuiDefaultValueOverride(photo.id())
+        return _PhotoWrapper(parameter, kind_of_dialog)
+
+
+class TimeLimitWidget(ClassFieldWidget):
+    """A box of minutes that shows how many epochs of training fit in."""
+
+    @staticmethod
+    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
+        """The wrapper outside of the model designer."""
+        return _TimeLimitWrapper(parameter, kind_of_dialog)
+
+
 class OpenWidget:
     """A box that is ticked in the dialog of a single run, where somebody sees what is opened."""
 
@@ -172,7 +202,20 @@ class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
         self.widgetValueHasChanged.emit(self)
 
 
-class _LayerWrapper(QgsAbstractProcessingParameterWidgetWrapper):
+class _Wrapper(QgsAbstractProcessingParameterWidgetWrapper):
+    """What wrappers of own boxes share."""
+
+    def _kept(self, box: QWidget) -> QWidget:
+        box.setToolTip(self.parameterDefinition().toolTip())
+        # As for the box of a file: the connection keeps Python's half of it until the box is gone.
+        box.destroyed.connect(lambda *_, half=box: None)
+        return box
+
+    def _tell(self, *_value) -> None:
+        self.widgetValueHasChanged.emit(self)
+
+
+class _LayerWrapper(_Wrapper):
     """A box that follows the annotation layer of its dialog; a value that is given afterwards stays."""
 
     _layer: QgsVectorLayer | None = None
@@ -197,15 +240,6 @@ class _LayerWrapper(QgsAbstractProcessingParameterWidgetWrapper):
     def show_layer(self, layer: QgsVectorLayer | None) -> None:
         """Shows what the layer begins with."""
         raise NotImplementedError
-
-    def _kept(self, box: QWidget) -> QWidget:
-        box.setToolTip(self.parameterDefinition().toolTip())
-        # As for the box of a file: the connection keeps Python's half of it until the box is gone.
-        box.destroyed.connect(lambda *_, half=box: None)
-        return box
-
-    def _tell(self, *_value) -> None:
-        self.widgetValueHasChanged.emit(self)
 
 
 class _ClassFieldWrapper(_LayerWrapper):
@@ -262,6 +296,74 @@ class _ClassNameWrapper(_LayerWrapper):
         if self._fields is not None:
             self._fields.setEnabled(self.widgetValue() is None)
         super()._tell()
+
+
+class _PhotoWrapper(_Wrapper):
+    """QGIS's box of rasters and files, which may be empty."""
+
+    def createWidget(self):
+        # The box of an optional layer has an empty entry, and begins with it.
+        optional = self.parameterDefinition().clone()
+        optional.setFlags(optional.flags() | QgsProcessingParameterDefinition.FlagOptional)
+        box = QgsProcessingMapLayerComboBox(optional, self.type())
+        box.valueChanged.connect(self._tell)
+        return self._kept(box)
+
+    def _box(self) -> QgsProcessingMapLayerComboBox:
+        return sip.cast(self.wrappedWidget(), QgsProcessingMapLayerComboBox)
+
+    def setWidgetContext(self, context):
+        super().setWidgetContext(context)
+        if self.wrappedWidget() is not None:
+            self._box().setWidgetContext(context)
+
+    def setWidgetValue(self, value, context):
+        self._box().setValue(value, context)
+
+    def widgetValue(self):
+        return self._box().value()
+
+
+class _TimeLimitWrapper(_Wrapper):
+    """A box of minutes above a line that follows the other values of the dialog."""
+
+    def createWidget(self):
+        widget = QWidget()
+        self._minutes = QgsDoubleSpinBox()
+        self._minutes.setRange(0, 100_000)
+        self._minutes.setValue(self.parameterDefinition().defaultValue())
+        self._minutes.setClearValue(self.parameterDefinition().defaultValue())
+        self._minutes.valueChanged.connect(self._tell)
+        self._line = QLabel()
+        self._line.setWordWrap(True)
+        self._line.setObjectName("SemRefEpochs")
+        layout = narrow(QVBoxLayout(widget), 0)
+        layout.addWidget(self._minutes)
+        layout.addWidget(self._line)
+        self._others = []
+        return self._kept(widget)
+
+    def postInitialize(self, wrappers):
+        super().postInitialize(wrappers)
+        self._others = [wrapper for wrapper in wrappers if wrapper is not self]
+        for wrapper in self._others:
+            if wrapper.parameterDefinition().name() in TRAINING_VALUES:
+                wrapper.widgetValueHasChanged.connect(self._show)
+        self._show()
+
+    def setWidgetValue(self, value, context):
+        self._minutes.setValue(0.0 if value in (None, "") else float(value))
+
+    def widgetValue(self):
+        return self._minutes.value()
+
+    def _tell(self, *_value) -> None:
+        super()._tell()
+        self._show()
+
+    def _show(self, *_value) -> None:
+        values = {one.parameterDefinition().name(): one.parameterValue() for one in self._others}
+        self._line.setText(epochs_text(self._minutes.value(), values))
 
 
 def _same(layer: QgsVectorLayer, before: QgsVectorLayer | None) -> bool:

@@ -1,0 +1,74 @@
+"""How many epochs of training fit in a time limit, as the values of “Train model” are now."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsMapLayer,
+    QgsProcessingContext,
+    QgsProcessingFeatureSourceDefinition,
+    QgsProcessingUtils,
+    QgsProject,
+    QgsRasterLayer,
+)
+
+from ...processing.compat import is_metric
+from ...processing.exchange.reference_systems import metric_crs
+from ...processing.framework.training_estimate import epochs_within
+from ...processing.translation import tr
+from ...training.job import LITE0, SMALL
+
+TRAINING_VALUES = ("IMAGE", "INPUT", "LABELS", "RESOLUTION", "VALIDATION_FRACTION", "NETWORK")
+"""Parameters that the number of epochs depends on, beside the time limit."""
+
+ENOUGH = 5
+"""Fewer epochs make a poor network."""
+
+
+def epochs_text(minutes: float, values: dict[str, Any]) -> str:
+    """A sentence on the epochs that fit; empty without an image or a limit."""
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    image = _layer(values.get("IMAGE"), context)
+    if not minutes or not isinstance(image, QgsRasterLayer) or not image.crs().isValid():
+        return ""
+    labels = _layer(values.get("INPUT") or values.get("LABELS"), context)
+    shape = _shape(image, labels, values.get("RESOLUTION"))
+    if shape is None:
+        return ""
+    fraction = values.get("VALIDATION_FRACTION")
+    encoder = SMALL if values.get("NETWORK") == 1 else LITE0
+    found = epochs_within(minutes, shape, 0.2 if fraction is None else float(fraction), encoder)
+    if found < ENOUGH:
+        text = tr("Epochs that fit: about {count}. Choose a longer time or a coarser resolution.")
+        return text.format(count=int(found))
+    return tr("Epochs that fit on this computer: about {count}").format(count=int(found))
+
+
+def _layer(value: Any, context: QgsProcessingContext) -> QgsMapLayer | None:
+    if isinstance(value, QgsProcessingFeatureSourceDefinition):
+        value = value.source.staticValue()
+    return QgsProcessingUtils.mapLayerFromString(value, context) if isinstance(value, str) and value else None
+
+
+def _shape(image: QgsRasterLayer, labels: QgsMapLayer | None, resolution_cm: Any) -> tuple[int, int] | None:
+    """(height, width) in pixels of the ground that image and labels share; None where that is unknown."""
+    context = QgsProject.instance().transformContext()
+    crs = image.crs()
+    if not is_metric(crs):
+        crs = metric_crs(crs, QgsCoordinateReferenceSystem(), image.extent(), context)
+    try:
+        ground = QgsCoordinateTransform(image.crs(), crs, context).transformBoundingBox(image.extent())
+        pixel = float(resolution_cm) / 100 if resolution_cm else ground.width() / max(image.width(), 1)
+        if labels is not None and labels.crs().isValid():
+            own = QgsCoordinateTransform(labels.crs(), crs, context).transformBoundingBox(labels.extent())
+            ground = ground.intersect(own)
+    except QgsCsException:
+        return None
+    if ground.isEmpty() or pixel <= 0:
+        return None
+    return max(1, round(ground.height() / pixel)), max(1, round(ground.width() / pixel))

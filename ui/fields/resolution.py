@@ -1,0 +1,73 @@
+"""The size of the pixels that a network learns at, proposed from the buildings that it has to find."""
+
+from __future__ import annotations
+
+from itertools import islice
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsFeatureRequest,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+)
+
+from ...processing.compat import is_metric
+from ...processing.exchange.reference_systems import metric_crs
+from .guessed import BUILDING
+
+SMALLEST_PERCENT, PIXELS_WIDE = 10, 14
+"""The smallest typical building is wider than so many percent of all; it shall be so many pixels wide."""
+
+STEPS_CM = (5, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100)
+_FINER = 0.8
+"""Pixels of the photo that are nearly as large are taken as they are."""
+_READ = 2000
+
+
+def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], photo: QgsRasterLayer) -> int | None:
+    """Centimeters a pixel; None where the photo is not finer, or without buildings in the annotation.
+
+    Args:
+        layer: The annotation.
+        given: Its CLASS or CLASS_FIELD.
+        photo: What is learned from.
+    """
+    crs = photo.crs()
+    if layer is None or not crs.isValid() or not layer.crs().isValid():
+        return None
+    context = QgsProject.instance().transformContext()
+    if not is_metric(crs):
+        crs = metric_crs(crs, QgsCoordinateReferenceSystem(), photo.extent(), context)
+    moved = QgsCoordinateTransform(layer.crs(), crs, context)
+    try:
+        widths = _widths(layer, given, moved)
+        seen = QgsCoordinateTransform(photo.crs(), crs, context).transformBoundingBox(photo.extent())
+    except QgsCsException:
+        return None
+    if not widths:
+        return None
+    wanted_cm = 100 * float(np.percentile(widths, SMALLEST_PERCENT)) / PIXELS_WIDE
+    proposed = max((step for step in STEPS_CM if step <= wanted_cm), default=None)
+    pixel_cm = 100 * seen.width() / max(photo.width(), 1)
+    return proposed if proposed and pixel_cm < _FINER * proposed else None
+
+
+def _widths(layer: QgsVectorLayer, given: dict[str, str], moved: QgsCoordinateTransform) -> list[float]:
+    """The shorter side of the rectangle around each building, in meters."""
+    field, is_all = given.get("CLASS_FIELD", ""), given.get("CLASS", "").casefold() == BUILDING
+    request = QgsFeatureRequest()
+    request.setSubsetOfAttributes([field] if field else [], layer.fields())
+    found = []
+    for feature in islice(layer.getFeatures(request), _READ):
+        if is_all or (field and str(feature[field]).casefold() == BUILDING):
+            geometry = feature.geometry()
+            if geometry.isEmpty():
+                continue
+            geometry.transform(moved)
+            _, _, _, width, height = geometry.orientedMinimumBoundingBox()
+            found.append(min(width, height))
+    return found
