@@ -35,9 +35,10 @@ _MOST_KEPT = 20
 
 
 class Opened(QObject):
-    """``database``: the path of one that a user had an algorithm open."""
+    """``database``: the path of one that a user had an algorithm open; ``raster``: that of one that was written."""
 
     database = pyqtSignal(str)
+    raster = pyqtSignal(str)
 
 
 OPENED = Opened()
@@ -117,7 +118,22 @@ def database_layers(path: str, project: QgsProject) -> list[QgsMapLayer]:
 
 def reload_database(path: str, project: QgsProject) -> None:
     """Shows what a database holds now that it was replaced."""
-    for layer in database_layers(path, project):
+    _reload(database_layers(path, project))
+
+
+def reload_raster(path: str, project: QgsProject) -> None:
+    """Show what a raster file holds now that it was replaced."""
+    rasters = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
+    _reload([layer for layer in rasters if _is_of(layer, path)])
+
+
+def _is_of(layer: QgsRasterLayer, path: str) -> bool:
+    file = _file_and_table(layer)[0]
+    return bool(file) and os.path.realpath(file) == os.path.realpath(path)
+
+
+def _reload(layers: list[QgsMapLayer]) -> None:
+    for layer in layers:
         layer.dataProvider().reloadData()
         layer.reload()
         layer.triggerRepaint()

@@ -21,7 +21,7 @@ from ...core.errors import ParameterError
 from ...storage.files import Batch
 from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
-from ..exchange.database_layers import open_when_done
+from ..exchange.database_layers import OPENED, open_when_done
 from ..exchange.layer_notes import Note, keep_in_database
 from ..exchange.lineage import Lineage
 from ..exchange.output_style import Look, style_from_beside, style_in_file, style_in_memory, style_when_loaded
@@ -57,6 +57,7 @@ class Outputs:
         self._copies: dict[str, str] = {}
         self._checks: list[Callable[[], None]] = []
         self._opened: list[str] = []
+        self._rasters: list[str] = []
         self.results: dict[str, Any] = {}
 
     def __enter__(self) -> Outputs:
@@ -70,6 +71,8 @@ class Outputs:
         self._batch.commit(*self._checks)
         for layer in self._layers:
             layer.announce(self._values.context)
+        for path in self._rasters:
+            OPENED.raster.emit(path)
         for key in self._opened:
             open_when_done(self.results[key], self._values.raw(offers.LABELS), key, self._values.context)
 
@@ -90,6 +93,7 @@ class Outputs:
             write_style(temporary)
             style_from_beside(target, self._values.context)
         self.results[key] = target
+        self._rasters.append(target)
 
     def label_map(self, key: str, table: ClassTable) -> AbstractContextManager[str]:
         """Gives a path to write a label map to, which gets its style."""

@@ -164,3 +164,62 @@ def test_layers_of_databases_and_of_places_are_no_annotation(dock, box, annotati
     settle()
     offered = [box.annotation.layer(row) for row in range(box.annotation.count())]
     assert [layer.id() for layer in offered if layer is not None] == [annotation.id()]
+
+
+def drawn(layer) -> bytes:
+    """The layer's own extent as the map shows it."""
+    from qgis.core import QgsMapRendererSequentialJob, QgsMapSettings
+    from qgis.PyQt.QtCore import QSize
+
+    settings = QgsMapSettings()
+    settings.setLayers([layer])
+    settings.setDestinationCrs(layer.crs())
+    settings.setExtent(layer.extent())
+    settings.setOutputSize(QSize(120, 120))
+    job = QgsMapRendererSequentialJob(settings)
+    job.start()
+    job.waitForFinished()
+    image = job.renderedImage()
+    bits = image.constBits()
+    bits.setsize(image.sizeInBytes())
+    return bytes(bits)
+
+
+def test_the_map_shows_the_overview_of_the_updated_database(dock, box, annotation, database):
+    from qgis.core import QgsProject
+
+    dock.content.database.add_to_map.click()
+    (overview,) = QgsProject.instance().mapLayersByName("Overview")
+    before, repainted = drawn(overview), []
+    overview.repaintRequested.connect(lambda *_: repainted.append(True))
+    mend(annotation)
+    press(dock, box)
+    after = drawn(overview)
+    assert after != before and repainted
+    box.undo.click()
+    wait_until(lambda: not box.undo.isVisibleTo(dock.content.correct), "the undo")
+    settle()
+    assert drawn(overview) == before
+
+
+def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, run_algorithm, tmp_path):
+    from qgis.core import QgsProject, QgsRasterLayer
+
+    from semref.ui.running.algorithm_run import AlgorithmRun
+
+    built_of(annotation, run_algorithm, tmp_path, "area")
+    path = str(tmp_path / "area.tif")
+    layer = QgsRasterLayer(path, "Label map")
+    QgsProject.instance().addMapLayers([annotation, layer])
+    before, repainted = drawn(layer), []
+    layer.repaintRequested.connect(lambda *_: repainted.append(True))
+    mend(annotation)
+    extent = f"{ORIGIN[0]},{ORIGIN[0] + SIDE * ACROSS},{ORIGIN[1] - SIDE * ACROSS},{ORIGIN[1]} [{CRS}]"
+    again = {"INPUT": annotation, "CLASS_FIELD": "class", "CLASS_TABLE": str(tmp_path / "classes.csv")}
+    again.update({"EXTENT": extent, "PIXEL_SIZE": 0.5, "OUTPUT": path})
+    # As the toolbox does, in another thread.
+    run = AlgorithmRun(dock)
+    assert run.start_algorithm("semref:rasterizeannotation", again, "Rasterizing")
+    wait_until(lambda: not run.running, "the label map")
+    settle()
+    assert drawn(layer) != before and repainted

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsSettings
+from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
 from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
 from ...core.localization import Method
-from ...processing.exchange.database_layers import OPENED
+from ...processing.exchange.database_layers import OPENED, reload_raster
 from ...processing.packages.components import OPENCV, missing
 from ...processing.translation import tr
 from ..packages.missing_notice import MissingNotice
@@ -69,6 +69,7 @@ class SemRefDock(QgsDockWidget):
         self._state.opened.connect(self._restore)
         self._state.cleared.connect(self._forget)
         OPENED.database.connect(self.choose_database)
+        OPENED.raster.connect(self._reload_raster)
         self.visibilityChanged.connect(self._follow_visibility)
 
     def let_open(self) -> None:
@@ -119,6 +120,7 @@ class SemRefDock(QgsDockWidget):
         self.visibilityChanged.disconnect(self._follow_visibility)
         self._state.shut_down()
         OPENED.database.disconnect(self.choose_database)
+        OPENED.raster.disconnect(self._reload_raster)
         self._opens = False
         if self._content is not None:
             self._content.shut_down()
@@ -163,6 +165,10 @@ class SemRefDock(QgsDockWidget):
             self._content.database.choose(path)
         elif self._wanted_state is not None:
             self._wanted_state = replace(self._wanted_state, database=path)
+
+    def _reload_raster(self, path: str) -> None:
+        """A label map that is made again is on the map as it is now."""
+        reload_raster(path, QgsProject.instance())
 
     def refresh_notice(self) -> None:
         """Looks again which packages are missing."""
