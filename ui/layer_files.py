@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import os
 
-from qgis.core import QgsMapLayer, QgsMimeDataUtils, QgsProject, QgsProviderRegistry, QgsRasterLayer
+from qgis.core import (
+    QgsMapLayer,
+    QgsMimeDataUtils,
+    QgsProject,
+    QgsProviderRegistry,
+    QgsRasterLayer,
+    QgsRectangle,
+    QgsReferencedRectangle,
+)
 from qgis.PyQt.QtCore import QMimeData
 
 from ..processing.exchange.database_layers import database_file
@@ -30,6 +38,23 @@ def photo_layer(project: QgsProject) -> QgsRasterLayer | None:
     """The project's one raster file with colors; None where it could be several, and never a label map."""
     found = [layer for layer in raster_layers(project) if layer.bandCount() >= _COLOR_BANDS]
     return found[0] if len(found) == 1 else None
+
+
+def label_maps_of(project: QgsProject, extent: QgsReferencedRectangle, pixel_size: float) -> list[QgsRasterLayer]:
+    """Those that have the pixels of a database's map: one band, in its CRS, on its grid."""
+    close = pixel_size / 100
+    return [
+        layer
+        for layer in raster_layers(project)
+        if layer.bandCount() == 1
+        and layer.crs() == extent.crs()
+        and abs(layer.rasterUnitsPerPixelX() - pixel_size) < close
+        and all(abs(a - b) < close for a, b in zip(_edges(layer.extent()), _edges(extent)))
+    ]
+
+
+def _edges(extent: QgsRectangle) -> tuple[float, ...]:
+    return extent.xMinimum(), extent.yMinimum(), extent.xMaximum(), extent.yMaximum()
 
 
 def drawn_layers(project: QgsProject) -> list[QgsRasterLayer]:

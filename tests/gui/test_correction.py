@@ -223,3 +223,25 @@ def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, r
     wait_until(lambda: not run.running, "the label map")
     settle()
     assert drawn(layer) != before and repainted
+
+
+def test_a_label_map_that_the_update_made_old_is_offered_to_be_rasterized_again(
+    dock, iface, box, annotation, database, monkeypatch
+):
+    import processing
+    from qgis.core import QgsProject, QgsRasterLayer
+    from qgis.PyQt.QtWidgets import QDialog, QPushButton
+
+    labels = database.replace(".gpkg", ".tif")
+    before, asked = Path(labels).read_bytes(), []
+    QgsProject.instance().addMapLayer(QgsRasterLayer(labels, "Label map"))
+    monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *given: asked.append(given) or QDialog())
+    mend(annotation)
+    press(dock, box)
+    assert messages(iface) == ["The label map “Label map” is older than the database now."]
+    (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Rasterize it again…"]
+    button.click()
+    ((name, given),) = asked
+    assert name == "semref:rasterizeannotation" and Path(labels).read_bytes() == before
+    assert (given["OUTPUT"], given["INPUT"], given["PIXEL_SIZE"]) == (labels, annotation.id(), 0.5)
+    dock.content.rasterizing.close()

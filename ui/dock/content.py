@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
@@ -12,6 +14,7 @@ from ...processing.exchange.database_layers import add_database_to_map, reload_d
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
 from ..running.background import DatabaseShelf, Reader
+from ..running.correction_run import RASTERIZE
 from ..tabs.correct.tab import CorrectTab
 from ..tabs.inspect.tab import InspectTab
 from ..tabs.localize.tab import LocalizeTab
@@ -43,6 +46,7 @@ class DockContent(QWidget):
         self.inspect = InspectTab(canvas)
         self.correct = CorrectTab(canvas)
         self.tabs = QTabWidget()
+        self.rasterizing: QWidget | None = None
         self._reader = Reader(self)
         self._lay_out()
         self._connect()
@@ -80,6 +84,7 @@ class DockContent(QWidget):
         self.inspect.databaseWanted.connect(self._read_database)
         self.inspect.said.connect(self._messages.info)
         self.correct.updated.connect(self._show_updated)
+        self.correct.outdated.connect(self._offer_label_map)
         self.correct.failed.connect(self._messages.error)
         self.correct.broke.connect(self._messages.bug)
         for run in (self.localize.run, self.correct.run, self.correct.repair.run):
@@ -122,6 +127,17 @@ class DockContent(QWidget):
         reload_database(path, QgsProject.instance())
         if path == self.database.path():
             self.database.choose(path)
+
+    def _offer_label_map(self, layer: str, parameters: dict) -> None:
+        sentence = tr("The label map “{layer}” is older than the database now.").format(layer=layer)
+        self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, parameters))
+
+    def _rasterize(self, parameters: dict) -> None:
+        """Open the dialog of *Rasterize annotation*, beside which QGIS can be used."""
+        from processing import createAlgorithmDialog
+
+        self.rasterizing = createAlgorithmDialog(RASTERIZE, parameters)
+        self.rasterizing.show()
 
     def _remember_tab(self, tab: int) -> None:
         QgsSettings().setValue(_TAB_SETTING, tab)

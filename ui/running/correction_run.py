@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import traceback
 from dataclasses import dataclass
+from typing import Any
 
 from qgis.core import QgsProcessingUtils, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -45,6 +46,8 @@ class CorrectionRun(QObject):
 
     ``shut_down`` before it is deleted.
 
+    rasterizing: parameters of *Rasterize annotation* in the last run.
+
     said: what is being done; progressed: percent; done: the path of the database; failed: a sentence for the user;
     broke: a bug's traceback.
     """
@@ -63,6 +66,7 @@ class CorrectionRun(QObject):
         self._wanted: Correction | None = None
         self._folder = self._updated = ""
         self._first_percent = 0
+        self.rasterizing: dict[str, Any] = {}
         self._next = self._rasterize
         self._reader = Reader(self)
         self._reader.answered.connect(self._go_on)
@@ -121,7 +125,7 @@ class CorrectionRun(QObject):
     def _rasterize(self, grid: dict) -> None:
         wanted = self._wanted
         self._next, self._first_percent = self._update, 0
-        parameters = {
+        self.rasterizing = {
             "INPUT": wanted.annotation,
             "CLASS_FIELD": wanted.class_field,
             "OUTPUT": os.path.join(self._folder, "labels.tif"),
@@ -129,7 +133,7 @@ class CorrectionRun(QObject):
             **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
             **grid,
         }
-        self._run.start_algorithm(RASTERIZE, parameters, tr("Rasterizing the correction"))
+        self._run.start_algorithm(RASTERIZE, self.rasterizing, tr("Rasterizing the correction"))
 
     def _update(self, rasterized: dict) -> None:
         self._next, self._first_percent = self._replace, _RASTERIZED_PERCENT

@@ -17,6 +17,7 @@ from ....core.annotation.findings import INFORMATION
 from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
 from ...canvas.place_mark import PlaceMark
+from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.buttons import shortcut, tool_button
@@ -42,10 +43,12 @@ _FILL_S = 0.03
 class CorrectTab(QWidget):
     """``shut_down`` before it is deleted.
 
-    updated: the path of a database that was replaced; failed: a sentence; broke: a bug's traceback.
+    updated: the path of a database that was replaced; outdated: a label map of it on the map, and how to rasterize it
+    again; failed: a sentence; broke: a bug's traceback.
     """
 
     updated = pyqtSignal(str)
+    outdated = pyqtSignal(str, dict)
     failed = pyqtSignal(str)
     broke = pyqtSignal(str)
 
@@ -347,6 +350,11 @@ class CorrectTab(QWidget):
     def _tell_updated(self, database: str) -> None:
         self.updating.show_running(False, tr("The database is up to date; the old file is kept beside it."))
         self.updated.emit(database)
+        grid = self.run.rasterizing
+        for layer in label_maps_of(QgsProject.instance(), grid["EXTENT"], grid["PIXEL_SIZE"])[:1]:
+            # Its file is the user's: it is not replaced unasked.
+            again = {**grid, "INPUT": grid["INPUT"].id(), "OUTPUT": layer_file(layer)}
+            self.outdated.emit(layer.name(), again)
 
     def _undo_update(self, database: str) -> None:
         # Not at the top: it writes databases, and the dock shall open at once.
