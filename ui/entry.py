@@ -12,6 +12,7 @@ from ..processing.framework.base import ICON_PATH
 from ..processing.packages.components import OPENCV, SHAPELY, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
+from .database_drop import DatabaseDrop
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
@@ -49,6 +50,8 @@ class DockEntry:
         self._preload = Preload(self._dock)
         self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
         iface.registerLocatorFilter(self._locator)
+        self._drop = DatabaseDrop()
+        iface.registerCustomDropHandler(self._drop)
         self._sample = None
         self._sample_action = QAction(tr("Open the sample project…"), window)
         self._sample_action.setObjectName("SemRefSampleAction")
@@ -118,6 +121,7 @@ class DockEntry:
             self._sample.shut_down()
             self._sample.deleteLater()
         self._sample = self._sample_action = None
+        self._iface.unregisterCustomDropHandler(self._drop)
         # QGIS deletes it.
         self._iface.deregisterLocatorFilter(self._locator)
         QgsSettings().setValue(_VISIBLE_SETTING, not self._dock.isHidden())
@@ -128,7 +132,7 @@ class DockEntry:
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
         withdraw_widgets()
-        self._dock = self._action = self._locator = self._help = self._options = self._installer = None
+        self._dock = self._action = self._locator = self._drop = self._help = self._options = self._installer = None
         self._training_installer = self._preload = self._diagnostics = self._diagnostics_action = None
 
     def _show_options(self) -> None:

@@ -26,6 +26,7 @@ class InterfaceStandIn:
         self.menu_actions = []
         self.options_factories = []
         self.locator_filters = []
+        self.drop_handlers = []
         self.options_pages_shown = []
 
     def mainWindow(self):
@@ -85,6 +86,12 @@ class InterfaceStandIn:
     def addProject(self, path):
         return QgsProject.instance().read(path)
 
+    def registerCustomDropHandler(self, handler):
+        self.drop_handlers.append(handler)
+
+    def unregisterCustomDropHandler(self, handler):
+        self.drop_handlers.remove(handler)
+
     def registerLocatorFilter(self, locator_filter):
         self.locator_filters.append(locator_filter)
 
@@ -94,4 +101,4 @@ class InterfaceStandIn:
     def leftovers(self) -> list:
         """What a plugin added and did not take away."""
         actions = self.tool_bar_actions + self.menu_actions
-        return self.docks + actions + self.options_factories + self.locator_filters
+        return self.docks + actions + self.options_factories + self.locator_filters + self.drop_handlers

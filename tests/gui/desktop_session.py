@@ -2,6 +2,7 @@
 
 import json
 import os
+import time
 import traceback
 from collections import Counter
 
@@ -12,12 +13,15 @@ from qgis.core import (
     QgsGeometry,
     QgsProcessingContext,
     QgsProcessingFeedback,
+    QgsProject,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtCore import QCoreApplication, QEvent, QTimer
-from qgis.PyQt.QtWidgets import QDockWidget, QToolBar
+from qgis.PyQt.QtCore import QCoreApplication, QEvent, QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
+from qgis.PyQt.QtWidgets import QApplication, QDockWidget, QToolBar
 
 ROUNDS = 5
+DROP_S = 3
 PLUGIN = "semref"
 BOW_TIE = "POLYGON((0 0, 20 20, 20 0, 0 20, 0 0))"
 SQUARE = "POLYGON((100 0, 120 0, 120 20, 100 20, 100 0))"
@@ -92,13 +96,42 @@ def check_annotation() -> dict:
     }
 
 
+def dropped(path: str) -> dict:
+    """Drops a file on QGIS's window: the windows that ask something, and the layers that came."""
+    window, asked = qgis.utils.iface.mainWindow(), []
+
+    def close_question() -> None:
+        dialog = QApplication.activeModalWidget()
+        if dialog is not None:
+            asked.append(dialog.windowTitle())
+            dialog.close()
+
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(path)])
+    how = Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(window, QDragEnterEvent(QPoint(5, 5), *how))
+    QApplication.sendEvent(window, QDropEvent(QPointF(5, 5), *how))
+    closer = QTimer()
+    closer.timeout.connect(close_question)
+    closer.start(300)
+    end = time.monotonic() + DROP_S
+    while time.monotonic() < end:
+        QCoreApplication.processEvents()
+    closer.stop()
+    layers = sorted(layer.name() for layer in QgsProject.instance().mapLayers().values())
+    QgsProject.instance().clear()
+    return {"asked": asked, "layers": layers}
+
+
 def session() -> dict:
     qgis.utils.updateAvailablePlugins()
     rounds = [one_round() for _ in range(ROUNDS)]
     # The plugin stays loaded while QGIS quits, as it does for a user.
     stays = qgis.utils.loadPlugin(PLUGIN) and qgis.utils.startPlugin(PLUGIN)
     settle()
-    return {"rounds": rounds, "stays": stays, "check": check_annotation()}
+    database, other = os.environ["SEMREF_DATABASE"], os.environ["SEMREF_OTHER"]
+    drops = {"database": dropped(database), "other": dropped(other)}
+    return {"rounds": rounds, "stays": stays, "check": check_annotation(), "drops": drops}
 
 
 def run() -> None:

@@ -11,11 +11,33 @@ pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
 
 @pytest.fixture(scope="module")
-def desktop(repository, display, tmp_path_factory) -> dict:
+def desktop(repository, display, area, tmp_path_factory) -> dict:
     """What desktop_session.py saw in QGIS, with `exit_status` and `output` of the process."""
     home = tmp_path_factory.mktemp("desktop")
     install_package(repository, home / "profiles" / "default" / "python" / "plugins")
-    return run_desktop(home, display, Path(__file__).with_name("desktop_session.py"), {})
+    other = home / "other.gpkg"
+    for table in ("roads", "rivers"):
+        write_layer(str(other), table)
+    variables = {"SEMREF_DATABASE": area.database, "SEMREF_OTHER": str(other)}
+    return run_desktop(home, display, Path(__file__).with_name("desktop_session.py"), variables)
+
+
+def write_layer(path: str, table: str) -> None:
+    from osgeo import ogr
+
+    driver = ogr.GetDriverByName("GPKG")
+    source = driver.Open(path, 1) or driver.CreateDataSource(path)
+    source.CreateLayer(table, geom_type=ogr.wkbPoint)
+    del source
+
+
+def test_a_database_that_is_dropped_on_qgis_comes_without_a_question(desktop):
+    assert desktop["drops"]["database"] == {"asked": [], "layers": ["Landmarks", "Overview", "Windows"]}
+
+
+def test_other_files_that_are_dropped_are_left_to_qgis(desktop):
+    (asked,) = desktop["drops"]["other"]["asked"]
+    assert asked.startswith("Select Items to Add")
 
 
 def test_no_python_error_is_logged(desktop):

@@ -167,3 +167,20 @@ def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab
     QgsProject.instance().clear()
     settle()
     assert messages(iface) == []
+
+
+def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(
+    dock, iface, area, tmp_path, monkeypatch, tab
+):
+    from qgis.core import QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    saved = str(tmp_path / "results.gpkg")
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
+    localize(dock, area.database, [area.image])
+    tab.results.save.trigger()
+    QgsProject.instance().clear()
+    (handler,) = iface.drop_handlers
+    assert handler.handleFileDrop(saved) and not handler.handleFileDrop(area.image)
+    names = sorted(layer.name() for layer in QgsProject.instance().mapLayers().values())
+    assert {"SemRef footprints", "SemRef positions", "SemRef matches"} <= set(names)
