@@ -37,7 +37,7 @@ class FoldingRow(QWidget):
             self._row.addWidget(part, 1)
 
     def minimumSizeHint(self) -> QSize:
-        widest = max(part.minimumSizeHint().width() for part in self._parts)
+        widest = max(map(_least_width, self._parts))
         return QSize(widest, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -51,12 +51,16 @@ class FoldingRow(QWidget):
         return super().event(event)
 
     def _fold(self) -> None:
-        side_by_side = sum(part.minimumSizeHint().width() for part in self._parts)
+        side_by_side = sum(map(_least_width, self._parts))
         side_by_side += (len(self._parts) - 1) * self._row.spacing()
         directions = QBoxLayout.Direction
         wanted = directions.LeftToRight if side_by_side <= self.width() else directions.TopToBottom
         if self._row.direction() != wanted:
             self._row.setDirection(wanted)
+
+
+def _least_width(part: QWidget) -> int:
+    return max(part.minimumSizeHint().width(), part.minimumWidth())
 
 
 def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:

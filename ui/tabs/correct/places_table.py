@@ -20,7 +20,7 @@ from ...widgets.rows import changes_font, select_row
 from ...widgets.severity_icons import severity_icon
 from ...widgets.tips import plain_tip
 
-SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, AREA_COLUMN, POSITION_COLUMN = range(5)
+SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, POSITION_COLUMN = range(4)
 
 SEVERITY = "severity"
 """Field of *Check annotation*'s issues."""
@@ -28,7 +28,10 @@ SEVERITY = "severity"
 KIND = "kind"
 """Field of keys of which *Check annotation* has words."""
 
-_COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"), ("area",))
+AREA = "area"
+"""Field of square meters."""
+
+_COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"))
 """Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
 
 _LINES = 2
@@ -106,7 +109,7 @@ class PlacesTable(QTableWidget):
             item.setData(Qt.ItemDataRole.UserRole, place.id)
             if column == MESSAGE_COLUMN:
                 item.setToolTip(plain_tip(item.text()))
-            if column in (AREA_COLUMN, POSITION_COLUMN):
+            if column == POSITION_COLUMN:
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.setItem(number, column, item)
         return number
@@ -139,7 +142,7 @@ class PlacesTable(QTableWidget):
 
     def fit_columns(self) -> None:
         """As wide as kinds need, but no wider than a third: the message matters more."""
-        for column in (KIND_COLUMN, AREA_COLUMN, POSITION_COLUMN):
+        for column in (KIND_COLUMN, POSITION_COLUMN):
             self.resizeColumnToContents(column)
         self._fit_width()
 
@@ -190,24 +193,26 @@ def _has_messages(layer: QgsVectorLayer) -> bool:
 
 def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
     """All of a layer, one after the other."""
-    fields, words, with_severity = _fields(layer), kind_titles(), has_severity(layer)
+    words, with_severity, with_messages = kind_titles(), has_severity(layer), _has_messages(layer)
     for feature in layer.getFeatures():
         severity = feature[SEVERITY] if with_severity else ""
-        texts = _texts(feature, fields, words, layer.crs().isGeographic())
-        title = texts[0] if fields[0] == KIND else " → ".join(texts[:2])
-        kind = feature[KIND] if fields[0] == KIND else title
-        if not _has_messages(layer):
-            # There is room, and everything else may be the same in all rows.
-            texts[1] += f"\n{texts[-1]}"
-        yield Place(feature.id(), "" if is_null(severity) else severity, texts, "" if is_null(kind) else kind, title)
+        kind, message, area, position = _texts(feature, layer, words)
+        # Of disagreements both classes may be the same in all rows, and there is room below the second one.
+        title, key = (kind, feature[KIND]) if with_messages else (f"{kind} → {message}",) * 2
+        second = _joined(area, message) if with_messages else f"{message}\n{_joined(area, position)}"
+        texts = [kind, second, position]
+        yield Place(feature.id(), "" if is_null(severity) else severity, texts, "" if is_null(key) else key, title)
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
     """All that is known of a place."""
     severity = feature[SEVERITY] if has_severity(layer) else None
     first = "" if is_null(severity) else severity_title(severity)
-    kind, message, area, position = _texts(feature, _fields(layer), kind_titles(), layer.crs().isGeographic())
-    return " · ".join(filter(None, (first, kind, message, f"{area} m²" if area else "", position)))
+    return _joined(first, *_texts(feature, layer, kind_titles()))
+
+
+def _joined(*texts: str) -> str:
+    return " · ".join(filter(None, texts))
 
 
 def _fields(layer: QgsVectorLayer) -> list[str | None]:
@@ -222,15 +227,18 @@ def _title(field: str | None) -> str:
         "message": tr("Message"),
         "annotated_class": tr("Annotated"),
         "predicted_class": tr("Predicted"),
-        "area": tr("Area (m²)"),
     }
     return titles.get(field, "")
 
 
-def _texts(feature: QgsFeature, fields: list[str | None], kinds: dict[str, str], in_degrees: bool) -> list[str]:
+def _texts(feature: QgsFeature, layer: QgsVectorLayer, kinds: dict[str, str]) -> tuple[str, str, str, str]:
+    """Kind, message, area and position; of disagreements both classes instead of the first two."""
+    fields = _fields(layer)
     values = [(name, None if name is None else feature[name]) for name in fields]
-    texts = ["" if is_null(value) else _text(value, kinds if name == KIND else {}) for name, value in values]
-    return [*texts, _position(feature, 5 if in_degrees else 0)]
+    kind, message = ("" if is_null(v) else _text(v, kinds if name == KIND else {}) for name, v in values)
+    area = feature[AREA] if AREA in layer.fields().names() else None
+    size = "" if is_null(area) else tr("{area} m²").format(area=number_text(area, 1))
+    return kind, message, size, _position(feature, 5 if layer.crs().isGeographic() else 0)
 
 
 def _position(feature: QgsFeature, decimals: int) -> str:
@@ -242,8 +250,6 @@ def _position(feature: QgsFeature, decimals: int) -> str:
 
 
 def _text(value: object, words: dict[str, str]) -> str:
-    """Numbers as the user's language writes them, keys by their words, other codes as words."""
-    if isinstance(value, float):
-        return number_text(value, 1)
+    """Keys by their words, other codes as words."""
     text = str(value)
     return words.get(text) or (text.replace("_", " ") if text.isidentifier() else text)

@@ -22,7 +22,7 @@ from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.buttons import shortcut, tool_button
 from ...widgets.choice_box import ChoiceBox
-from ...widgets.layouts import narrow, row_of
+from ...widgets.layouts import FoldingRow, narrow, row_of
 from ...widgets.numbers import number_text
 from .places_table import Place, PlacesTable, has_severity, is_places, place_text, places_of
 from .repair_button import RepairButton
@@ -107,9 +107,6 @@ class CorrectTab(QWidget):
         self.mend = QCheckBox(tr("Without information"))
         self.mend.setToolTip(tr("Lists errors and warnings only: what has to be mended"))
         self.mend.setChecked(QgsSettings().value(MEND_SETTING, False, type=bool))
-        for box in (self.open, self.mend):
-            # The dock may be narrower than both.
-            box.setMinimumWidth(1)
         self.progress = QProgressBar()
         self.progress.setFormat(tr("%v of %m done"))
         layout = narrow(QVBoxLayout(self), 0)
@@ -118,7 +115,7 @@ class CorrectTab(QWidget):
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
         layout.addLayout(row_of(self.before, self.after, (self.done, 1)))
-        layout.addLayout(row_of((self.open, 1), (self.mend, 1)))
+        layout.addWidget(FoldingRow(self.open, self.mend))
         layout.addWidget(self.progress)
         layout.addWidget(self.updating)
 
