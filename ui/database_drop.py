@@ -12,14 +12,12 @@ from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.inspection.chosen import require_database
 from .running.localization_run import named_results
 
-_SUFFIXES = ".gpkg", ".semrefset"
-
 
 class DatabaseDrop(QgsCustomDropHandler):
     """Otherwise QGIS would ask which of the tables it shall add, and add them without names and order."""
 
     def handleFileDrop(self, file):
-        return file.lower().endswith(_SUFFIXES) and (_did(_add_database, file) or _did(_add_results, file))
+        return file.lower().endswith(".gpkg") and (_did(_add_database, file) or _did(_add_results, file))
 
 
 def _add_database(path: str) -> None:

@@ -43,19 +43,17 @@ def look_at_images(paths: Sequence[str]) -> ChosenImages:
 
 
 def require_database(path: str) -> None:
-    """Open a reference database, or each one of a set, and check that its tables are there.
+    """Open a reference database and check that its tables are there.
 
     Raises:
         DatabaseError: It is missing or damaged, or another kind of file.
     """
     from ...storage.database.connection import snapshot
-    from ...storage.database.sets import is_set, parts_of
 
-    for part in parts_of(path) if is_set(path) else [path]:
-        try:
-            with snapshot(part):
-                pass
-        except DatabaseError as error:
-            # Another program will be done with it soon.
-            if error.sentence.code != "storage.database_in_use":
-                raise
+    try:
+        with snapshot(path):
+            pass
+    except DatabaseError as error:
+        # Another program will be done with it soon.
+        if error.sentence.code != "storage.database_in_use":
+            raise
