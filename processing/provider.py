@@ -21,7 +21,6 @@ from .algorithms.localize_flight import LocalizeFlight
 from .algorithms.localize_images import LocalizeImages
 from .algorithms.make_class_table import MakeClassTable
 from .algorithms.make_route_sheet import MakeRouteSheet
-from .algorithms.make_sample import MakeSample
 from .algorithms.rasterize_annotation import RasterizeAnnotation
 from .algorithms.repair_annotation import RepairAnnotation
 from .algorithms.segment_image import SegmentImage
@@ -40,7 +39,6 @@ ALGORITHMS = (
     ExportTrainingTiles,
     TrainModel,
     SegmentImage,
-    MakeSample,
     BuildDatabase,
     UpdateDatabase,
     ExportOnboard,

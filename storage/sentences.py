@@ -124,8 +124,6 @@ SENTENCES = {
         "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose "
         "another name."
     ),
-    "storage.layer_not_created": "The layer {layer} can’t be created: {reason}.",
-    "storage.not_rasterized": "The landscape can’t be rasterized: {reason}.",
     "storage.unknown_reason": "unknown reason",
     "storage.unknown_format": "unknown format",
 }

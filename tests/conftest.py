@@ -1,10 +1,11 @@
-"""Loads the repository root, whatever its folder is called, as the package `semref`."""
+"""Loads the repository root, whatever its folder is called, as the package `semref`, and tools/sample as `sample`."""
 
 from __future__ import annotations
 
 import gc
 import importlib.util
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -19,16 +20,17 @@ sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != RO
 sys.path.append(str(ROOT / "tests" / "data"))
 
 
-def load_plugin_package() -> None:
+def load_package(name: str, folder: Path) -> None:
     spec = importlib.util.spec_from_file_location(
-        "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
+        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
     )
     package = importlib.util.module_from_spec(spec)
-    sys.modules["semref"] = package
+    sys.modules[name] = package
     spec.loader.exec_module(package)
 
 
-load_plugin_package()
+load_package("semref", ROOT)
+load_package("sample", ROOT / "tools" / "sample")
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -41,6 +43,13 @@ def own_cache_folder(tmp_path_factory):
 def repository() -> Path:
     """The repository root."""
     return ROOT
+
+
+@pytest.fixture(scope="session")
+def sample() -> Path:
+    """The sample area as it ships, to read only; made where it is missing or older than its generator."""
+    subprocess.run([sys.executable, "-m", "tools.sample"], cwd=ROOT, check=True)
+    return ROOT / "sample"
 
 
 @pytest.fixture(scope="session")

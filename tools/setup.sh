@@ -78,3 +78,4 @@ if [ "$(cat "$venv/state" 2>/dev/null)" != "$state" ]; then
 fi
 "$venv/bin/python" -c 'import cv2, numpy, qgis.core' 2>/dev/null ||
     fail "$venv/bin/python cannot import QGIS, numpy and OpenCV; remove $venv and run this again."
+(cd "$repository" && "$venv/bin/python" -m tools.sample) || fail "the sample area could not be made; see the message above."

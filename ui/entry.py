@@ -9,7 +9,7 @@ from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ..processing.framework.base import ICON_PATH
-from ..processing.packages.components import OPENCV, SHAPELY, missing
+from ..processing.packages.components import OPENCV, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
 from .database_drop import DatabaseDrop
@@ -81,10 +81,8 @@ class DockEntry:
             installer.broke.connect(self._dock.messages.bug)
 
     def _open_sample(self) -> None:
-        lacking = missing((OPENCV, SHAPELY))
-        if lacking:
-            names = ", ".join(package.title for package in lacking)
-            sentence = tr("The sample project needs {packages}.").format(packages=names)
+        if missing((OPENCV,)):
+            sentence = tr("The sample project needs {packages}.").format(packages=OPENCV.title)
             told = Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
             self._installer.installed.connect(told.dismiss)
             return
@@ -95,7 +93,7 @@ class DockEntry:
 
     def _sample_project(self):
         if self._sample is None:
-            # Not at the top: the plugin has to load where these packages are missing.
+            # Not at the top: the plugin has to load where OpenCV is missing.
             from .sample_project import SampleProject
 
             self._sample = SampleProject(self._iface, self._dock)

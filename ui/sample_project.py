@@ -1,39 +1,39 @@
-"""The sample project: made step by step in the background, opened as a project, with the dock ready on its photos."""
+"""The sample project: copied from the plugin, its database built, opened with the dock ready on its photos."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import shutil
 from pathlib import Path
 
 from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, QgsSettings, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
 
+from ..core.errors import ParameterError, SemRefError
 from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.exchange.styles import annotation_renderer
 from ..processing.inspection.models import SHIPPED
 from ..processing.translation import tr
-from ..storage.sample_files import (
-    ANNOTATION_FILE,
-    CLASS_FIELD,
-    MARKER,
-    ORTHOPHOTO_FILE,
-    PHOTOS_FOLDER,
-    PIXEL_SIZE_M,
-    PRIORITY_FIELD,
-)
+from ..processing.wording.sentences import worded
+from ..storage.files import folder_written_beside
 from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
+from .widgets.database_box import MAKE_DATABASE
 from .widgets.messages import TAG, Messages
 from .widgets.remaining_bar import RemainingBar
 
 FOLDER = "semref_sample"
 """Made in the folder that the user picks, unless that one is empty."""
 
+SAMPLE = Path(__file__).resolve().parents[1] / "sample"
+"""The files that ship; in a checkout, ``python -m tools.sample`` makes them."""
+
+MARKER, ANNOTATION_FILE, ORTHOPHOTO_FILE, PHOTOS_FOLDER = "sample.json", "landcover.shp", "orthophoto.tif", "photos"
 LABEL_MAP_FILE, DATABASE_FILE, PROJECT_FILE = "label_map.tif", "reference_database.gpkg", "semref_sample.qgz"
 MODEL = SHIPPED / "sample_area.onnx"
-WINDOW_SIZE_M, STRIDE_M, MINIMUM_AREA_M2 = 640, 160, 50
+CLASS_FIELD, PRIORITY_FIELD = "class", "zorder"
+PIXEL_SIZE_M, WINDOW_SIZE_M, STRIDE_M, MINIMUM_AREA_M2 = 1.0, 640, 160, 50
 
 LAND_COVER_OPACITY = 0.5
 """The orthophoto below stays visible."""
@@ -41,21 +41,9 @@ LAND_COVER_OPACITY = 0.5
 _FOLDER_SETTING = "semref/sample_folder"
 
 
-@dataclass(frozen=True)
-class Step:
-    """One algorithm: the file that tells that it is done, its id, parameters, and what the user is told."""
-
-    result: Path
-    algorithm: str
-    parameters: dict
-    text: str
-
-
 class SampleProject(QObject):
     """Asks for a folder, makes there what is missing, and opens it; ``shut_down`` before it is deleted."""
 
-    percent = pyqtSignal(int)
-    said = pyqtSignal(str)
     ended = pyqtSignal()
 
     def __init__(self, iface, dock) -> None:
@@ -63,12 +51,8 @@ class SampleProject(QObject):
         self._iface, self._dock = iface, dock
         self._messages = Messages(iface.messageBar())
         self._folder = Path()
-        self._steps: list[Step] = []
-        self._step_count = 0
         self.run = AlgorithmRun(self)
-        self.run.progressed.connect(self._show_progress)
-        self.run.said.connect(self.said)
-        self.run.done.connect(self._go_on)
+        self.run.done.connect(self._finish)
         self.run.failed.connect(self._fail)
         self.run.broke.connect(self._break)
         self.run.canceled.connect(self.ended)
@@ -92,29 +76,27 @@ class SampleProject(QObject):
 
     def make(self, picked: Path) -> None:
         """In a folder that the user picked; what an earlier run finished is kept."""
+        if not (SAMPLE / MARKER).exists():
+            self._messages.error(tr("This copy of SemRef has no sample area. Install SemRef from its zip file."))
+            return
         try:
             self._folder = sample_folder(picked)
+            copy_sample(self._folder)
+        except SemRefError as error:
+            self._messages.error(worded(error))
+            return
         except OSError:
             self._messages.error(tr("{folder} can’t be read; choose another folder.").format(folder=picked))
             return
-        self._steps = [step for step in steps(self._folder) if not step.result.exists()]
-        self._step_count = len(self._steps)
-        if self._steps:
-            self._show_bar()
-        self._go_on()
-
-    def _go_on(self, *_) -> None:
-        if self._steps:
-            step = self._steps.pop(0)
-            self.said.emit(step.text)
-            self.run.start_algorithm(step.algorithm, step.parameters, step.text)
-        else:
-            self.ended.emit()
+        if (self._folder / DATABASE_FILE).exists():
             self._open()
+            return
+        self._show_bar()
+        self.run.start_algorithm(MAKE_DATABASE, parameters(self._folder), tr("Making the sample project"))
 
-    def _show_progress(self, percent: float) -> None:
-        done = self._step_count - len(self._steps) - 1
-        self.percent.emit(round((100 * done + percent) / self._step_count))
+    def _finish(self, *_) -> None:
+        self.ended.emit()
+        self._open()
 
     def _fail(self, sentence: str) -> None:
         self.ended.emit()
@@ -132,8 +114,7 @@ class SampleProject(QObject):
         progress.begin()
         for widget in (progress, cancel):
             item.layout().addWidget(widget)
-        self.said.connect(item.setText)
-        self.percent.connect(progress.show_percent)
+        self.run.progressed.connect(progress.show_percent)
         cancel.clicked.connect(self.run.cancel)
         self.ended.connect(item.dismiss)
         bar.pushWidget(item, Qgis.MessageLevel.Info)
@@ -165,37 +146,35 @@ def sample_folder(picked: Path) -> Path:
     return picked / FOLDER
 
 
-def steps(folder: Path) -> list[Step]:
-    """What makes the sample project, in order."""
-    labels, database = folder / LABEL_MAP_FILE, folder / DATABASE_FILE
-    return [
-        Step(folder / MARKER, "semref:makesample", {"OUTPUT": str(folder)}, tr("Making the sample area")),
-        Step(
-            labels,
-            "semref:rasterizeannotation",
-            {
-                "INPUT": str(folder / ANNOTATION_FILE),
-                "CLASS_FIELD": CLASS_FIELD,
-                "PRIORITY_FIELD": PRIORITY_FIELD,
-                "CLASS_TABLE": str(folder / CLASSES_FILE),
-                "PIXEL_SIZE": PIXEL_SIZE_M,
-                "OUTPUT": str(labels),
-            },
-            tr("Rasterizing the sample area"),
-        ),
-        Step(
-            database,
-            "semref:builddatabase",
-            {
-                "LABELS": str(labels),
-                "WINDOW_SIZE": WINDOW_SIZE_M,
-                "STRIDE": STRIDE_M,
-                "MINIMUM_AREA": MINIMUM_AREA_M2,
-                "DATABASE": str(database),
-            },
-            tr("Building the sample’s reference database"),
-        ),
-    ]
+def copy_sample(folder: Path) -> None:
+    """Copy the files that ship into a new or empty folder; one that has them stays as it is.
+
+    Raises:
+        ParameterError: The folder has other files or can't be written to.
+    """
+    if (folder / MARKER).exists():
+        return
+    try:
+        with folder_written_beside(str(folder)) as made:
+            shutil.copytree(SAMPLE, made, dirs_exist_ok=True, ignore=shutil.ignore_patterns(".*"))
+    except OSError as error:
+        raise ParameterError("storage.unwritable", path=folder, reason=error.strerror or error) from error
+
+
+def parameters(folder: Path) -> dict:
+    """Of the algorithm that makes the label map and the database."""
+    return {
+        "INPUT": str(folder / ANNOTATION_FILE),
+        "CLASS_FIELD": CLASS_FIELD,
+        "PRIORITY_FIELD": PRIORITY_FIELD,
+        "CLASS_TABLE": str(folder / CLASSES_FILE),
+        "PIXEL_SIZE": PIXEL_SIZE_M,
+        "WINDOW_SIZE": WINDOW_SIZE_M,
+        "STRIDE": STRIDE_M,
+        "MINIMUM_AREA": MINIMUM_AREA_M2,
+        "rasterize:Label map": str(folder / LABEL_MAP_FILE),
+        "build:Reference database": str(folder / DATABASE_FILE),
+    }
 
 
 def fill_project(project: QgsProject, folder: Path) -> QgsReferencedRectangle:

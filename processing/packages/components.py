@@ -181,7 +181,7 @@ def purpose(package: Package) -> str:
     """What the package is for, in the user's language."""
     return {
         OPENCV: tr("Everything: label maps, databases, localization"),
-        SHAPELY: tr("Checking and repairing annotations, making the sample project"),
+        SHAPELY: tr("Checking and repairing annotations"),
         ONNXRUNTIME: tr("Segmenting photos with a network"),
         DASK: tr("Building databases and label maps by many processes or machines"),
         CRYPTOGRAPHY: tr("Dask on this machine: keeps other users out of its processes"),

@@ -76,7 +76,6 @@ MAY_IMPORT = {
         "simulation": {"geometry", "labels", "landmarks"},
         "evaluation": ABOVE_THE_IMAGE,
         "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation", "flight"},
-        "sample": {"geometry", "simulation"},
         "__main__": {"onboard"},
     },
     "processing": {

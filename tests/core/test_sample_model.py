@@ -8,9 +8,10 @@ import shapely
 
 pytest.importorskip("onnxruntime")
 
+from sample.classes import CLASSES
+
+from sample import landscape, photo
 from semref.core.labels.image_source import ArrayImage
-from semref.core.sample import landscape, photo
-from semref.core.sample.classes import CLASSES
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.tiling import segment
 

@@ -1,4 +1,4 @@
-"""The first run: the sample project from the menu, as a person clicks it; a small area, the file dialog stubbed."""
+"""The first run: the sample project from the menu, as a person clicks it; the file dialog stubbed."""
 
 from __future__ import annotations
 
@@ -6,19 +6,17 @@ import time
 from pathlib import Path
 
 import pytest
-from small_sample import make_small
 
 DEADLINE_S = 300
 
 
 @pytest.fixture
-def plugin(iface, without_provider, monkeypatch):
+def plugin(iface, without_provider, sample):
     from qgis.core import QgsProject, QgsSettings
 
     from semref.plugin import SemRefPlugin
 
     QgsSettings().remove("semref")
-    make_small(monkeypatch)
     loaded = SemRefPlugin(iface)
     loaded.initGui()
     yield loaded
@@ -118,6 +116,7 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
     assert dock.content.localize.localize_button.isEnabled()
     assert "Press “Localize”" in messages(iface)[0][1] and len(messages(iface)) == 1
     assert (tmp_path / "letter.txt").exists()
+    assert not [path for path in folder.iterdir() if path.name.startswith(".")]
 
     pytest.importorskip("onnxruntime")
     dock.content.localize.images.list.show_only(dock.content.localize.images.paths()[:2])
@@ -166,26 +165,35 @@ def test_another_folder_of_that_name_is_left_alone_and_said(open_sample, iface, 
     assert not is_open()
 
 
-def test_cancel_in_the_message_bar_leaves_nothing(open_sample, iface, tmp_path):
+def test_cancel_in_the_message_bar_opens_nothing(open_sample, iface, tmp_path):
     from qgis.PyQt.QtWidgets import QPushButton
 
     open_sample(tmp_path)
     settle()
     iface.bar.items()[0].findChild(QPushButton).click()
     wait_until(lambda: messages(iface) == [], "the end")
-    assert list(tmp_path.iterdir()) == []
+    assert not [path for path in tmp_path.iterdir() if path.name.startswith((".", "label_map", "reference"))]
     assert not is_open()
 
 
 def test_a_user_who_keeps_the_open_project_is_told_where_the_sample_is(plugin, iface, tmp_path):
     from qgis.core import QgsProject, QgsVectorLayer
 
-    from semref.ui.sample_project import steps
+    from semref.ui.sample_project import DATABASE_FILE, MARKER
 
-    for step in steps(tmp_path):
-        step.result.touch()
+    for name in (MARKER, DATABASE_FILE):
+        (tmp_path / name).touch()
     QgsProject.instance().addMapLayer(QgsVectorLayer("Point", "unsaved work", "memory"))
     iface.lets_projects_go = False
     plugin._entry._sample_project().make(tmp_path)
     assert list(layers()) == ["unsaved work"]
     assert str(tmp_path) in messages(iface)[0][1]
+
+
+def test_a_copy_of_the_plugin_without_the_sample_says_so(open_sample, iface, tmp_path, monkeypatch):
+    from semref.ui import sample_project
+
+    monkeypatch.setattr(sample_project, "SAMPLE", tmp_path / "nowhere")
+    open_sample(tmp_path)
+    assert "has no sample area" in messages(iface)[0][1]
+    assert list(tmp_path.iterdir()) == []

@@ -35,8 +35,8 @@ def test_the_dock_says_what_is_missing_and_leads_to_the_installer(start):
     assert start["options"] == ["SemRefOptions"]
 
 
-def test_the_sample_project_asks_for_its_packages(start):
-    assert [text for text in start["bar"] if "OpenCV, Shapely" in text]
+def test_the_sample_project_asks_for_its_package(start):
+    assert [text for text in start["bar"] if "The sample project needs OpenCV" in text]
 
 
 def test_each_algorithm_says_in_one_sentence_what_is_missing_and_where_to_install_it(start):

@@ -12,7 +12,6 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsProcessingParameterDefinition
-from small_sample import make_small
 
 TRAINING = "trainmodel"
 PLACES = (".shp", ".csv", ".tif", ".gpkg", ".onnx", ".html", ".npz", ".pdf", ".png", ".jpg")
@@ -69,12 +68,13 @@ def test_both_calls_say_the_same(calls):
 
 @pytest.mark.slow
 def test_the_examples_run_one_after_the_other_on_the_sample_area(
-    calls, run_algorithm, repository, tmp_path, monkeypatch
+    calls, run_algorithm, repository, sample, tmp_path, monkeypatch
 ):
     from osgeo import gdal
 
     monkeypatch.chdir(tmp_path)
     shutil.copy(repository / "models" / calls.MODEL, tmp_path)
+    shutil.copytree(sample, tmp_path / "sample")
     for name in calls.EXAMPLES:
         if name in (TRAINING, "classifyopenstreetmap"):
             continue
@@ -88,12 +88,13 @@ def test_the_examples_run_one_after_the_other_on_the_sample_area(
             assert results["FIX_COUNT"] == 12
 
 
-def test_the_first_examples_run_on_a_small_sample_area(calls, run_algorithm, tmp_path, monkeypatch, repository):
-    """From made-up polygons to photos on the map."""
-    make_small(monkeypatch)
+def test_the_first_examples_lead_from_polygons_to_photos_on_the_map(
+    calls, run_algorithm, repository, sample, tmp_path, monkeypatch
+):
     monkeypatch.chdir(tmp_path)
     shutil.copy(repository / "models" / calls.MODEL, tmp_path)
-    steps = ("makesample", "classtable", "rasterizeannotation", "builddatabase", "exportonboard", "localizeimages")
+    shutil.copytree(sample, tmp_path / "sample")
+    steps = ("classtable", "rasterizeannotation", "builddatabase", "exportonboard", "localizeimages")
     results = [run_algorithm(f"semref:{name}", calls.EXAMPLES[name]) for name in steps]
     assert (tmp_path / "onboard.npz").stat().st_size > 1000
-    assert results[-1]["FIX_COUNT"] >= 8
+    assert results[-1]["FIX_COUNT"] == 12

@@ -27,7 +27,6 @@ NAMES = (
     "builddatabase",
     "updatedatabase",
     "exportonboard",
-    "makesample",
     "describeimage",
     "localizeimages",
     "localizeflight",

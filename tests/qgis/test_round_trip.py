@@ -9,10 +9,10 @@ import pytest
 from made_inputs import read_pixels
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
+from sample.classes import CLASSES
 
-from semref.core.sample import landscape as landscape_module
-from semref.core.sample.classes import CLASSES
-from semref.storage import sample_files
+from sample import files as sample_files
+from sample import landscape as landscape_module
 
 pytestmark = pytest.mark.slow
 

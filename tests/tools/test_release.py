@@ -75,7 +75,7 @@ def test_addresses_that_nobody_filled_in_are_named():
 
 
 @pytest.fixture
-def contents(tmp_path) -> dict[str, bytes]:
+def contents(sample, tmp_path) -> dict[str, bytes]:
     """The files of a zip of this repository, with the start of a guide and translations where they were not made."""
     target = tmp_path / "made.zip"
     package.write_package(target)
@@ -109,6 +109,7 @@ def test_the_zip_of_this_repository_is_in_order(faults):
     ("changed", "told"),
     [
         ({check_zip.HELP_START: None}, "guide is missing"),
+        ({check_zip.SAMPLE_MARKER: None}, "sample area is missing"),
         ({"semref/i18n/semref_fr.qm": None}, "translation into fr is missing"),
         ({"semref/tests/test_x.py": b""}, "not for users"),
         ({"other/x.py": b""}, "does not lie in the folder semref"),

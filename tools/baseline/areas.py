@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import csv
 import shutil
+import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,6 +16,7 @@ from osgeo import gdal, ogr, osr
 from . import dumps
 from .recorder import Recorder
 
+ROOT = Path(__file__).resolve().parents[2]
 LIECHTENSTEIN = "osm_liechtenstein_2021/li_landcover_2021.shp"
 CHRISTCHURCH = "lcdb5_christchurch/lcdb5_christchurch.gpkg"
 PATCHES = (
@@ -81,7 +84,7 @@ def make(recorder: Recorder) -> dict[str, Any]:
 
 def _sample(recorder: Recorder) -> Area:
     folder = recorder.path("sample")
-    recorder.run("sample/made", "makesample", {"OUTPUT": folder})
+    subprocess.run([sys.executable, "-m", "tools.sample", folder], cwd=ROOT, check=True)
     recorder.put("sample/files", dumps.folder_files(folder))
     recorder.put_layer("sample/landcover", f"{folder}/landcover.shp")
     for name in ("classes.csv", "photos.csv"):

@@ -73,7 +73,10 @@ def _refusals(recorder: Recorder, sample) -> None:
         "levels are no numbers": ("builddatabase", {**built, "LEVELS": "1;two"}),
         "no such field": ("rasterizeannotation", {**polygons, "CLASS_FIELD": "none", "OUTPUT": output}),
         "too fine": ("rasterizeannotation", {**polygons, "PIXEL_SIZE": 0.001, "OUTPUT": recorder.path("fine.tif")}),
-        "folder is taken": ("makesample", {"OUTPUT": str(recorder.work)}),
+        "folder is taken": (
+            "exporttrainingtiles",
+            {"IMAGE": f"{folder}/orthophoto.tif", "LABELS": sample.labels, "OUTPUT": str(recorder.work)},
+        ),
         "export over a database": ("exportonboard", {"DATABASE": sample.database, "OUTPUT": sample.database}),
     }
     said = {}

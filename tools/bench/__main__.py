@@ -5,7 +5,7 @@
 
 NAME is one of those in NAMES below, or all; each is a module of this folder. Times are compared within one run: the
 candidates take turns, and the ratio of each turn is what counts. Without the real data (--data, ../shared/data) the
-sample area of tools/demo/make_sample.py is measured instead, and the text says so. --work keeps label maps and
+sample area of tools/sample is measured instead, and the text says so. --work keeps label maps and
 databases from one run for the next; without it they go into a temporary folder that is removed. The dock needs a
 window:
 xvfb-run -a -s "-screen 0 1600x1000x24" .venv/bin/python tools/bench dock

@@ -14,6 +14,7 @@ from __future__ import annotations
 import gc
 import importlib.util
 import os
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -70,12 +71,12 @@ _GROWTH = "Widgets, items on the canvas, layers of the project, resident memory 
 
 def make_sample(folder: Path) -> None:
     """Area, label map and database of *Open the sample project*; what is there is kept."""
-    from semref.ui.sample_project import steps
+    from semref.ui.sample_project import DATABASE_FILE, copy_sample, parameters
 
-    for step in steps(folder):
-        if not step.result.exists():
-            print(step.text, file=sys.stderr, flush=True)
-            plugin.run_algorithm(step.algorithm.partition(":")[2], step.parameters)
+    subprocess.run([sys.executable, "-m", "tools.sample"], cwd=inputs.TOOLS.parent, check=True)
+    copy_sample(folder)
+    if not (folder / DATABASE_FILE).exists():
+        plugin.run_algorithm("annotationtodatabase", parameters(folder))
 
 
 # --- the window ---

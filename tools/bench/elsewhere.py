@@ -9,16 +9,16 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+from sample.classes import CLASSES as SAMPLE_CLASSES
+from sample.files import rasterize
+from sample.landscape import make_landscape
 
 from bench import inputs, kept, page
 from bench.ground import GOAL, NONE, REACH_PX, Case, Ground, Image, Wanted
 from bench.tiles import tile_paths
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
-from semref.core.sample.classes import CLASSES as SAMPLE_CLASSES
-from semref.core.sample.landscape import make_landscape
 from semref.core.simulation.views import PIXELS, View, cut, random_view
-from semref.storage.sample_files import rasterize
 
 PAGE = "benchmarks.md"
 SEED = 30_000

@@ -128,7 +128,7 @@ def main_area(data: Path, work: Path, sample: bool = False) -> Area:
     annotation = data / "osm_liechtenstein_2021" / "li_landcover_2021.shp"
     if sample or not annotation.exists():
         reason = "" if sample else " (the real data is not here)"
-        return sample_area(work, f"Measured on the sample area of tools/demo/make_sample.py{reason}.")
+        return sample_area(work, f"Measured on the sample area of tools/sample{reason}.")
     table = work / "liechtenstein_classes.csv"
     write_class_table(annotation, table)
     sentence = "Liechtenstein 2021, 18,493 polygons, at 1 m."
@@ -139,8 +139,8 @@ def sample_area(work: Path, sentence: str = "") -> Area:
     """The sample area with its own windows of 640 m."""
     folder = work / "sample"
     if not (folder / "landcover.shp").exists():
-        command = [sys.executable, str(TOOLS / "demo" / "make_sample.py"), str(folder)]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        command = [sys.executable, "-m", "tools.sample", str(folder.absolute()), "--label-images"]
+        subprocess.run(command, cwd=TOOLS.parent, check=True, stdout=subprocess.DEVNULL)
     return Area("sample", sentence, folder / "landcover.shp", folder / "classes.csv", 640.0, 160.0, 40.0)
 
 

@@ -56,7 +56,7 @@ def measure(run: inputs.Run) -> dict[str, str]:
 
 
 _SAMPLE = """\
-The same on the sample area of `tools/demo/make_sample.py`, a made-up landscape with other classes, images of {size:g}
+The same on the sample area of `tools/sample`, a made-up landscape with other classes, images of {size:g}
 px:"""
 
 

@@ -12,25 +12,25 @@ from dataclasses import replace
 
 import cv2
 import numpy as np
+from sample.classes import CLASSES
+from sample.files import grid_of, rasterize
+from sample.landscape import make_landscape
 
 from bench import inputs, page
 from bench.correlation import ON_A_TILE
 from bench.ground import COLUMNS, Ground, Image, cells, memory_ground
 from bench.tiles import tile_ground, tile_paths
+from sample import photo, pictures
 from semref.core.database.build import BuildSettings
 from semref.core.evaluation.trial import Query, Trial
 from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_shares import SeenLabels
 from semref.core.labels.image_source import ArrayImage
 from semref.core.localization import Method
-from semref.core.sample import photo, pictures
-from semref.core.sample.classes import CLASSES
-from semref.core.sample.landscape import make_landscape
 from semref.core.segmentation.class_bias import known_biases
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.photo_labels import PhotoLabels
 from semref.core.simulation.views import View
-from semref.storage.sample_files import grid_of, rasterize
 
 PAGE = "benchmarks.md"
 AREA = "The sample area, and dubai_aerial, banepa and oam_buildings where named."

@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from sample.files import rasterize
+from sample.landscape import make_landscape
 
 from bench import causes, inputs, main_job, on_windows, page
 from bench.ground import SEED, Ground
@@ -14,9 +16,7 @@ from semref.core.evaluation.summary import percentile
 from semref.core.evaluation.trial import Trial
 from semref.core.localization import Status
 from semref.core.localizer.localizer import DescribedImage, Localizer
-from semref.core.sample.landscape import make_landscape
 from semref.core.simulation.views import PIXELS, View, cut
-from semref.storage.sample_files import rasterize
 
 PAGE = "published_method.md"
 

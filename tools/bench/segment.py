@@ -154,10 +154,9 @@ def bare_runner(model: Path, image: Path):
 def write_photo(path: Path, edge: int) -> Path:
     """An RGB GeoTIFF, (edge, edge), in tiles and compressed, as orthophotos come: the sample area, mirrored."""
     from osgeo import gdal, osr
-
-    from semref.core.sample.landscape import make_landscape
-    from semref.core.sample.photo import render
-    from semref.storage.sample_files import grid_of
+    from sample.files import grid_of
+    from sample.landscape import make_landscape
+    from sample.photo import render
 
     if path.exists():
         return path

@@ -11,19 +11,19 @@ import numpy as np
 from bench import inputs, page
 from bench.photos import SHIPPED, sample_sun_deg
 from bench.tiles import TILE_PIXEL_M, tile_paths
+from sample.classes import CLASSES
+from sample.files import grid_of, rasterize
+from sample.landscape import make_landscape
 
+from sample import photo
 from semref.core.geometry.error_settings import ClassBias
 from semref.core.labels.class_table import ClassTable, class_table_from_csv
 from semref.core.labels.image_source import ArrayImage
 from semref.core.landmarks.class_shifts import PIECE_PX, PieceShift, class_shifts, piece_shifts
-from semref.core.sample import photo
-from semref.core.sample.classes import CLASSES
-from semref.core.sample.landscape import make_landscape
 from semref.core.segmentation.class_bias import KEY, class_bias_text
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.onnx_file import with_metadata
 from semref.core.segmentation.photo_labels import PhotoLabels
-from semref.storage.sample_files import grid_of, rasterize
 
 FIRST_SEED = 31
 """Of landscapes that the shipped network was not trained on."""

@@ -1,4 +1,5 @@
-"""An example call of every algorithm, on the sample area: each uses the sample's files, or what an earlier one wrote.
+"""An example call of every algorithm, on the sample area: each uses files of the plugin's folder ``sample``, or what
+an earlier one wrote.
 
 ``list_algorithms.py`` writes them into the guide; tests/qgis/test_example_calls.py checks all of them, and runs them.
 """
@@ -16,7 +17,6 @@ DATABASE = {"DATABASE": "reference.gpkg"}
 QUICK = {**DATABASE, "NETWORK": 2, "MAP_CORRELATION": False}
 
 EXAMPLES: dict[str, dict] = {
-    "makesample": {"OUTPUT": "sample"},
     "classtable": {"INPUT": "sample/landcover.shp", "CLASS_FIELD": "class", "OUTPUT": "classes.csv"},
     "checkannotation": {**COVER, "MINIMUM_AREA": 50, "ISSUES": "issues.gpkg", "REPORT": "issues.html"},
     "repairannotation": {**COVER, "OUTPUT": "clean.gpkg", "CHANGES": "changes.gpkg"},

@@ -57,7 +57,7 @@ def main() -> None:
     parser.add_argument("--processor-time", action="store_true", help="minutes of the processor, not of the clock")
     parser.add_argument("--place", choices=PLACES, help="a real place in place of the sample area")
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
-    parser.add_argument("--ground", type=Path, help="folder as semref:makesample fills it")
+    parser.add_argument("--ground", type=Path, help="folder as tools/sample fills it")
     parser.add_argument("--folder", type=Path, help="where the walk's files lie meanwhile, as the pictures show")
     parser.add_argument("--pictures", type=Path, help="folder for the pictures, if they are not the guide's")
     parser.add_argument("--write", action="store_true", help="into the guide")
@@ -109,8 +109,9 @@ def walk(
 ) -> dict:
     """What the session saw; ends this program where it came to an error."""
     work, made = home / "work", home / "ground"
-    for folder in (work, made):
-        folder.mkdir(parents=True)
+    work.mkdir(parents=True)
+    # Packaging has made it.
+    shutil.copytree(ROOT / "sample", made, ignore=shutil.ignore_patterns(".*"))
     job = {"tools": str(SESSION.parent), "ground": str(ground or made), "work": str(work)}
     job |= {"python": str(python), "minutes": minutes, "pictures": str(home / "pictures"), **there(place)}
     (home / "walk.json").write_text(json.dumps(job), encoding="utf-8")

@@ -1,7 +1,7 @@
 """Runs inside desktop QGIS (--code): goes the guide's way from orthophoto and polygons to the first fix, and counts.
 
 SEMREF_WALK names the job, a JSON file that time_walk.py writes: ``tools`` (the folder of this file), ``ground`` (a
-folder as semref:makesample fills it; filled here when it is empty), ``polygons`` (name of their file there),
+folder as tools/sample fills it), ``polygons`` (name of their file there),
 ``buildings_alone`` (whether all ground without a polygon is something else), ``fields`` (what is written into the
 dialog that makes the database, by key), ``picture`` (that ends the walk; empty for none), ``work`` (an empty folder for
 what the walk makes), ``python`` (that trains), ``minutes`` (of training) and ``pictures`` (folder).
@@ -287,10 +287,6 @@ def run() -> None:
 def session() -> dict:
     window = Session(JOB)
     window.tidy()
-    if not any(Path(JOB["ground"]).iterdir()):
-        import processing
-
-        processing.run("semref:makesample", {"OUTPUT": JOB["ground"]})
     return {**Walk(window, JOB).go(), "taken": window.taken}
 
 

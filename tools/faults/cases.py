@@ -39,7 +39,6 @@ def _given(at: Path) -> dict[str, dict[str, Any]]:
         "comparelabels": {"REFERENCE": labels, "PREDICTED": predicted, "MINIMUM_AREA": 3},
         "exporttrainingtiles": {"IMAGE": color, "LABELS": labels, "TILE_SIZE": 32, "STRIDE": 32},
         "segmentimage": {"INPUT": color, "MODEL": model},
-        "makesample": {"SEED": SEEDS[at.name]},
         "builddatabase": {"LABELS": labels, **_BUILD},
         "updatedatabase": {"DATABASE": area, "LABELS": str(at / "corrected.tif")},
         "exportonboard": {"DATABASE": area},

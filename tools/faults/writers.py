@@ -11,13 +11,9 @@ from . import cases, children
 from .cases import VARIANTS, Writer
 from .content import State, state
 
-LEAST_SIZE_M = (1500.0, 1300.0)
-"""Of the sample area; hardly less holds a photo turned by any angle."""
-
 _NEVER_REPLACED = {
     "localizeimages": ("LABELS",),
     "localizeflight": ("LABELS",),
-    "makesample": ("OUTPUT",),
     "georeferenceimages": ("OUTPUT",),
 }
 """Folders that are not written over older ones."""
@@ -44,24 +40,10 @@ def runner(provider: Any) -> Callable[..., Any]:
 
 
 def make_quick() -> None:
-    """One thread and a small sample area: children share two cores, and threads don't survive a fork."""
+    """One thread: children share two cores, and threads don't survive a fork."""
     import cv2
 
-    from semref.core.sample import landscape
-
     cv2.setNumThreads(1)
-    landscape.SIZE_XY = LEAST_SIZE_M
-
-
-def _picture_samples() -> None:
-    """Makes the landscapes and their photos once, before children are forked: no file is written meanwhile."""
-    from semref.core.sample import landscape
-    from semref.storage import sample_files
-
-    made = {seed: landscape.make_landscape(seed) for seed in cases.SEEDS.values()}
-    photos = {seed: sample_files.render_photo(made[seed], sample_files.PIXEL_SIZE_M) for seed in made}
-    landscape.make_landscape = made.__getitem__
-    sample_files.render_photo = lambda landscape, pixel_size: photos[landscape.seed]
 
 
 def lay_out(writer: Writer, folder: Path, with_older: bool = True) -> None:
@@ -98,8 +80,6 @@ def tried_writers(
         cases.make_inputs(inputs / variant, run)
     for name, (algorithm, parameters) in cases.all_parameters(provider, inputs).items():
         if name not in known and (not wanted or name in wanted):
-            if algorithm == "makesample":
-                _picture_samples()
             is_model = "Model" in type(provider.algorithm(algorithm)).__name__
             try:
                 writer = _tried(name, not is_model, folder, _run_of(run, algorithm, parameters))

@@ -30,6 +30,7 @@ REQUIRED = (
 LANGUAGES = ("de", "es", "fr", "zh")
 FOR_DEVELOPERS = {"tests", "tools", "docs"}
 HELP_START = "semref/help/user_guide.html"
+SAMPLE_MARKER = "semref/sample/sample.json"
 
 
 def faults(package: Path, version: str = "") -> list[str]:
@@ -53,6 +54,8 @@ def _of_names(contents: dict[str, bytes]) -> list[str]:
     found += [f"The translation into {language} is missing." for language in LANGUAGES if language not in languages]
     if HELP_START not in contents:
         found.append("The guide is missing; run tools/docs/build_site.py before packaging.")
+    if SAMPLE_MARKER not in contents:
+        found.append("The sample area is missing; run python -m tools.sample before packaging.")
     return found
 
 

@@ -15,9 +15,11 @@ from metadata import placeholders, plugin_version, shipped_metadata
 
 ROOT = Path(__file__).resolve().parents[2]
 SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff", "__init__.py", "plugin.py")
-HELP = "help"
+HELP, SAMPLE = "help", "sample"
 SHIPPED_FOLDERS = ("core", "storage", "cluster", "training", "processing", "ui", "resources", "models")
-DATA_SUFFIXES = (".onnx", ".png", ".webp")  # the demonstration model, the guide's pictures; all else is text
+DATA_SUFFIXES = (".onnx", ".png", ".webp", ".tif", ".jpg", ".shp", ".shx", ".dbf")
+"""The demonstration model, the guide's pictures, the sample area; all else is text."""
+
 BINARY_SUFFIXES = (*DATA_SUFFIXES, ".qm")
 MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
 TIMESTAMP = (1980, 1, 1, 0, 0, 0)  # the zip format's first day: same content, same zip
@@ -27,7 +29,7 @@ LRELEASE_NAMES = ("lrelease", "lrelease-qt5", "/usr/lib/qt5/bin/lrelease", "/usr
 def shipped_paths(root: Path = ROOT) -> list[Path]:
     """Paths relative to `root` that go into the zip as they are, sorted."""
     paths = [Path(name) for name in SHIPPED_FILES if (root / name).is_file()]
-    for folder in (*SHIPPED_FOLDERS, *([HELP] if has_guide(root) else [])):
+    for folder in (*SHIPPED_FOLDERS, SAMPLE, *([HELP] if has_guide(root) else [])):
         paths += [path.relative_to(root) for path in (root / folder).rglob("*") if path.is_file()]
     return sorted(path for path in paths if not is_leftover(path))
 
@@ -103,6 +105,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--output", type=Path, default=ROOT / "dist" / f"semref-{plugin_version()}.zip")
     target = parser.parse_args().output
+    subprocess.run([sys.executable, "-m", "tools.sample"], cwd=ROOT, check=True)
     write_package(target)
     print(f"{target} ({target.stat().st_size / 1024:.0f} kB)")
     left = placeholders((ROOT / "metadata.txt").read_text(encoding="utf-8"))

@@ -17,7 +17,7 @@ from .held import Held, held, line
 
 UNREADABLE_EACH, CANCELED_EACH, REFUSED_EACH, PHOTO_EACH = 50, 40, 100, 20
 SIZE_XY = (1500.0, 1300.0)
-"""Meters of the made-up land, as tests/data/small_sample.py has it: hardly less holds a photo turned by any angle."""
+"""Meters of the made-up land, hardly less holds a photo turned by any angle."""
 METHODS = (0, 1, 2, 3)
 
 
@@ -28,11 +28,12 @@ class Area:
         from bench.plugin import run_algorithm
         from qgis_session import ROOT
 
-        from semref.core.sample import landscape
+        from sample import DEFAULT_SEED, files, landscape
 
         landscape.SIZE_XY = SIZE_XY
         sample = folder / "sample"
-        run_algorithm("makesample", {"OUTPUT": str(sample)})
+        sample.mkdir()
+        files.write_sample(sample, landscape.make_landscape(DEFAULT_SEED), files.PIXEL_SIZE_M)
         self.labels, self.database = str(folder / "labels.tif"), str(folder / "database.gpkg")
         land = {"INPUT": str(sample / "landcover.shp"), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
         table = {"CLASS_TABLE": str(sample / "classes.csv")}

@@ -2,7 +2,7 @@
 
     .venv/bin/python tools/training/train_sample.py OUTPUT_FOLDER [--seeds 11 12 13 14 15] [-- options of train_pan.py]
 
-Makes an area a seed (tools/demo/make_sample.py), its label map (semref:rasterizeannotation) and training tiles
+Makes an area a seed (tools/sample), its label map (semref:rasterizeannotation) and training tiles
 (semref:exporttrainingtiles), then trains in .venv-train (setup_training.sh). What is there already is kept.
 OUTPUT_FOLDER/sample_area.onnx is the model.
 """
@@ -19,7 +19,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 from qgis_session import ROOT, load_plugin_package, qgis_session
 
 load_plugin_package()
-from semref.core.sample import DEFAULT_SEED  # noqa: E402
+from sample import DEFAULT_SEED  # noqa: E402
 
 SEEDS = (11, 12, 13, 14, 15)
 TILE_PX, STRIDE_PX, VALIDATION_FRACTION = 512, 448, 0.12
@@ -89,8 +89,8 @@ def tiles_of(area: Path, seed: int) -> Path:
     if tiles.exists():
         return tiles
     if not area.exists():
-        command = [sys.executable, str(ROOT / "tools" / "demo" / "make_sample.py"), str(area), "--seed", str(seed)]
-        subprocess.run(command, check=True)
+        command = [sys.executable, "-m", "tools.sample", str(area.absolute()), "--seed", str(seed)]
+        subprocess.run(command, cwd=ROOT, check=True)
     annotation = {"INPUT": str(area / "landcover.shp"), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
     burning = {"CLASS_TABLE": str(area / "classes.csv"), "PIXEL_SIZE": 1.0, "OUTPUT": str(labels)}
     processing.run("semref:rasterizeannotation", {**annotation, **burning})

@@ -133,7 +133,6 @@ def base_parameters(files: dict[str, str], out: Path) -> dict[str, dict[str, Any
         },
         "segmentimage": {"INPUT": files["photo"], "MODEL": files["model"], "OUTPUT": raster},
         "routesheet": {"ROUTE": files["positions"], "OUTPUT": report},
-        "makesample": {"OUTPUT": str(out / "sample")},
     }
 
 

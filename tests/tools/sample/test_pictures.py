@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.sample import pictures
+from sample import pictures
 
 SEED = 1671
 

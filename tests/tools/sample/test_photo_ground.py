@@ -2,9 +2,9 @@
 
 import numpy as np
 import shapely
+from sample.photo_ground import draw_scene, linear, tinted
 
-from semref.core.sample import landscape
-from semref.core.sample.photo_ground import draw_scene, linear, tinted
+from sample import landscape
 
 FRAME = (0.0, 40.0, 60, 40)
 

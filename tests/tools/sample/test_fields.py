@@ -5,7 +5,7 @@ import pytest
 from shapely.geometry import LineString, box
 from shapely.ops import unary_union
 
-from semref.core.sample import fields
+from sample import fields
 
 
 def rng():

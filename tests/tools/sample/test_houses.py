@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+from sample.roads import Road, Settlement
+from sample.scatter import Ground
 from shapely.geometry import LineString, Point
 
-from semref.core.sample import houses
-from semref.core.sample.roads import Road, Settlement
-from semref.core.sample.scatter import Ground
+from sample import houses
 
 
 @pytest.mark.parametrize("mix", houses.MIX)

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.sample import classes
+from sample import classes
 
 
 def in_range(hsv, entry):

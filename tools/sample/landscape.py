@@ -123,7 +123,7 @@ def _buildings(
     return built
 
 
-def _fill(  # noqa: PLR0913 - it adds to three lists
+def _fill(
     rng: np.random.Generator, ground: Ground, buildings: list, still: list, bare: list, woods: BaseGeometry
 ) -> None:
     """Add farms, ponds and gravel where a window would hold too few objects to be recognized."""

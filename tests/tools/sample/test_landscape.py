@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 import shapely
-from small_sample import make_small
 
-from semref.core.sample import classes, landscape
+from sample import classes, landscape
 
 SEED = 1671
+SMALL_XY = (1500.0, 1300.0)
+"""Meters of a part that is made in seconds."""
 
 
 pytestmark = pytest.mark.slow
@@ -18,7 +19,7 @@ pytestmark = pytest.mark.slow
 def land():
     """In small."""
     with pytest.MonkeyPatch.context() as patch:
-        make_small(patch)
+        patch.setattr(landscape, "SIZE_XY", SMALL_XY)
         return landscape.make_landscape(SEED)
 
 
@@ -28,7 +29,7 @@ def whole_land():
 
 
 def test_the_same_seed_gives_the_same_landscape(land, monkeypatch):
-    make_small(monkeypatch)
+    monkeypatch.setattr(landscape, "SIZE_XY", SMALL_XY)
     again = landscape.make_landscape(SEED)
     assert [(f.class_value, f.zorder, f.geometry and f.geometry.wkb) for f in again.features] == [
         (f.class_value, f.zorder, f.geometry and f.geometry.wkb) for f in land.features

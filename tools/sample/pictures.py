@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ..simulation.views import PIXELS, View, lies_on
-from ..simulation.views import cut as cut_view
+from semref.core.simulation.views import PIXELS, View, lies_on
+from semref.core.simulation.views import cut as cut_view
+
 from .classes import CLASSES
 
 WINDOW_PX, STRIDE_PX = 640, 160
@@ -127,7 +128,7 @@ def plan_flight(shape_hw: tuple[int, int], count: int = FLIGHT_COUNT) -> tuple[P
     )
 
 
-def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:  # noqa: ANN401 - fields of Picture
+def _on(at: tuple[int, int], kind: str, stem: str, **settings: Any) -> Picture:
     half = WINDOW_PX / 2
     return Picture(f"{stem}.png", kind, at[0] + half, at[1] + half, window=_text(at), **settings)
 
@@ -138,7 +139,7 @@ def _off_grid(
     count: int,
     kind: str,
     suffix: str = "png",
-    **settings: Any,  # noqa: ANN401 - fields of Picture
+    **settings: Any,
 ) -> list[Picture]:
     """Views at any place, heading and scale whose corners stay on the map."""
     pictures = []

@@ -1,35 +1,16 @@
-"""semref:makesample makes all that a first try needs, and overwrites nothing."""
+"""The sample area as it ships: all that a first try needs, and photos that the model that ships can read."""
 
 from __future__ import annotations
 
 import csv
-import time
 from datetime import datetime
 from math import hypot
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
-from small_sample import SIZE_XY, make_small
+from qgis.core import QgsVectorLayer
 
-SEED = 5
 PHOTO_COUNT = 12
-PROMPT_S = 1.0
-
-
-@pytest.fixture(scope="module")
-def sample(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("sample") / "area"
-    with pytest.MonkeyPatch.context() as monkeypatch:
-        make_small(monkeypatch)
-        results = run_algorithm("semref:makesample", {"OUTPUT": str(folder), "SEED": SEED})
-    assert results == {"OUTPUT": str(folder), "PHOTO_COUNT": PHOTO_COUNT}
-    return folder
-
-
-@pytest.fixture
-def small(monkeypatch):
-    make_small(monkeypatch)
 
 
 def truth_of(sample: Path) -> dict:
@@ -38,8 +19,7 @@ def truth_of(sample: Path) -> dict:
         return {row["image"]: (float(row["x"]), float(row["y"])) for row in csv.DictReader(file)}
 
 
-@pytest.mark.slow
-def test_it_makes_annotation_class_table_orthophoto_and_photos(sample):
+def test_it_has_annotation_class_table_orthophoto_and_photos(sample):
     from osgeo import gdal
 
     layer = QgsVectorLayer(str(sample / "landcover.shp"), "annotation", "ogr")
@@ -49,7 +29,7 @@ def test_it_makes_annotation_class_table_orthophoto_and_photos(sample):
     assert layer.crs().authid() == "EPSG:25832"
     assert layer.fields().names() == ["class", "class_id", "zorder"]
     assert {"building", "water"} < layer.uniqueValues(0)
-    assert (orthophoto.RasterXSize, orthophoto.RasterYSize, orthophoto.RasterCount) == (*map(int, SIZE_XY), 3)
+    assert (orthophoto.RasterXSize, orthophoto.RasterYSize, orthophoto.RasterCount) == (4000, 3000, 3)
     assert {(photo.RasterXSize, photo.RasterYSize, photo.RasterCount) for photo in photos} == {(640, 640, 3)}
     assert sorted(truth_of(sample)) == sorted(path.name for path in (sample / "photos").iterdir())
     assert len(photos) == PHOTO_COUNT
@@ -74,7 +54,6 @@ def test_the_photos_are_found_with_the_model_that_ships(sample, repository, run_
         assert hypot(row["x"] - x, row["y"] - y) < 10
 
 
-@pytest.mark.slow
 def test_it_holds_a_flight_with_the_times_of_its_photos(sample):
     with (sample / "flight.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
@@ -82,37 +61,3 @@ def test_it_holds_a_flight_with_the_times_of_its_photos(sample):
     times = [datetime.fromisoformat(row["time"]) for row in rows]
     assert {(b - a).total_seconds() for a, b in zip(times, times[1:])} == {12}
     assert len(rows) == 16
-
-
-def test_a_folder_with_files_is_left_alone(run_algorithm, tmp_path):
-    (tmp_path / "thesis.txt").write_text("years of work", encoding="utf-8")
-    with pytest.raises(QgsProcessingException, match="holds other files, which are left alone") as caught:
-        run_algorithm("semref:makesample", {"OUTPUT": str(tmp_path)})
-    assert str(tmp_path) in str(caught.value)
-    assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
-
-
-@pytest.mark.slow
-def test_an_earlier_sample_is_left_alone_too(sample, run_algorithm):
-    with pytest.raises(QgsProcessingException, match="left alone"):
-        run_algorithm("semref:makesample", {"OUTPUT": str(sample)})
-    assert (sample / "photos.csv").exists()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("text", ["Making up the landscape", "Rendering it as a photo", "Taking photos"])
-def test_cancel_stops_at_once_and_leaves_nothing(small, run_algorithm, tmp_path, text):
-    class CancelAtText(QgsProcessingFeedback):
-        canceled_at = None
-
-        def setProgressText(self, said):
-            # A long run says behind it how long it still takes.
-            if said.startswith(text):
-                self.canceled_at = time.process_time()
-                self.cancel()
-
-    feedback = CancelAtText(False)
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        run_algorithm("semref:makesample", {"OUTPUT": str(tmp_path / "area")}, feedback)
-    assert time.process_time() - feedback.canceled_at < PROMPT_S
-    assert list(tmp_path.iterdir()) == []

@@ -87,7 +87,7 @@ def along_street(rng: np.random.Generator, street: Road, place: Settlement, grou
     return built
 
 
-def behind(  # noqa: PLR0913 - one call site, and every value is another one's
+def behind(
     rng: np.random.Generator,
     center_xy: npt.ArrayLike,
     heading: float,

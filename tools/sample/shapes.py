@@ -52,7 +52,7 @@ def wobbly_line(rng: np.random.Generator, start_xy: npt.ArrayLike, end_xy: npt.A
     return LineString(smoothed(start + t[:, None] * (end - start) + waves[:, None] * normal, 2))
 
 
-def blob(  # noqa: PLR0913 - what a blob is has five numbers
+def blob(
     rng: np.random.Generator,
     center_xy: npt.ArrayLike,
     radius: float,

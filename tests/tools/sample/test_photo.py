@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import shapely
 
-from semref.core.sample import landscape, photo, pictures
+from sample import landscape, photo, pictures
 
 
 def small_landscape():

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
+from sample.scatter import Ground
 from shapely.geometry import Point, Polygon
 
-from semref.core.sample import water
-from semref.core.sample.scatter import Ground
+from sample import water
 
 SIZE = (4000.0, 3000.0)
 

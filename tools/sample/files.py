@@ -5,21 +5,21 @@ from __future__ import annotations
 import csv
 import json
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from ..core.errors import SemRefError
-from ..core.geometry.well_known_binary import to_wkb
-from ..core.sample import photo, pictures
-from ..core.sample.classes import CLASSES
-from ..core.sample.landscape import Feature, Landscape
-from .gdal_errors import close, gdal_failure, gdal_failures
-from .pictures import JPEG_QUALITY, write_jpeg
-from .text_tables import CLASSES_FILE
+from semref.core.geometry.well_known_binary import to_wkb
+from semref.storage.gdal_errors import close, gdal_failures
+from semref.storage.pictures import JPEG_QUALITY, write_jpeg, write_png
+from semref.storage.text_tables import CLASSES_FILE
+
+from . import photo, pictures
+from .classes import CLASSES
+from .landscape import Feature, Landscape
 
 ANNOTATION_FILE, ORTHOPHOTO_FILE = "landcover.shp", "orthophoto.tif"
 PHOTOS_FOLDER, PHOTOS_TRUTH_FILE = "photos", "photos.csv"
@@ -28,7 +28,7 @@ FLIGHT_START, SECONDS_BETWEEN = datetime(2025, 5, 9, 10, tzinfo=timezone.utc), 1
 """When the first photo of the flight was taken, and how long after it the next one: at some 15 m/s."""
 
 MARKER = "sample.json"
-"""Tells a folder of ours from somebody's data."""
+"""Distinguishes a folder of ours from somebody's data."""
 
 CLASS_FIELD, PRIORITY_FIELD = "class", "zorder"
 PIXEL_SIZE_M = 1.0
@@ -38,37 +38,40 @@ _DBF_DATE = "2025-05-09"
 """A fixed day: the format stores one, and the same seed is to give the same file."""
 
 
-class SampleError(SemRefError):
-    """The sample could not be made; the text says why and what to do."""
-
-
 def render_photo(landscape: Landscape, pixel_size: float) -> np.ndarray:
     """(H, W, 3) uint8 RGB photo of the whole landscape, on the grid of its label map."""
     return photo.render(landscape, grid_of(landscape, pixel_size), pixel_size)
 
 
-def sample_steps(
-    folder: Path, landscape: Landscape, photo_hw3: np.ndarray, pixel_size: float
-) -> Iterator[tuple[str, float]]:
-    """Writes all files of the sample into an existing folder; yields (what is being done, share done)."""
-    yield "Writing the annotation", 0.0
+def write_sample(folder: Path, landscape: Landscape, pixel_size: float) -> np.ndarray:
+    """Write all files of the sample into an existing folder; return the photo of the whole landscape, (H, W, 3)."""
     write_shapefile(landscape, folder)
     write_classes(folder / CLASSES_FILE)
-    yield "Writing the orthophoto", 0.1
+    photo_hw3 = render_photo(landscape, pixel_size)
     write_orthophoto(landscape, pixel_size, photo_hw3, folder / ORTHOPHOTO_FILE)
     views = pictures.plan_photos(photo_hw3.shape[:2], landscape.seed)
     flight = pictures.plan_flight(photo_hw3.shape[:2])
-    taken = [(PHOTOS_FOLDER, view) for view in views] + [(FLIGHT_FOLDER, view) for view in flight]
-    for name in (PHOTOS_FOLDER, FLIGHT_FOLDER):
+    for name, taken in ((PHOTOS_FOLDER, views), (FLIGHT_FOLDER, flight)):
         (folder / name).mkdir()
-    for number, (name, view) in enumerate(taken):
-        yield "Taking photos", 0.4 + 0.6 * number / len(taken)
-        shown_hw3 = photo.shoot(photo_hw3, view, landscape.seed)
-        write_jpeg(folder / name / view.name, np.moveaxis(shown_hw3, 2, 0))
+        for view in taken:
+            shown_hw3 = photo.shoot(photo_hw3, view, landscape.seed)
+            write_jpeg(folder / name / view.name, np.moveaxis(shown_hw3, 2, 0))
     write_truth(landscape, pixel_size, views, folder / PHOTOS_TRUTH_FILE)
     write_truth(landscape, pixel_size, flight, folder / FLIGHT_FILE, timed=True)
     about = {"made_by": "semref", "seed": landscape.seed, "pixel_size": pixel_size, "photos": len(views)}
     (folder / MARKER).write_text(json.dumps(about, indent=2) + "\n", encoding="utf-8")
+    return photo_hw3
+
+
+def write_label_images(folder: Path, landscape: Landscape, labels_hw: np.ndarray, pixel_size: float) -> None:
+    """Write label images of the map into ``images``, and where they were cut into truth.csv."""
+    views = pictures.plan_views(labels_hw.shape, landscape.seed)
+    (folder / "images").mkdir()
+    for view in views:
+        shown = pictures.cut(labels_hw, view)
+        bands = np.moveaxis(pictures.colored(shown), 2, 0) if view.in_color else shown[None]
+        write_png(folder / "images" / view.name, bands)
+    write_truth(landscape, pixel_size, views, folder / "truth.csv")
 
 
 def fill_layer(dataset: gdal.Dataset, landscape: Landscape, features: Iterable[Feature]) -> ogr.Layer:
@@ -76,17 +79,12 @@ def fill_layer(dataset: gdal.Dataset, landscape: Landscape, features: Iterable[F
 
     Args:
         dataset: GDAL's, or an ``ogr.DataSource``.
-        landscape: Tells the CRS.
+        landscape: Has the CRS.
         features: Of the landscape.
-
-    Raises:
-        SampleError: The layer can't be created.
     """
     reference = osr.SpatialReference()
     reference.ImportFromEPSG(landscape.epsg)
     layer = dataset.CreateLayer(_LAYER, reference, ogr.wkbPolygon, options=_layer_options(dataset))
-    if layer is None:
-        raise SampleError("storage.layer_not_created", layer=_LAYER, reason=gdal_failure())
     text = ogr.FieldDefn(CLASS_FIELD, ogr.OFTString)
     text.SetWidth(20)
     for field in (text, _integer(_BURNED_FIELD), _integer(PRIORITY_FIELD)):
@@ -129,7 +127,7 @@ def write_shapefile(landscape: Landscape, folder: Path) -> None:
 
 def _check(failures: list[str], path: Path) -> None:
     if failures:
-        raise SampleError("storage.unwritable", path=path, reason=failures[0])
+        raise OSError(f"{path} can't be written: {failures[0]}")
 
 
 def write_classes(path: Path) -> None:
@@ -160,8 +158,7 @@ def rasterize(landscape: Landscape, pixel_size: float) -> np.ndarray:
     layer = fill_layer(memory, landscape, drawn)
     target = gdal.GetDriverByName("MEM").Create("", width, height, 1, gdal.GDT_Byte)
     target.SetGeoTransform((west, pixel_size, 0, north, 0, -pixel_size))
-    if gdal.RasterizeLayer(target, [1], layer, options=[f"ATTRIBUTE={_BURNED_FIELD}"]) != 0:
-        raise SampleError("storage.not_rasterized", reason=gdal_failure())
+    gdal.RasterizeLayer(target, [1], layer, options=[f"ATTRIBUTE={_BURNED_FIELD}"])
     return np.frombuffer(target.ReadRaster(), np.uint8).reshape(height, width)
 
 

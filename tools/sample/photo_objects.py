@@ -68,7 +68,7 @@ def plant_trees(
         plant_tree(rng, scene, (row, column), rng.uniform(*TREE_RADII_M), color, relief, height)
 
 
-def plant_tree(  # noqa: PLR0913 - it draws into three layers
+def plant_tree(
     rng: np.random.Generator,
     scene: Scene,
     at_rc: tuple[int, int],
@@ -91,7 +91,7 @@ def plant_tree(  # noqa: PLR0913 - it draws into three layers
     height[rows, columns] = np.maximum(height[rows, columns], 1.6 * radius_m * np.clip(2 * crown, 0, 1))
 
 
-def build_roofs(  # noqa: PLR0913 - it draws into three layers
+def build_roofs(
     rng: np.random.Generator,
     scene: Scene,
     features: Sequence[Feature],

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shapely.geometry import LineString
 
-from semref.core.sample import roads
+from sample import roads
 
 SIZE = (4000.0, 3000.0)
 RIVER = LineString([(-200, 1700), (4200, 1100)])

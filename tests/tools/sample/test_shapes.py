@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shapely.geometry import LineString, MultiPolygon, Point, box
 
-from semref.core.sample import shapes
+from sample import shapes
 
 
 def rng():

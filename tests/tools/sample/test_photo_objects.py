@@ -2,8 +2,7 @@
 
 import numpy as np
 import shapely
-
-from semref.core.sample.photo_objects import HALL_HEIGHT_M, crown_relief, make_roof
+from sample.photo_objects import HALL_HEIGHT_M, crown_relief, make_roof
 
 
 def roof_of(polygon, seed=1):

@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
+from sample.scatter import Ground
 from shapely.geometry import box
-
-from semref.core.sample.scatter import Ground
 
 BLOCKED = box(40, 0, 60, 100)
 

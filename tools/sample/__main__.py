@@ -1,0 +1,123 @@
+"""Make the sample area: a made-up landscape as a shapefile, its class table, and pictures of it with known truth.
+
+    .venv/bin/python -m tools.sample                                         # sample/, which ships with the plugin
+    .venv/bin/python -m tools.sample FOLDER [--seed 1671] [--pixel-size 1.0] [--label-images]
+
+The folder then holds landcover.shp, classes.csv, orthophoto.tif (a rendered photo of the whole area), photos/*.jpg and
+photos.csv, flight/*.jpg and flight.csv, sample.json; with --label-images also images/*.png and truth.csv.
+The tables have every picture's center: `column`, `row` in pixels of the map ((0.5, 0.5) is the center of its first
+pixel) and `x`, `y` in map units; `rotation_deg` is the heading of the picture's top in degrees clockwise from grid
+north; `scale` is map pixels per picture pixel; `window` names the window it is centered on, if any.
+The same seed gives the same files. A folder made by an earlier run is replaced; any other folder is left alone.
+Without FOLDER nothing is done where sample/ is there and this code has not changed since.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import sys
+from collections import Counter
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+SHIPPED = ROOT / "sample"
+MADE_OF = ".made_of"
+"""File in SHIPPED with the hash of the code that made it; hidden files do not ship."""
+
+USED = (ROOT / "core" / "simulation" / "views.py", ROOT / "core" / "geometry" / "well_known_binary.py")
+PIXEL_SIZES_M = (0.25, 2.0)  # finer maps take gigabytes, coarser ones are too small for the pictures
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run from the command line; returns the exit status."""
+    options = parse(arguments)
+    made_of = "" if options.folder else code_hash()
+    target = (options.folder or SHIPPED).absolute()
+    if made_of and (target / MADE_OF).is_file() and (target / MADE_OF).read_text(encoding="ascii") == made_of:
+        return 0
+    sys.path.append(str(HERE.parent))
+    from plugin_package import load_plugin_package
+
+    load_plugin_package()
+    from semref.core.errors import SemRefError
+    from semref.storage.files import folder_written_beside
+
+    from .files import MARKER
+
+    print(f"Making the sample area in {target}")
+    try:
+        with folder_written_beside(str(target), MARKER) as folder:
+            report = write(Path(folder), options)
+            if made_of:
+                (Path(folder) / MADE_OF).write_text(made_of, encoding="ascii")
+    except (SemRefError, ValueError, OSError) as error:
+        print(f"tools.sample: {error}", file=sys.stderr)
+        return 1
+    print(report)
+    return 0
+
+
+def code_hash() -> str:
+    """SHA-256 of the generator's code."""
+    return hashlib.sha256(b"".join(path.read_bytes() for path in (*sorted(HERE.glob("*.py")), *USED))).hexdigest()
+
+
+def parse(arguments: list[str] | None) -> argparse.Namespace:
+    from . import DEFAULT_SEED
+
+    parser = argparse.ArgumentParser("tools.sample", description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path, nargs="?", help="default: sample/ of this checkout, which ships")
+    parser.add_argument("--seed", type=int, default=DEFAULT_SEED, help="any number from 0; default %(default)s")
+    parser.add_argument("--pixel-size", type=float, default=1.0, help="meters; default %(default)s")
+    parser.add_argument("--label-images", action="store_true", help="also label images at known places")
+    options = parser.parse_args(arguments)
+    if options.seed < 0:
+        parser.error(f"the seed must be 0 or more, not {options.seed}")
+    if not PIXEL_SIZES_M[0] <= options.pixel_size <= PIXEL_SIZES_M[1]:
+        parser.error("the pixel size must be from {} to {} m, not {}".format(*PIXEL_SIZES_M, options.pixel_size))
+    is_other = (options.seed, options.pixel_size, options.label_images) != (DEFAULT_SEED, 1.0, False)
+    if options.folder is None and is_other:
+        parser.error("name a folder for an area other than the one that ships")
+    return options
+
+
+def write(folder: Path, options: argparse.Namespace) -> str:
+    """Write the files; return the summary."""
+    from . import files
+    from .landscape import make_landscape
+
+    landscape = make_landscape(options.seed)
+    labels_hw = files.rasterize(landscape, options.pixel_size)
+    files.write_sample(folder, landscape, options.pixel_size)
+    if options.label_images:
+        files.write_label_images(folder, landscape, labels_hw, options.pixel_size)
+    return summary(landscape, labels_hw)
+
+
+def summary(landscape, labels_hw) -> str:
+    """What was made, as lines of text: features and pixels of each class, oddities."""
+    import numpy as np
+
+    from .classes import CLASSES
+
+    counts = Counter(f.class_value for f in landscape.features)
+    pixels = np.bincount(labels_hw.ravel(), minlength=256)
+    lines = [
+        f"Landscape of seed {landscape.seed}: {len(landscape.features)} features, "
+        f"label map {labels_hw.shape[1]} × {labels_hw.shape[0]} pixels"
+    ]
+    lines += [f"  {c.value} {c.name:<11}{counts[c.value]:>6} features {pixels[c.value]:>10} pixels" for c in CLASSES]
+    lines.append(f"  0 {'unlabeled':<11}{'':>6}          {pixels[0]:>10} pixels")
+    shapes = [f.geometry for f in landscape.features if f.geometry is not None]
+    holes = sum(any(p.interiors for p in getattr(s, "geoms", [s])) for s in shapes)
+    lines.append(
+        f"  oddities: {sum(s.geom_type == 'MultiPolygon' for s in shapes)} multipart, {holes} with holes, "
+        f"{sum(not s.is_valid for s in shapes)} invalid, {len(landscape.features) - len(shapes)} empty"
+    )
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
