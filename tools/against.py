@@ -21,10 +21,12 @@ import tempfile
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
+from statistics import median
 
-from bench.timing import ratios, spread, take_turns
+from plugin_package import ROOT, load_plugin_package
 
-ROOT = Path(__file__).resolve().parents[1]
+load_plugin_package()
+from benchmarks.turns import ratios, take_turns  # noqa: E402
 
 
 def in_tree(command: Sequence[str], root: Path) -> list[str]:
@@ -71,8 +73,8 @@ def main(arguments: list[str] | None = None) -> int:
             subprocess.run([*git, "worktree", "remove", "--force", str(then)], check=True)
     now, before = seconds["now"], seconds[options.commit]
     print(
-        f"{ratios(now, before).text()} of the processor time of {options.commit}, {options.turns} turns each "
-        f"({spread(now).median:.2f} s against {spread(before).median:.2f} s)"
+        f"{ratios(now, before)} of the processor time of {options.commit}, {options.turns} turns each "
+        f"({median(now):.2f} s against {median(before):.2f} s)"
     )
     return 0
 

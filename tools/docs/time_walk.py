@@ -25,7 +25,10 @@ from palette_png import shrink
 from walk_ground import PLACES, RealPlace, fill, lacks
 
 sys.path.append(str(ROOT / "tools"))
-from bench import machine, page
+from plugin_package import load_plugin_package
+
+load_plugin_package()
+from benchmarks import results  # noqa: E402
 
 SESSION = Path(__file__).with_name("walk_session.py")
 GUIDE = ROOT / "docs" / "guide" / "own_network.md"
@@ -68,7 +71,6 @@ def main() -> None:
         print(missing)
         return
     say_what_is_missing([Variant(())])
-    load = machine.load()
     with tempfile.TemporaryDirectory(prefix="semref-", dir=arguments.folder) as folder:
         work = Path(folder)
         package = work / "semref.zip"
@@ -89,10 +91,10 @@ def main() -> None:
     is_sample = ground is None or (ground / SAMPLE_MARKER).exists()
     about = f"{place.name}. {place.credit}" if place else "The sample area." if is_sample else "Ground of one's own."
     table = told(seen, arguments.minutes, arguments.processor_time, place)
-    body = f"{table}\n\n{machine.footer(command, about, load)}"
+    body = f"{table}\n\n*{about}* {results.footer(command)}"
     print(body)
     if arguments.write:
-        page.write_section(GUIDE, f"{SECTION}, {arguments.place}" if place else SECTION, body)
+        results.write_section(GUIDE, f"{SECTION}, {arguments.place}" if place else SECTION, body)
 
 
 def lacks_torch(python: str) -> str:
@@ -167,7 +169,7 @@ def told(seen: dict, minutes: float, by_processor: bool = False, place: RealPlac
     rows = [[STEPS[name].format(**names), clicks, f"{seconds:.0f}"] for name, clicks, seconds in seen["steps"]]
     clicks, seconds = (sum(step[place] for step in seen["steps"]) for place in (1, 2))
     rows.append(["together", clicks, f"{seconds:.0f}"])
-    table = page.table(["step", "clicks", "seconds"], rows)
+    table = results.markdown(["step", "clicks", "seconds"], rows)
     outcome = (
         f"{seen['fixes']} of {seen['photos']} photos were found, {seen['within_radius']} of these within the radius "
         f"that the dock tells; mean IoU of the network {seen['mean_iou']:.0%}."

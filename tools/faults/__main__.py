@@ -29,8 +29,11 @@ sys.path += [str(TOOLS.parent / "tests" / "data"), str(TOOLS)]
 for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "GDAL_NUM_THREADS"):
     os.environ[variable] = "1"
 
-from bench import machine  # noqa: E402
+from plugin_package import load_plugin_package  # noqa: E402
 
+load_plugin_package()
+
+from benchmarks import results  # noqa: E402
 from faults import command_line, page, readers, trials  # noqa: E402
 from faults.writers import make_quick, tried_writers  # noqa: E402
 
@@ -46,8 +49,8 @@ def _told(options: argparse.Namespace, seconds: float) -> str:
     """By which command, when, of which commit and on what machine the table came about."""
     given = f"--kills {options.kills} --disks {options.disks} --most-steps {options.most_steps} --seed {options.seed}"
     return (
-        f"*`.venv/bin/python -m tools.faults {given}` on {datetime.date.today().isoformat()}, {machine.revision()}, "
-        f"{seconds / 60:.0f} minutes. {machine.hardware()}; {machine.versions()}.*"
+        f"*`.venv/bin/python -m tools.faults {given}` on {datetime.date.today().isoformat()}, {results.revision()}, "
+        f"{seconds / 60:.0f} minutes. {results.hardware()}; {results.versions()}.*"
     )
 
 

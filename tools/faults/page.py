@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from bench.page import write_section
-
 if TYPE_CHECKING:
     from .trials import Row
 
@@ -30,4 +28,6 @@ def table(rows: Sequence[Row], told: str) -> str:
 
 def write(path: Path, text: str) -> None:
     """Puts the table between its marks."""
+    from benchmarks.results import write_section
+
     write_section(path, "faults", text)

@@ -28,8 +28,7 @@ from qgis_session import load_plugin_package  # noqa: E402
 
 load_plugin_package()
 
-from bench import machine, page  # noqa: E402
-
+from benchmarks import results  # noqa: E402
 from fuzz.contract import ACCEPTED, REFUSED  # noqa: E402
 from fuzz.door import Door  # noqa: E402
 from fuzz.doors.all import DOORS  # noqa: E402
@@ -91,13 +90,13 @@ def _write(tallies: dict[str, Tally], inputs: int, seed: int) -> None:
         rows.append((door.title, tally.inputs, tally.outcomes[REFUSED], tally.outcomes[ACCEPTED], tally.broken))
     rows.append(("**all**", *(sum(row[n] for row in rows) for n in range(1, 5))))
     shown = [(title, *(f"{number:,}" for number in numbers)) for title, *numbers in rows]
-    body = page.table(("door", "inputs", "refused", "accepted", "contract broken"), shown)
+    body = results.markdown(("door", "inputs", "refused", "accepted", "contract broken"), shown)
     today, command = (
         datetime.date.today().isoformat(),
         f".venv/bin/python -m tools.fuzz --inputs {inputs} --seed {seed}",
     )
-    note = f"*`{command}` on {today}, {machine.revision()}. {machine.hardware()}; {machine.versions()}.*"
-    page.write_section(TOOLS.parent / "docs" / "reliability.md", "fuzz", f"{body}\n\n{note}")
+    note = f"*`{command}` on {today}, {results.revision()}. {results.hardware()}; {results.versions()}.*"
+    results.write_section(TOOLS.parent / "docs" / "reliability.md", "fuzz", f"{body}\n\n{note}")
 
 
 def main() -> int:

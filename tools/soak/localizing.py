@@ -25,10 +25,10 @@ class Area:
     """Made-up land, its database, twelve photos and their label images."""
 
     def __init__(self, folder: Path) -> None:
-        from bench.plugin import run_algorithm
         from qgis_session import ROOT
-
         from sample import DEFAULT_SEED, files, landscape
+
+        from benchmarks.maps import run_algorithm
 
         landscape.SIZE_XY = SIZE_XY
         sample = folder / "sample"

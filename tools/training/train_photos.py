@@ -20,14 +20,14 @@ import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
-from bench import photo_places
-from bench.photo_places import ALL_CLASSES, BUILDINGS, PLACES, Place
 from plugin_package import ROOT, load_plugin_package
 
 load_plugin_package()
 import numpy as np  # noqa: E402
 from training.card_page import card_page  # noqa: E402
 
+from benchmarks import places  # noqa: E402
+from benchmarks.places import ALL_CLASSES, BUILDINGS, PLACES, Place  # noqa: E402
 from semref.core.errors import ParameterError  # noqa: E402
 from semref.core.labels.image_source import ArrayImage  # noqa: E402
 from semref.core.segmentation.model import SegmentationModel  # noqa: E402
@@ -71,7 +71,7 @@ def main() -> None:
     tiles = {str(path): one for one in trained_on for path in tiles_of(one, name, folder)}
     train(options, name, folder / f"{stem}.onnx", tiles)
     for place in options.leave_out:
-        tested = tested_on(photo_places.place(place), name, folder / f"{stem}.onnx", folder)
+        tested = tested_on(places.place(place), name, folder / f"{stem}.onnx", folder)
         (folder / f"{name}_without_{place}.json").write_text(json.dumps(tested, indent=1) + "\n", encoding="utf-8")
         print(json.dumps(tested), flush=True)
     if (folder / f"{name}.onnx").exists():
@@ -100,13 +100,13 @@ def tiles_of(one: Place, name: str, folder: Path) -> list[Path]:
     """Folders of training tiles of a place's photos; what is there already is kept."""
     classes = ALL_CLASSES if name == PHOTOS else BUILDINGS
     table = folder / f"classes_{name}.csv"
-    table.write_text(photo_places.class_table(classes), encoding="utf-8")
+    table.write_text(places.class_table(classes), encoding="utf-8")
     found = []
     for photo in one.photos:
         tiles = folder / f"tiles_{name}" / photo.name
         found.append(tiles)
         if not (tiles / "manifest.json").exists():
-            pair = photo_places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
+            pair = places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
             size, stride = (DUBAI_TILE_PX,) * 2 if one.name == "dubai" else (TILE_PX, STRIDE_PX)
             cut(*map(str, pair), tiles, str(table), size, stride)
     return found
@@ -179,7 +179,7 @@ def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
     values = network.classes.values_in(table, model.name)
     counts = {c: np.zeros(3) for c in one.drawn if c in network.classes.names}
     for photo in one.photos:
-        image, labels = photo_places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
+        image, labels = places.prepared(photo, DATA, RESOLUTIONS_M[name], folder / "places")
         picture, truth = pixels(image), pixels(labels)
         found = PhotoLabels(network, ArrayImage(picture), values).found()
         known = truth > 0 if one.drawn == ALL_CLASSES else picture.any(axis=2)

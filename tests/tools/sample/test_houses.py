@@ -2,11 +2,10 @@
 
 import numpy as np
 import pytest
+from sample import houses
 from sample.roads import Road, Settlement
 from sample.scatter import Ground
 from shapely.geometry import LineString, Point
-
-from sample import houses
 
 
 @pytest.mark.parametrize("mix", houses.MIX)

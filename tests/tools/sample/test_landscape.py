@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import shapely
-
 from sample import classes, landscape
 
 SEED = 1671

@@ -4,7 +4,6 @@ import cv2
 import numpy as np
 import pytest
 import shapely
-
 from sample import landscape, photo, pictures
 
 

@@ -2,9 +2,8 @@
 
 import numpy as np
 import shapely
-from sample.photo_ground import draw_scene, linear, tinted
-
 from sample import landscape
+from sample.photo_ground import draw_scene, linear, tinted
 
 FRAME = (0.0, 40.0, 60, 40)
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 from sample import pictures
 
 SEED = 1671

@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from shapely.geometry import LineString
-
 from sample import roads
+from shapely.geometry import LineString
 
 SIZE = (4000.0, 3000.0)
 RIVER = LineString([(-200, 1700), (4200, 1100)])

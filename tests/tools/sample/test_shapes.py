@@ -2,9 +2,8 @@
 
 import numpy as np
 import pytest
-from shapely.geometry import LineString, MultiPolygon, Point, box
-
 from sample import shapes
+from shapely.geometry import LineString, MultiPolygon, Point, box
 
 
 def rng():

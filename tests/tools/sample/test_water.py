@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
+from sample import water
 from sample.scatter import Ground
 from shapely.geometry import Point, Polygon
-
-from sample import water
 
 SIZE = (4000.0, 3000.0)
 

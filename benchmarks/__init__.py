@@ -1,0 +1,1 @@
+"""Benchmarks of SemRef: scenarios as data, one runner for accuracy, one for time and memory, results as JSON."""

@@ -1,0 +1,104 @@
+"""Benchmarks of SemRef.
+
+    .venv/bin/python -m benchmarks list
+    .venv/bin/python -m benchmarks run NAME… [--count N] [--only PARTS] [--save]
+    .venv/bin/python -m benchmarks fit NAME… [--only PARTS]
+    .venv/bin/python -m benchmarks page
+
+NAME is one of scenarios/*.toml, or ``NAME.PART`` of one with several measurements. ``--work`` keeps label maps,
+databases and records between runs, so that a larger ``--count`` goes on. ``--save`` writes results/NAME.json; ``fit``
+prints which settings would fit the kept records; ``page`` writes docs/benchmarks.md and the README's picture.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+# Our processing/ must not come before QGIS's.
+sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() != ROOT]
+sys.path.append(str(ROOT / "tools"))
+
+from plugin_package import load_plugin_package  # noqa: E402
+
+load_plugin_package()
+
+from benchmarks import results  # noqa: E402
+from benchmarks.toml import read_toml  # noqa: E402
+
+SCENARIOS = Path(__file__).with_name("scenarios")
+
+
+def scenarios() -> dict[str, dict]:
+    """Scenarios by name; tables of a file that have a ``title`` are scenarios of their own."""
+    found = {}
+    for path in sorted(SCENARIOS.glob("*.toml")):
+        content = read_toml(path)
+        if "title" in content:
+            found[path.stem] = content
+        else:
+            found |= {f"{path.stem}.{part}": one for part, one in content.items()}
+    return found
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs it."""
+    known = scenarios()
+    parser = argparse.ArgumentParser("python -m benchmarks", description=__doc__.splitlines()[0])
+    parser.add_argument("command", choices=("list", "run", "fit", "page"))
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
+    parser.add_argument("--work", type=Path, default=ROOT.parent / "bench", help="folder kept between runs")
+    parser.add_argument("--models", type=Path, help="folder of networks, NAME_without_PLACE.onnx")
+    parser.add_argument("--count", type=int, help="images or flights a row")
+    parser.add_argument("--only", default="", help="rows whose names contain one of these, separated by semicolons")
+    parser.add_argument("--save", action="store_true", help="write results/NAME.json")
+    options = parser.parse_args(arguments)
+    if options.command == "page":
+        from benchmarks import page
+
+        page.write()
+    for name in options.names:
+        if name not in known:
+            parser.error(f"{name} is none of {', '.join(known)}.")
+    if options.command == "list":
+        print("\n".join(f"{name:20} {one['title']}" for name, one in known.items()))
+    elif options.command == "fit":
+        from benchmarks import fit
+
+        table = fit.run(options.work, options.names, [part for part in options.only.split(";") if part])
+        print(results.markdown(table["columns"], table["rows"]))
+    elif options.command == "run":
+        _run({name: known[name] for name in options.names}, options)
+    return 0
+
+
+def _run(chosen: dict[str, dict], options: argparse.Namespace) -> None:
+    options.work.mkdir(parents=True, exist_ok=True)
+    os.environ["SEMREF_CACHE"] = str(options.work / "cache")
+    from qgis_session import qgis_session
+
+    with qgis_session():
+        from benchmarks import accuracy, flights, timing
+        from benchmarks.maps import World
+
+        world = World(options.data, options.work, options.models, options.count)
+        runners = {"accuracy": accuracy.run, "flights": flights.run, "timing": timing.run}
+        only = [part for part in options.only.split(";") if part]
+        for name, scenario in chosen.items():
+            tables = runners[scenario["runner"]](world, name, scenario, only)
+            print(f"\n## {scenario['title']}")
+            for table in tables:
+                print(f"\n{results.markdown(table['columns'], table['rows'])}", flush=True)
+            if options.save:
+                command = f"python -m benchmarks run {name}" + (f" --count {options.count}" if options.count else "")
+                file = name.partition(".")[2] or name
+                path = results.save(file, scenario["title"], name, command, scenario.get("notes", []), tables)
+                print(f"\n{path}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

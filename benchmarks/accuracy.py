@@ -1,0 +1,438 @@
+"""The runner of accuracy: a scenario's rows of images, located and judged one by one; tables of what came of them.
+
+A row says with which map, images, noise and prior; see ``Row``. Every image has its own seed, and its record is a line
+of a file in the work folder, so that a later run with a larger count goes on. Records of other code are not used.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import sys
+import zlib
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict, dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks import foreign, photos
+from benchmarks.ground import Ground, Image, Wanted
+from benchmarks.maps import NoDataError, World
+from benchmarks.results import ROOT, Table, rate
+from semref.core.correlation.decision import lead
+from semref.core.evaluation.summary import percentile
+from semref.core.evaluation.trial import RIGHT_SHARE, Trial, judge
+from semref.core.geometry.error_settings import NETWORK_SPREAD, ClassBias
+from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
+from semref.core.localization import Method, Prior
+from semref.core.localizer.leveled import localize_leveled
+from semref.core.simulation.noise import DISPLACED_M, MODEST, STRONG, USUAL, LabelNoise
+from semref.core.simulation.views import View
+
+GOAL = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.5)
+NOISES = {
+    "none": LabelNoise(),
+    "goal": GOAL,
+    "hard": replace(GOAL, missed=0.4, spurious=0.4, mislabeled=0.1),
+    "harder": replace(GOAL, missed=0.6, spurious=0.6, mislabeled=0.15),
+    "background": replace(GOAL, background=0.2),
+    "patches": replace(GOAL, patches=0.35, patch_size=150.0),
+    "usual": USUAL,
+    "modest": MODEST,
+    "strong": STRONG,
+}
+"""In pixels of the image, but for those of networks."""
+
+OF_NETWORKS = ("usual", "modest", "strong")
+"""Noises in meters of a map of 1 m whose windows show 1,280 m."""
+
+BUILDINGS = (1,)
+STATED_SPREAD_M = 0.2
+AT_95 = math.sqrt(-2 * math.log(0.05))
+
+
+@dataclass(frozen=True)
+class Row:
+    """Images of one kind.
+
+    Attributes:
+        name: of the row
+        database: name of the map that the database is made of
+        images: name of the map that images are cut from; the same if empty
+        half: of the map that centers are in: north, south or empty
+        method: key of the method
+        noise: one of NOISES
+        jitter: instead of the noise's, pixels
+        displaced: whether the map is displaced as maps of another date are
+        shift_m: of all buildings, to any side
+        stated: whether the localizer gets that shift
+        leaning: of roofs, as a share of the distance from the center
+        wanted: what is drawn, as ``ground.Wanted``
+        foreign: kind of images that are not of the map (``foreign.KINDS``); empty for images of the map
+        prior_share: radius of the stated position, as a share of the footprint; 0 for none
+        size_known: how far off the stated pixel size is at most, 0.2 for 20 %; 0 for none
+        heading_known_deg: the same of the heading
+        level_error_deg: of the stated roll and pitch; negative for an image that is not leveled
+        photos: ``sample``, ``tileN``, or a place's name with the number of its photo (``kenya.1``); empty for labels
+        network: part of the name of its network in --models; empty for the network that ships
+        labels: of photos, ``network`` or ``true``
+        right_m: a position is right within so many meters; 0 for 2 % of the footprint
+        count: images
+    """
+
+    name: str
+    database: str = "liechtenstein"
+    images: str = ""
+    half: str = "south"
+    method: str = "automatic"
+    noise: str = "goal"
+    jitter: float = -1.0
+    displaced: bool = False
+    shift_m: float = 0.0
+    stated: bool = False
+    leaning: float = 0.0
+    wanted: dict[str, Any] = field(default_factory=dict)
+    foreign: str = ""
+    prior_share: float = 0.0
+    size_known: float = 0.0
+    heading_known_deg: float = 0.0
+    level_error_deg: float = -1.0
+    photos: str = ""
+    network: str = ""
+    labels: str = "network"
+    right_m: float = 0.0
+    count: int = 200
+
+
+def rows_of(scenario: dict[str, Any]) -> list[Row]:
+    """The rows of a scenario; ``each`` repeats every row with other values: {method = [...], noise = [...]}."""
+    rows = [{**scenario.get("defaults", {}), **row} for row in scenario["row"]]
+    for key, values in scenario.get("each", {}).items():
+        rows = [{**row, key: value, "name": f"{row['name']}, {value}"} for row in rows for value in values]
+    for row in rows:
+        row["wanted"] = {**scenario.get("defaults", {}).get("wanted", {}), **row.get("wanted", {})}
+    return [Row(**row) for row in rows]
+
+
+def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
+    """Measures a scenario's rows and gives its tables; rows whose data is missing are named and left out."""
+    found: dict[str, list[dict]] = {}
+    for row in rows_of(scenario):
+        if only and not any(part.casefold() in row.name.casefold() for part in only):
+            continue
+        try:
+            found[row.name] = records(world, name, row)
+        except (NoDataError, ValueError) as error:
+            print(f"  {row.name}: not measured: {error}", file=sys.stderr, flush=True)
+    columns = scenario.get("columns", list(COLUMNS))
+    tables = [{"columns": ["images", *columns], "rows": [[row, *cells(some, columns)] for row, some in found.items()]}]
+    if scenario.get("reliability") and found:
+        together = [one for some in found.values() for one in some]
+        tables += [curve(together), by_risk(together), costs(found)]
+    return tables
+
+
+# --- records ---
+
+
+def records(world: World, scenario: str, row: Row) -> list[dict]:
+    """What came of each image of a row, as kept or measured now."""
+    count, key = world.count or row.count, _key(row)
+    path = world.work / "records" / f"{scenario}_{zlib.crc32(row.name.encode()):08x}.jsonl"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    kept = [json.loads(line) for line in lines[1:]] if lines and json.loads(lines[0])["key"] == key else []
+    if not kept:
+        path.write_text(json.dumps({"key": key, "row": row.name}) + "\n", encoding="utf-8")
+    if len(kept) < count:
+        source = Source(world, row)
+        with path.open("a", encoding="utf-8") as file:
+            for number in range(len(kept), count):
+                kept.append(source.record(number))
+                file.write(json.dumps(kept[-1]) + "\n")
+                file.flush()
+    some = kept[:count]
+    shown = [row.name, *cells(some, ("right fixes", "wrong fixes", "95 %"))]
+    print("  " + " | ".join(shown), file=sys.stderr, flush=True)
+    return some
+
+
+def _key(row: Row) -> str:
+    """Of the row and of all code that a figure comes from."""
+    digest = hashlib.sha256(json.dumps(asdict(row), sort_keys=True).encode())
+    for folder in (ROOT / "core", Path(__file__).parent):
+        for path in sorted(folder.rglob("*.py")):
+            digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+class Source:
+    """The images of a row, and the localizer that they are given to."""
+
+    def __init__(self, world: World, row: Row) -> None:
+        self.row = row
+        self.method = next(one for one in Method if one.key == row.method)
+        self.photos = photos.of(world, row) if row.photos else None
+        self.ground: Ground = self.photos.ground if self.photos else world.ground(row.database, row.images, row.half)
+        self.known = self.ground.known_elsewhere() if row.foreign == "other half" else self.ground
+        known = {one.name for one in fields(Wanted)}
+        self.wanted = Wanted(**{k: tuple(v) if isinstance(v, list) else v for k, v in row.wanted.items() if k in known})
+        self.world = world
+
+    def record(self, number: int) -> dict[str, Any]:
+        """Draws, spoils, locates and judges one image."""
+        rng = np.random.default_rng([zlib.crc32(self.row.name.encode()), number])
+        image, biases = self.image(rng, number)
+        localizer = self.known.localizer
+        if self.photos is None:
+            localizer.heed_biases(*biases)
+        trial = self._tried(image, rng)
+        return told_of(trial, self.row)
+
+    def image(self, rng: np.random.Generator, number: int) -> tuple[Image, tuple]:
+        """An image, and what the localizer is told of its labels."""
+        row, ground = self.row, self.ground
+        if self.photos is not None:
+            return self.photos.image(rng, number), ()
+        if row.foreign and row.foreign not in ("other half", "mirrored"):
+            return foreign.KINDS[row.foreign](self, rng, number), ()
+        wanted = replace(self.wanted, is_mirrored=row.foreign == "mirrored")
+        image = ground.draw(wanted, rng, is_of_map=row.foreign != "other half")
+        noise, biases = self.noise(image.view, rng)
+        before = ground.spoiled_values
+        ground.spoiled_values = BUILDINGS if row.noise in OF_NETWORKS else before
+        try:
+            return ground.spoiled(image, noise, rng), biases
+        finally:
+            ground.spoiled_values = before
+
+    def noise(self, view: View, rng: np.random.Generator) -> tuple[LabelNoise, tuple]:
+        """The noise of one image in its pixels, and what the localizer is told of it."""
+        row, pixel = self.row, view.pixel_size
+        noise = NOISES[row.noise]
+        if row.noise in OF_NETWORKS:
+            noise = noise.in_pixels(pixel * 1280.0 / self.ground.database.parameters.window_size)
+        if row.jitter >= 0:
+            noise = replace(noise, jitter=row.jitter)
+        shared, biases = LabelNoise(displaced=DISPLACED_M if row.displaced else 0.0), ()
+        if row.shift_m:
+            angle = rng.uniform(0, 2 * np.pi)
+            right, down = row.shift_m * np.cos(angle), row.shift_m * np.sin(angle)
+            shared = replace(shared, class_shifts=((BUILDINGS[0], right, down),))
+            bias = ClassBias(BUILDINGS[0], right=right, down=down, spread=STATED_SPREAD_M)
+            biases = ((bias,), 0.0) if row.stated else ((), NETWORK_SPREAD)
+        if row.leaning:
+            shared = replace(shared, leaning=row.leaning, leaning_classes=BUILDINGS)
+        # What is shared is as large on the ground in every image.
+        shared = shared.in_pixels(pixel)
+        names = ("displaced", "displaced_kernels", "class_shifts", "leaning", "leaning_classes")
+        return replace(noise, **{name: getattr(shared, name) for name in names}), biases
+
+    def _tried(self, image: Image, rng: np.random.Generator) -> Trial:
+        prior, within = self.prior(image.view, rng), self.row.right_m or None
+        if self.row.level_error_deg < 0:
+            return self.known.try_image(image, self.method, prior, within)
+        view, localizer = image.view, self.known.localizer
+        focal = focal_length_from_view(view.field_of_view_deg, view.shape_hw)
+        way = leveling(attitude_of(view, rng.normal(0, self.row.level_error_deg, 2)), focal, view.shape_hw)
+        scales = localizer.settings.constellation.scales
+        prior = prior or Prior(pixel_size_range=localizer.pixel_sizes(view.shape_hw, scales))
+        found = localize_leveled(localizer, image.labels_hw, self.method, prior, way)
+        return judge(image.query, self.method, found, within, image.landmarks)
+
+    def prior(self, view: View, rng: np.random.Generator) -> Prior | None:
+        """What the camera and the user know of an image."""
+        row, known = self.row, {}
+        if row.prior_share:
+            radius = row.prior_share * view.footprint
+            off = rng.uniform(-0.5, 0.5, 2) * radius
+            known |= {"position": (view.x + off[0], view.y + off[1]), "radius": radius}
+        if row.size_known:
+            off = 1 + row.size_known
+            known["pixel_size_range"] = (view.pixel_size / off, view.pixel_size * off)
+        elif self.photos is not None and self.photos.searched:
+            known["pixel_size_range"] = self.photos.searched
+        if row.heading_known_deg:
+            off = rng.uniform(-1, 1) * row.heading_known_deg
+            known |= {"heading_deg": (view.heading_deg + off) % 360, "heading_range_deg": row.heading_known_deg}
+        return Prior(**known) if known else None
+
+
+def attitude_of(view: View, errors_deg: np.ndarray) -> Attitude:
+    """Roll and pitch of a view, plus errors."""
+    tilt, direction = np.radians((view.tilt_deg, view.tilt_direction_deg))
+    pitch = np.arcsin(np.sin(tilt) * np.cos(direction))
+    roll = np.arctan2(np.sin(tilt) * np.sin(direction), np.cos(tilt))
+    return Attitude(float(np.degrees(roll) + errors_deg[0]), float(np.degrees(pitch) + errors_deg[1]))
+
+
+def told_of(trial: Trial, row: Row) -> dict[str, Any]:
+    """The record of one image; nothing that JSON cannot hold."""
+    found, query = trial.result, trial.query
+    best, covariance = found.best, found.covariance
+    off = math.inf if best is None else math.dist(best.position, query.view.position)
+    within = row.right_m or RIGHT_SHARE * query.view.footprint
+    record = {
+        "status": str(trial.status.key),
+        "by": str(found.method.key),
+        "right": trial.is_right,
+        "wrong": trial.is_wrong,
+        "of_map": query.can_be_right,
+        "best_right": query.can_be_right and off <= within,
+        "risk": found.risk,
+        "error": trial.error,
+        "share": trial.error_share,
+        "ratio": trial.radius_ratio,
+        "radius": found.error_95_m,
+        "heading": trial.heading_error_deg,
+        "scale": trial.scale_error,
+        "landmarks": trial.landmarks,
+        "found": found.references,
+        "seconds": trial.seconds,
+        "log_odds": None if best is None else best.log_odds,
+        "rival": max(found.mirror_log_odds or 0.0, found.runner_up_log_odds or -math.inf),
+        "lead": None if found.peaks is None else lead(found.peaks),
+        "detail": None if found.peaks is None else found.peaks.detail,
+    }
+    if trial.is_right and covariance is not None and trial.heading_error_deg is not None:
+        size_off = (trial.scale_error or 0.0) * query.view.pixel_size
+        record["heading_held"] = trial.heading_error_deg <= 1.96 * covariance.heading_deviation_deg
+        record["scale_held"] = size_off <= 1.96 * covariance.pixel_size_deviation
+    return {key: _plain(value) for key, value in record.items()}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, (bool, np.bool_)):
+        return bool(value)
+    if isinstance(value, (float, np.floating)):
+        return float(value) if math.isfinite(value) else None
+    return int(value) if isinstance(value, np.integer) else value
+
+
+# --- tables ---
+
+
+def cells(some: Sequence[dict], columns: Sequence[str]) -> list[str]:
+    """The cells of a row, one a column of COLUMNS."""
+    return [COLUMNS[column](some) for column in columns]
+
+
+def _refused(some: Sequence[dict]) -> str:
+    counts = Counter(one["status"] for one in some if not one["right"] and not one["wrong"])
+    return ", ".join(f"{count} {status}" for status, count in sorted(counts.items())) or "0"
+
+
+def _errors(some: Sequence[dict]) -> str:
+    right = [one for one in some if one["right"]]
+    if not right:
+        return "–"
+    error, share = (percentile([one[name] for one in right], 50) for name in ("error", "share"))
+    heading, scale = (percentile([one[name] for one in right], 50) for name in ("heading", "scale"))
+    text = f"{error:.2f} m ({100 * share:.3f} %)"
+    return text if heading is None else f"{text}, {heading:.3f}°, {100 * scale:.3f} %"
+
+
+def _held(share: float) -> Any:
+    most = math.sqrt(-2 * math.log(1 - share))
+
+    def column(some: Sequence[dict]) -> str:
+        ratios = [one["ratio"] for one in some if one["right"] and one["ratio"] is not None]
+        return rate(sum(ratio * AT_95 <= most for ratio in ratios), len(ratios))
+
+    return column
+
+
+def _radius(some: Sequence[dict]) -> str:
+    right = [one for one in some if one["right"] and one["radius"] is not None]
+    if not right:
+        return "–"
+    return f"{np.median([one['radius'] for one in right]):.2f} m, {np.median([one['error'] for one in right]):.2f} m"
+
+
+def _milliseconds(some: Sequence[dict]) -> str:
+    taken = [one["seconds"] for one in some if one["seconds"] is not None]
+    return "{:.0f}, {:.0f}".format(*(1000 * np.percentile(taken, [50, 95]))) if taken else "–"
+
+
+def _landmarks(some: Sequence[dict]) -> str:
+    seen, found = (np.median([one[name] or 0 for one in some]) for name in ("landmarks", "found"))
+    return f"{seen:.0f} → {found:.0f}"
+
+
+def _ways(some: Sequence[dict]) -> str:
+    counts = Counter(one["by"] for one in some if one["right"])
+    return ", ".join(str(counts[one.key]) for one in (Method.CONSTELLATION, Method.MAP_CORRELATION))
+
+
+def _turned(some: Sequence[dict]) -> str:
+    held = [one for one in some if "heading_held" in one]
+    shares = (np.mean([one[name] for one in held]) for name in ("heading_held", "scale_held"))
+    return ", ".join(f"{share:.0%}" for share in shares) if held else "–"
+
+
+COLUMNS = {
+    "right fixes": lambda some: rate(sum(one["right"] for one in some), sum(one["of_map"] for one in some)),
+    "wrong fixes": lambda some: rate(sum(one["wrong"] for one in some), len(some)),
+    "no fix": _refused,
+    "likely": lambda some: rate(sum(one["status"] == "likely" for one in some), len(some)),
+    "best place right, fix or not": lambda some: rate(sum(one["best_right"] for one in some), len(some)),
+    "right by constellation, by map correlation": _ways,
+    "landmarks in view → found (medians)": _landmarks,
+    "median error, heading, scale": _errors,
+    "in the 50 % ellipse": _held(0.5),
+    "95 %": _held(0.95),
+    "99 %": _held(0.99),
+    "median 95 % radius, error": _radius,
+    "heading, scale 95 %": _turned,
+    "smallest risk": lambda some: f"{min((one['risk'] for one in some if one['risk'] is not None), default=1.0):.2g}",
+    "ms median, p95": _milliseconds,
+}
+"""What a column of a scenario says of a row's records; the row is the first column."""
+
+RISKS = (0.5, 0.2, 1e-2, 1e-3, 1e-4, 1e-6)
+DECADES = (1.0, 0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0)
+
+
+def _risky(some: Sequence[dict]) -> Iterator[tuple[float, bool]]:
+    """(stated risk, whether the best place is right)."""
+    return ((1.0 if one["risk"] is None else one["risk"], one["best_right"]) for one in some)
+
+
+def curve(some: Sequence[dict]) -> Table:
+    """Tenths of the stated probability, and the expected calibration error."""
+    pairs, rows, error = list(_risky(some)), [], 0.0
+    for tenth in range(10):
+        chosen = [(1 - risk, right) for risk, right in pairs if min(int(10 * (1 - risk)), 9) == tenth]
+        if chosen:
+            mean, right = float(np.mean([p for p, _ in chosen])), sum(right for _, right in chosen)
+            error += len(chosen) / len(pairs) * abs(mean - right / len(chosen))
+            rows.append([f"{tenth / 10:.1f}–{tenth / 10 + 0.1:.1f}", f"{mean:.3f}", rate(right, len(chosen))])
+    rows.append(["expected calibration error", f"{error:.3f}", ""])
+    return {"columns": ["stated probability", "mean", "right"], "rows": rows}
+
+
+def by_risk(some: Sequence[dict]) -> Table:
+    """Wrong places by stated risk, against the number that the risks add up to."""
+    pairs, rows = list(_risky(some)), []
+    for high, low in zip(DECADES, DECADES[1:]):
+        chosen = [(risk, right) for risk, right in pairs if low < risk <= high or risk == low == 0]
+        if chosen:
+            wrong = sum(not right for _, right in chosen)
+            rows.append([f"{low:g}–{high:g}", f"{sum(r for r, _ in chosen):.2g}", rate(wrong, len(chosen))])
+    return {"columns": ["stated risk", "wrong expected", "wrong"], "rows": rows}
+
+
+def costs(found: dict[str, list[dict]]) -> Table:
+    """Best places that a RISK lets through, by row: right; wrong."""
+    rows = []
+    for name, some in found.items():
+        line = []
+        for allowed in RISKS:
+            passed = [right for risk, right in _risky(some) if risk <= allowed]
+            line.append(f"{rate(sum(passed), len(some))}; {len(passed) - sum(passed)} wrong")
+        rows.append([name, *line])
+    return {"columns": ["right at RISK", *(f"{allowed:g}" for allowed in RISKS)], "rows": rows}

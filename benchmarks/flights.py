@@ -1,0 +1,206 @@
+"""Flights: routes are drawn over a map, their images spoiled, and placed by the flight solver as one track."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from benchmarks.accuracy import BUILDINGS, NOISES
+from benchmarks.ground import Ground
+from benchmarks.maps import NoDataError, World
+from benchmarks.results import Table, rate
+from semref.core.assessment.flights import SIZE_KNOWN, link_between
+from semref.core.flight.flight import FlightSolver
+from semref.core.flight.model import FlightImage
+from semref.core.flight.motion import Link
+from semref.core.localization import Prior
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import DISPLACED_M, LabelNoise
+from semref.core.simulation.views import View, cut
+
+LARGEST_TRIES = 5_000
+BEND_DEG, CRAB_DEG = 6.0, 10.0
+"""Deviation of the course from image to image; headings differ from courses by so much at most."""
+
+WRONG_SHARE = 0.1
+"""A pose farther off than this share of an image's edge is wrong."""
+
+AT = (1, 3, 5, 10, 20, 30)
+COLUMNS = (
+    "flights",
+    "flights, images",
+    "placed (whole flight)",
+    "wrong",
+    "median, 95th percentile of error",
+    "in the 95 % ellipse",
+    "s an image: median, p95",
+    *(f"image {n}" for n in AT),
+)
+
+
+@dataclass(frozen=True)
+class Row:
+    """Flights of one kind.
+
+    Attributes:
+        name: of the row
+        database: name of the map that the database is made of
+        images: name of the map that is flown over; the same if empty
+        half: of the map that is flown over
+        ground_m: edge of an image on the ground
+        step_m: from image to image
+        length: images
+        noise: of the labels, one of ``accuracy.NOISES``, in meters
+        drift: of the links, a share of the distance
+        missing: every so many-th link is missing; 0 for none
+        scales: pixel sizes, pixels of the map
+        foreign: ``mirrored`` or ``other half``: no place is right
+        heading_known_deg: how far off stated headings are at most; 0 for none
+        count: flights
+    """
+
+    name: str
+    database: str = "liechtenstein"
+    images: str = ""
+    half: str = "south"
+    ground_m: float = 640.0
+    step_m: float = 200.0
+    length: int = 30
+    noise: str = "strong"
+    drift: float = 0.01
+    missing: int = 0
+    scales: list[float] = field(default_factory=lambda: [0.8, 1.25])
+    foreign: str = ""
+    heading_known_deg: float = 0.0
+    count: int = 20
+
+
+def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
+    """Measures a scenario's flights; rows whose data is missing are named and left out."""
+    rows = []
+    for settings in scenario["row"]:
+        row = Row(**{**scenario.get("defaults", {}), **settings})
+        if only and not any(part.casefold() in row.name.casefold() for part in only):
+            continue
+        try:
+            ground = world.ground(row.database, row.images, row.half)
+        except NoDataError as error:
+            print(f"  {row.name}: not measured: {error}", file=sys.stderr, flush=True)
+            continue
+        known = ground.known_elsewhere() if row.foreign == "other half" else ground
+        flown = [one_flight(ground, known, row, number) for number in range(world.count or row.count)]
+        rows.append(cells(row, flown))
+        print("  " + " | ".join(rows[-1]), file=sys.stderr, flush=True)
+    return [{"columns": list(COLUMNS), "rows": rows}]
+
+
+def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str, list]:
+    """Poses of the whole flight, those known image by image, and seconds an image."""
+    rng = np.random.default_rng([1616, len(row.name), number])
+    images, links, views = draw(ground, row, rng)
+    if row.foreign == "mirrored":
+        images = [replace(i, labels_hw=np.ascontiguousarray(i.labels_hw[:, ::-1])) for i in images]
+        links = [link.mirrored() for link in links]
+    solver, seconds = FlightSolver(known.localizer), []
+    started = time.process_time()
+    for done, _ in solver.steps(images, links):
+        # Looks back at images count with the last one.
+        seconds += [0.0] * (done - len(seconds))
+        seconds[-1] += time.process_time() - started
+        started = time.process_time()
+    ways = {"whole": solver.result.poses, "causal": solver.causal}
+    placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
+    return {**placed, "seconds": seconds}
+
+
+def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:
+    """(error, edge of the ground, whether the ellipse contains the truth); None without a fix."""
+    if not pose.is_fix:
+        return None
+    off = np.subtract(pose.place.position, view.position)
+    square = float(off @ np.linalg.solve(np.array(pose.covariance.position), off))
+    return float(np.hypot(*off)), view.footprint, bool(square <= -2 * np.log(0.05))
+
+
+def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[FlightImage], list[Link], list[View]]:
+    """A flight over a ground's extent whose images all show the map.
+
+    Raises:
+        ValueError: When the map has no room for one.
+    """
+    left, bottom, right, top = ground.extent
+    for _ in range(LARGEST_TRIES):
+        views = _route(ground, row, rng)
+        if not all(left < view.x < right and bottom < view.y < top for view in views):
+            continue
+        columns, rows = ground.frame.to_pixels(np.array([view.position for view in views])).astype(int).T
+        if not ground.labels_hw[rows, columns].all():
+            continue
+        seen = [cut(ground.labels_hw, ground.frame, view) for view in views]
+        if min((labels > 0).mean() for labels in seen) >= 0.7:
+            return *_fly(ground, row, views, seen, rng), views
+    raise ValueError(f"{LARGEST_TRIES} flights left the map.")
+
+
+def _route(ground: Ground, row: Row, rng: np.random.Generator) -> list[View]:
+    left, bottom, right, top = ground.extent
+    x, y, course = rng.uniform(left, right), rng.uniform(bottom, top), rng.uniform(0, 360)
+    crab, size = rng.uniform(-CRAB_DEG, CRAB_DEG), np.exp(rng.uniform(*np.log(row.scales))) * ground.frame.pixel_size
+    edge, views = round(row.ground_m / size), []
+    for _ in range(row.length):
+        here = float(size * np.exp(rng.normal(0, 0.005)))
+        views.append(View(float(x), float(y), float((course + crab) % 360), here, edge, edge))
+        course += rng.normal(0, BEND_DEG)
+        x, y = x + row.step_m * np.sin(np.radians(course)), y + row.step_m * np.cos(np.radians(course))
+    return views
+
+
+def _fly(
+    ground: Ground, row: Row, views: list[View], seen: list[np.ndarray], rng: np.random.Generator
+) -> tuple[list[FlightImage], list[Link]]:
+    bias = complex(*rng.normal(0, row.drift, 2))
+    links = [link_between(number, pair, row.drift, bias, rng) for number, pair in enumerate(zip(views, views[1:]))]
+    if row.missing:
+        links = [link for link in links if link.second % row.missing]
+    noise = NOISES[row.noise]
+    if noise != LabelNoise():
+        noise = replace(noise, displaced=DISPLACED_M)
+    images = []
+    for number, (view, labels) in enumerate(zip(views, seen)):
+        smallest = max(ground.database.parameters.minimum_area / view.pixel_size**2, 1.0)
+        if noise != LabelNoise():
+            labels = spoil_labels(labels, noise.in_pixels(view.pixel_size), rng, BUILDINGS, None, smallest)
+        known = {"pixel_size_range": (view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN)}
+        if row.heading_known_deg:
+            off = rng.uniform(-1, 1) * row.heading_known_deg
+            known |= {"heading_deg": (view.heading_deg + off) % 360, "heading_range_deg": row.heading_known_deg}
+        images.append(FlightImage(f"{number:03d}", labels, time_s=float(number), prior=Prior(**known)))
+    return images, links
+
+
+def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
+    """The cells of a row, one a column."""
+    images = [one for flight in flown for one in flight["whole"]]
+    placed = [one for one in images if one]
+    wrong = [one for one in placed if row.foreign or one[0] > WRONG_SHARE * one[1]]
+    errors = [] if row.foreign else [one[0] for one in placed]
+    seconds = np.concatenate([flight["seconds"] for flight in flown])
+    steps = []
+    for number in AT:
+        known = [flight["causal"][number - 1] for flight in flown if number <= len(flight["causal"])]
+        steps.append(f"{sum(one is not None for one in known)}/{len(known)}")
+    return [
+        row.name,
+        f"{len(flown)}, {len(images)}",
+        rate(len(placed), len(images)),
+        rate(len(wrong), len(images)),
+        f"{np.median(errors):.1f} m, {np.percentile(errors, 95):.1f} m" if errors else "–",
+        rate(sum(one[2] for one in placed), len(placed)) if errors else "–",
+        f"{np.median(seconds):.1f}, {np.percentile(seconds, 95):.1f}",
+        *steps,
+    ]

@@ -1,0 +1,215 @@
+"""Images cut from a label map, spoiled, and located in a database, which may be of another date."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from semref.core.assessment.cells import ground_cells
+from semref.core.database.model import MapLandmarks, ReferenceDatabase
+from semref.core.evaluation.trial import Query, Trial, judge
+from semref.core.geometry.frame import MapFrame
+from semref.core.labels.class_shares import ClassShares
+from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
+from semref.core.localization import Localization, Method, Prior
+from semref.core.localizer.localizer import Localizer
+from semref.core.simulation.label_errors import spoil_labels
+from semref.core.simulation.noise import LabelNoise
+from semref.core.simulation.views import View, cut, lies_on, random_view
+
+LARGEST_TRIES = 20_000
+"""Places tried for one view before the map is said to have none like it."""
+
+REACH_PX = 1_200
+"""Images see at most so far beyond the half of the map that their centers are in."""
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What images to draw.
+
+    Attributes:
+        scales: smallest and largest pixel size, in pixels of the map
+        headings_deg: to choose from; any if empty
+        landmarks: fewest and most whole ones in view, before any noise
+        tilt_deg: of the camera, in any direction
+        lens: radial distortion, of either sign
+        labeled: least share of the image
+        sizes_px: edges to choose from; the ground's own if empty
+        share: of a window's edge that the image shows, ± 15 %, at uniform positions over the ground; 0 for ``scales``
+        is_inside: whether all of the image shows the map
+        is_mirrored: whether left and right are exchanged
+    """
+
+    scales: tuple[float, float] = (0.8, 1.25)
+    headings_deg: tuple[float, ...] = ()
+    landmarks: tuple[int, int] = (20, 10**9)
+    tilt_deg: float = 0.0
+    lens: float = 0.0
+    labeled: float = 0.0
+    sizes_px: tuple[int, ...] = ()
+    share: float = 0.0
+    is_inside: bool = False
+    is_mirrored: bool = False
+
+
+@dataclass(frozen=True)
+class Image:
+    """A simulated image: its truth, its (H, W) labels, the whole landmarks it showed before any noise.
+
+    ``shares``: of a photo, how sure its network is.
+    """
+
+    query: Query
+    labels_hw: np.ndarray
+    landmarks: int = 0
+    shares: ClassShares | None = None
+
+    @property
+    def view(self) -> View:
+        return self.query.view
+
+
+class Ground:
+    """A label map that images are cut from, and the database they are located in.
+
+    Attributes:
+        extent: (x_min, y_min, x_max, y_max) that centers of images are in, map units
+        spoiled_values: classes whose regions noise misses, adds, merges and splits
+    """
+
+    def __init__(
+        self, labels_hw: np.ndarray, database: ReferenceDatabase, half: str = "", size_px: int | None = None
+    ) -> None:
+        parameters = database.parameters
+        self.labels_hw, self.database = labels_hw, database
+        self.references = database.references
+        self.localizer = Localizer(database)
+        self.frame = parameters.frame.of_shape(labels_hw.shape)
+        self.size_px = size_px or round(parameters.window_size / parameters.pixel_size)
+        self.spoiled_values = database.class_table.reference_values
+        left, bottom, right, top = self.frame.extent
+        self.middle = float(np.median(database.references.positions[:, 1]))
+        halves = {"north": (left, self.middle, right, top), "south": (left, bottom, right, self.middle)}
+        self.extent = halves.get(half, self.frame.extent)
+        self._cells: np.ndarray | None = None
+
+    def known_elsewhere(self) -> Ground:
+        """The same images, but the database has the other half of the map only: any fix is wrong."""
+        is_north = self.extent[1] >= self.middle
+        edge = self.extent[1] - REACH_PX if is_north else self.extent[3] + REACH_PX
+        references, overview = self.database.references, self.database.overview.copy()
+        inside = references.positions[:, 1] < edge if is_north else references.positions[:, 1] > edge
+        row = int((self.frame.origin[1] - edge) / self.database.parameters.overview_frame.pixel_size)
+        overview[slice(0, row) if is_north else slice(row, None)] = 0
+        database = replace(self.database, references=chosen(references, inside), overview=overview)
+        other = Ground(self.labels_hw, database, size_px=self.size_px)
+        other.extent, other.references, other.spoiled_values = self.extent, self.references, self.spoiled_values
+        return other
+
+    def draw(self, wanted: Wanted, rng: np.random.Generator, is_of_map: bool = True) -> Image:
+        """An image as wanted.
+
+        Raises:
+            ValueError: When the map has none.
+        """
+        for _ in range(LARGEST_TRIES):
+            view = self._view(wanted, rng)
+            if self._count_near(view) < 0.7 * wanted.landmarks[0] or wanted.is_inside and not lies_on(self.frame, view):
+                continue
+            labels = cut(self.labels_hw, self.frame, view)
+            if (labels > 0).mean() < wanted.labeled:
+                continue
+            count = int((~self.landmarks_in(labels, view.pixel_size).touches_edge).sum())
+            if wanted.landmarks[0] <= count <= wanted.landmarks[1]:
+                return Image(Query(view, is_of_map=is_of_map), labels, count)
+        raise ValueError(f"{LARGEST_TRIES} places of the map have no view with {wanted.landmarks[0]} landmarks.")
+
+    def _view(self, wanted: Wanted, rng: np.random.Generator) -> View:
+        edge = int(rng.choice(wanted.sizes_px)) if wanted.sizes_px else self.size_px
+        if wanted.share:
+            view = self._anywhere(wanted.share, rng)
+        else:
+            sizes = tuple(scale * self.frame.pixel_size for scale in wanted.scales)
+            view = random_view(rng, self.extent, (edge, edge), sizes)
+        if wanted.headings_deg:
+            view = replace(view, heading_deg=float(rng.choice(wanted.headings_deg)))
+        if wanted.tilt_deg:
+            view = replace(view, tilt_deg=wanted.tilt_deg, tilt_direction_deg=float(rng.uniform(0, 360)))
+        if wanted.lens:
+            view = replace(view, lens=float(rng.choice([-1, 1])) * wanted.lens)
+        return replace(view, is_mirrored=wanted.is_mirrored)
+
+    def _anywhere(self, share: float, rng: np.random.Generator) -> View:
+        """A view at a uniform position over the ground that the map has."""
+        parameters = self.database.parameters
+        spacing = parameters.window_size / 2
+        if self._cells is None:
+            self._cells = ground_cells(self.database, spacing).centers
+        left, bottom, right, top = self.extent
+        while True:
+            x, y = self._cells[rng.integers(len(self._cells))] + rng.uniform(-spacing / 2, spacing / 2, 2)
+            if left <= x <= right and bottom <= y <= top:
+                break
+        edge = share * parameters.window_size * math.exp(rng.uniform(-0.15, 0.15))
+        size = round(share * parameters.window_size / parameters.pixel_size)
+        return View(float(x), float(y), float(rng.uniform(0, 360)), edge / size, size, size)
+
+    def landmarks_in(self, labels_hw: np.ndarray, pixel_size: float) -> Landmarks:
+        """Landmarks of an image, from the smallest of the map on."""
+        least = self.localizer.settings.constellation.smallest_object_px
+        smallest = max(self.database.parameters.minimum_area / pixel_size**2, least)
+        return extract_landmarks(labels_hw, self.database.class_table.reference_values, smallest)
+
+    def spoiled(self, image: Image, noise: LabelNoise, rng: np.random.Generator) -> Image:
+        """The image with noise, in its pixels; spurious landmarks are those of another view at about its scale."""
+        if noise == LabelNoise():
+            return image
+        pixel = image.view.pixel_size
+        donor = None
+        if noise.spurious:
+            scale = pixel / self.frame.pixel_size
+            size = image.view.width_px
+            donor = self.draw(Wanted((scale, scale), landmarks=(min(4, size // 160), 10**9), sizes_px=(size,)), rng)
+        smallest = max(self.database.parameters.minimum_area / pixel**2, 1.0)
+        donated = None if donor is None else donor.labels_hw
+        labels = spoil_labels(image.labels_hw, noise, rng, self.spoiled_values, donated, smallest)
+        return replace(image, labels_hw=labels)
+
+    def try_image(
+        self, image: Image, method: Method, prior: Prior | None = None, right_within: float | None = None
+    ) -> Trial:
+        """A label image in, what came of it out."""
+        started = time.process_time()
+        found: Localization = self.localizer.localize(image.labels_hw, method, prior, shares=image.shares)
+        seconds = time.process_time() - started
+        return judge(image.query, method, found, right_within, image.landmarks, seconds)
+
+    def _count_near(self, view: View) -> int:
+        """Landmarks of the map in the upright square of the view's size: a quick look before it is cut."""
+        away = np.abs(self.references.positions - view.position).max(axis=1)
+        return int((away < view.footprint / 2).sum())
+
+
+def chosen(references: MapLandmarks, kept: np.ndarray) -> MapLandmarks:
+    """Those landmarks of a map that ``kept`` selects, (N,) bool."""
+    columns = {name: column[kept] for name, column in vars(references).items() if column is not None}
+    return replace(references, **columns)
+
+
+def memory_ground(labels_hw: np.ndarray, classes_csv: str, sizes: Sequence[float], pixel_m: float = 1.0) -> Ground:
+    """The ground of a label map in memory, whose database is built here; ``sizes``: window, stride, minimum area."""
+    from semref.core.database.build import BuildSettings, DatabaseBuilder
+    from semref.core.labels.class_table import class_table_from_csv
+    from semref.core.labels.sources import ArrayLabels
+
+    frame = MapFrame.at((0.0, 0.0), pixel_m)
+    table = class_table_from_csv(classes_csv)
+    builder = DatabaseBuilder(ArrayLabels(labels_hw), frame, table, BuildSettings(*sizes), "benchmark")
+    for _ in builder.steps():
+        pass
+    return Ground(labels_hw, replace(builder.database, overview=builder.overview))

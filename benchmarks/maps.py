@@ -1,0 +1,191 @@
+"""Label maps and databases of the maps in maps.toml: made by the plugin's algorithms once, kept in the work folder."""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks.ground import Ground
+from benchmarks.toml import read_toml
+
+MAPS = read_toml(Path(__file__).with_name("maps.toml"))
+USUAL = {"pixel_size": 1.0, "window": 1280.0, "stride": 350.0, "minimum_area": 100.0}
+LAND = ("building", "bare_land", "water")
+UNLABELED_CODE = 255
+"""Class codes of 0, which means unlabeled in a label map, become this."""
+
+
+class NoDataError(Exception):
+    """The data of a map is not here."""
+
+
+@dataclass(frozen=True)
+class World:
+    """Where benchmarks read and write.
+
+    Attributes:
+        data: folder of the real data
+        work: folder of intermediate files, kept between runs
+        models: folder of networks, for photos
+        count: images a row; None for as many as the scenario wants
+    """
+
+    data: Path
+    work: Path
+    models: Path | None = None
+    count: int | None = None
+
+    def ground(self, database: str, images: str = "", half: str = "") -> Ground:
+        """Images of one map, located in the database of the same or another one."""
+        return _ground(self, database, images or database, half)
+
+    def label_map(self, name: str) -> Path:
+        """The label map (GeoTIFF) of a map.
+
+        Raises:
+            NoDataError: When its data is not here.
+        """
+        path, one = self.work / f"{name}.tif", settings(name)
+        if path.exists():
+            return path
+        if "seed" in one:
+            write_sample(self.work / "sample")
+            return run_rasterize(
+                self.work / "sample" / "landcover.shp", path, self.work / "sample" / "classes.csv", one
+            )
+        source = self.data / one.get("annotation", one.get("extract", ""))
+        if not source.exists():
+            raise NoDataError(f"{source.name} is not here.")
+        if "extract" in one:
+            source = self._classified(name, source, one["epsg"])
+            table = self._rule_table()
+        else:
+            table = self._class_table(name, source, one)
+        return run_rasterize(source, path, table, one)
+
+    def database(self, name: str, stride: float | None = None) -> Path:
+        """The database of a map, with its own stride or another."""
+        one = settings(name)
+        path = self.work / f"{name}_{stride or one['stride']:g}.gpkg"
+        if not path.exists():
+            run_algorithm("builddatabase", build_parameters(name, self.label_map(name), path, stride))
+        return path
+
+    def _classified(self, name: str, extract: Path, epsg: int) -> Path:
+        from osgeo import gdal
+
+        metric, classified = (self.work / f"{name}_{what}.gpkg" for what in ("areas", "classes"))
+        gdal.UseExceptions()
+        gdal.VectorTranslate(
+            str(metric), str(extract), layers=["multipolygons"], dstSRS=f"EPSG:{epsg}", geometryType="MULTIPOLYGON"
+        )
+        run_algorithm("classifyopenstreetmap", {"INPUT": str(metric), "OUTPUT": str(classified)})
+        return classified
+
+    def _rule_table(self) -> Path:
+        from semref.processing.algorithms.classify_openstreetmap import RULES_PATH
+        from semref.storage.text_tables import read_rules
+
+        names = read_rules(str(RULES_PATH)).classes
+        return _write_table(self.work / "rules_classes.csv", list(enumerate(names, 1)), LAND)
+
+    def _class_table(self, name: str, source: Path, one: dict[str, Any]) -> Path:
+        """All classes of all dates of a source, so that maps of two dates have the same values."""
+        from osgeo import ogr
+
+        layer, found = ogr.Open(str(source)), set()
+        others = [other for other in map(settings, MAPS) if other.get("annotation") == one["annotation"]]
+        for feature in layer.GetLayer(0):
+            for other in others:
+                value = int(feature.GetField(other["value_field"]))
+                found.add((value or UNLABELED_CODE, feature.GetField(other["class_field"])))
+        return _write_table(self.work / f"{name}_classes.csv", sorted(found), one["references"])
+
+
+@cache
+def _ground(world: World, database: str, images: str, half: str) -> Ground:
+    from semref.storage.database.reader import read_database
+
+    one = settings(database)
+    content = read_database(str(world.database(database)), with_overview=True)
+    labels = aligned(world, images, content.parameters.frame) if images != database else read(world.label_map(images))
+    return Ground(labels, content, half, round(one["window"] / one["pixel_size"]))
+
+
+def aligned(world: World, images: str, frame: Any) -> np.ndarray:
+    """Labels of another date on the pixels of a database's map, 0 where they are missing."""
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    left, bottom, right, top = frame.extent
+    options = {"format": "MEM", "outputBounds": (left, bottom, right, top), "xRes": frame.pixel_size}
+    return gdal.Warp("", str(world.label_map(images)), yRes=frame.pixel_size, **options).ReadAsArray()
+
+
+def settings(name: str) -> dict[str, Any]:
+    """What maps.toml says of a map."""
+    one = MAPS[name]
+    return {**(settings(one["like"]) if "like" in one else USUAL), **one}
+
+
+def build_parameters(name: str, labels: Path, output: Path, stride: float | None = None) -> dict[str, Any]:
+    """Parameters of semref:builddatabase."""
+    one = settings(name)
+    found = {"LABELS": str(labels), "WINDOW_SIZE": one["window"], "STRIDE": stride or one["stride"]}
+    return {**found, "MINIMUM_AREA": one["minimum_area"], "DATABASE": str(output)}
+
+
+def run_rasterize(annotation: Path, output: Path, table: Path, one: dict[str, Any]) -> Path:
+    """Run semref:rasterizeannotation."""
+    is_extract = "extract" in one
+    parameters = {
+        "INPUT": str(annotation),
+        "CLASS_FIELD": one.get("class_field", "class"),
+        "PRIORITY_FIELD": one.get("priority_field", "priority" if is_extract else "zorder" if "seed" in one else None),
+        "CLASS_TABLE": str(table),
+        "PIXEL_SIZE": one["pixel_size"],
+        "OUTPUT": str(output),
+    }
+    run_algorithm("rasterizeannotation", parameters)
+    return output
+
+
+def run_algorithm(name: str, parameters: dict[str, Any]) -> list[str]:
+    """Run ``semref:name`` as the toolbox does; gives the lines of its log."""
+    import processing
+    from qgis.core import QgsProcessingFeedback
+
+    feedback = QgsProcessingFeedback(False)
+    processing.run(f"semref:{name}", parameters, feedback=feedback)
+    return [line for line in feedback.textLog().splitlines() if line.strip()]
+
+
+def read(path: Path) -> np.ndarray:
+    """All bands of a raster, by GDAL alone."""
+    from osgeo import gdal
+
+    return gdal.Open(str(path)).ReadAsArray()
+
+
+def write_sample(folder: Path, seed: int = 1671) -> None:
+    """Annotation and classes of the made-up sample area, unless they are there."""
+    if not (folder / "landcover.shp").exists():
+        from sample.files import write_classes, write_shapefile
+        from sample.landscape import make_landscape
+
+        folder.mkdir(parents=True, exist_ok=True)
+        write_shapefile(make_landscape(seed), folder)
+        write_classes(folder / "classes.csv")
+
+
+def _write_table(path: Path, classes: list[tuple[int, str]], references: tuple[str, ...] | list[str]) -> Path:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file, lineterminator="\n")
+        rows.writerow(["value", "name", "role"])
+        rows.writerows([value, name, "reference" if name in references else "background"] for value, name in classes)
+    return path

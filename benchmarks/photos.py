@@ -1,0 +1,187 @@
+"""Photos with known truth: of the sample area, of tiles and places with an annotation, as a network labels them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import cv2
+import numpy as np
+
+from benchmarks.ground import Ground, Image, Wanted, memory_ground
+from benchmarks.maps import NoDataError, World, read
+from benchmarks.places import BUILDING, TILE_CLASSES, place, prepared
+from benchmarks.results import ROOT
+from semref.core.evaluation.trial import Query
+from semref.core.labels.class_shares import FULL, ClassShares, SeenLabels
+from semref.core.labels.image_source import ArrayImage
+from semref.core.segmentation.class_bias import known_biases
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.photo_labels import PhotoLabels
+from semref.core.simulation.views import View
+
+if TYPE_CHECKING:
+    from benchmarks.accuracy import Row
+
+SHIPPED = ROOT / "models" / "sample_area.onnx"
+SAMPLE_SEED = 1671
+"""None of the seeds of areas that the network that ships was trained on."""
+
+PLACE_PIXEL_M = 0.25
+OTHER = 2
+BUILDINGS_ONLY = "value,name,color,role\n1,building,#3c1098,reference\n2,other,#8429f6,background\n"
+SEARCHED = (0.7, 1.4)
+"""Pixels of the map that an image's pixel may show."""
+
+
+@dataclass
+class Photos:
+    """A ground with a picture of it and a network.
+
+    Attributes:
+        ground: with the true labels
+        picture: (H, W, 3) uint8 on the same pixels
+        model: None for the true labels
+        wanted: crops
+        searched: pixel sizes looked for; None for the method's own
+        columns: (first, last) of the picture that crops may show
+        only_buildings: whether all other classes of the network are “other”
+    """
+
+    ground: Ground
+    picture: np.ndarray
+    model: SegmentationModel | None
+    wanted: Wanted
+    searched: tuple[float, float] | None
+    columns: tuple[int, int] = (0, 0)
+    only_buildings: bool = False
+
+    def __post_init__(self) -> None:
+        table = self.ground.database.class_table
+        if self.model is not None:
+            self._values = self.model.classes.values_in(table, "The model")
+            known = known_biases(self.model.class_bias, table)
+            self.ground.localizer.heed_biases(known.class_biases, known.class_spread)
+
+    def image(self, rng: np.random.Generator, number: int) -> Image:
+        """A crop, labeled by the network, or as the annotation has it."""
+        if self.columns != (0, 0):
+            self._stay_inside()
+        image = self.ground.draw(self.wanted, rng)
+        if self.model is None:
+            return image
+        found = self.seen(shown(self.ground, self.picture, image.view))
+        return replace(image, labels_hw=found.labels_hw, shares=found.shares)
+
+    def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
+        """What *Localize images* sees in a photo."""
+        found = PhotoLabels(self.model, ArrayImage(photo_hw3), self._values).seen()
+        if not self.only_buildings:
+            return found
+        labels = np.where(found.labels_hw == BUILDING, BUILDING, OTHER).astype(np.uint8)
+        if found.shares is None:
+            return SeenLabels(labels)
+        buildings = found.shares.of(np.array([BUILDING]))
+        values = np.array([BUILDING, OTHER], np.uint8)
+        return SeenLabels(labels, ClassShares(values, np.concatenate([buildings, FULL - buildings], axis=2)))
+
+    def _stay_inside(self) -> None:
+        """Crops show nothing but their part of the ground."""
+        pixel = self.ground.frame.pixel_size
+        reach = max(self.wanted.sizes_px) * self.wanted.scales[1] * np.sqrt(0.5) * pixel
+        left, bottom, right, top = self.ground.frame.extent
+        first, last = (pixel * column for column in self.columns)
+        if min(top - bottom, last - first) < 2 * reach:
+            raise ValueError("The place has no room for images of this size.")
+        first, last = first + reach * (first > 0), last - reach * (last < right - left)
+        self.ground.extent = (left + first, bottom, left + last, top)
+
+
+def of(world: World, row: Row) -> Photos:
+    """The photos of a row.
+
+    Raises:
+        NoDataError: When photos or network are not here.
+    """
+    if row.photos == "sample":
+        return SamplePhotos(*_sample(), _model(world, row), Wanted(), None)
+    sizes = tuple(row.wanted.get("sizes_px", (512, 640, 768)))
+    wanted = Wanted((0.9, 1.1), landmarks=(0, 10**9), sizes_px=sizes, is_inside=True)
+    if row.photos.startswith("tile"):
+        path = world.data / "dubai_aerial" / f"{row.photos}_label.tif"
+        if not path.exists():
+            raise NoDataError(f"{path.name} is not here.")
+        ground = memory_ground(read(path), TILE_CLASSES, (512, 128, 60))
+        picture = _rgb(read(path.with_name(path.name.replace("label", "image"))))
+        return Photos(ground, picture, _model(world, row), wanted, SEARCHED)
+    return _of_place(world, row, wanted)
+
+
+def _of_place(world: World, row: Row, wanted: Wanted) -> Photos:
+    name, _, number = row.photos.partition(".")
+    photo = place(name).photos[int(number or 0)]
+    if not (world.data / photo.image).exists():
+        raise NoDataError(f"{photo.image} is not here.")
+    image, labels = prepared(replace(photo, part=(0.0, 1.0)), world.data, PLACE_PIXEL_M, world.work / "places")
+    picture = _rgb(read(image))
+    truth = np.where(read(labels) == BUILDING, BUILDING, OTHER)
+    truth[~picture.any(axis=2)] = 0
+    ground = memory_ground(truth.astype(np.uint8), BUILDINGS_ONLY, (64, 16, 3.75), PLACE_PIXEL_M)
+    searched = tuple(PLACE_PIXEL_M * scale for scale in SEARCHED)
+    columns = tuple(round(share * picture.shape[1]) for share in photo.part)
+    return Photos(ground, picture, _model(world, row), wanted, searched, columns, True)
+
+
+def _model(world: World, row: Row) -> SegmentationModel | None:
+    if row.labels == "true":
+        return None
+    if not row.network:
+        return SegmentationModel(str(SHIPPED), 1)
+    found = sorted(world.models.glob(f"*{row.network}*.onnx")) if world.models else []
+    if not found:
+        raise NoDataError(f"--models has no network with “{row.network}” in its name.")
+    return SegmentationModel(str(found[0]), 1)
+
+
+class SamplePhotos(Photos):
+    """Photos taken over the sample area: other exposure, blur, JPEG."""
+
+    def image(self, rng: np.random.Generator, number: int) -> Image:
+        """One photo of a place and heading of its own."""
+        from sample import photo, pictures
+
+        seed = SAMPLE_SEED + number
+        picture = next(iter(pictures.plan_photos(self.ground.labels_hw.shape, seed, 1)))
+        taken = photo.shoot(self.picture, picture, seed)
+        jpeg = cv2.imencode(".jpg", taken[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
+        found = self.seen(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
+        return Image(Query(picture.view(len(taken))), found.labels_hw, shares=found.shares)
+
+
+@lru_cache(maxsize=1)
+def _sample() -> tuple[Ground, np.ndarray]:
+    from sample import photo
+    from sample.classes import CLASSES
+    from sample.files import grid_of, rasterize
+    from sample.landscape import make_landscape
+
+    landscape = make_landscape(SAMPLE_SEED)
+    rows = [f"{c.value},{c.name},{c.color},{c.role}" for c in CLASSES]
+    table = "\n".join(["value,name,color,role", *rows])
+    ground = memory_ground(rasterize(landscape, 1.0), table, (640, 160, 50))
+    return ground, photo.render(landscape, grid_of(landscape, 1.0), 1.0)
+
+
+def shown(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:
+    """What the view shows of a photo with the ground's pixels, (H, W, 3), by linear interpolation."""
+    turn, center = np.radians(view.heading_deg), ground.frame.to_pixels(view.position)
+    cosine, sine = np.cos(turn), np.sin(turn)
+    matrix = view.pixel_size / ground.frame.pixel_size * np.array([[cosine, -sine], [sine, cosine]])
+    offset = center - 0.5 - matrix @ ((np.array(view.shape_hw[::-1]) - 1) / 2)
+    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+    return cv2.warpAffine(photo_hw3, np.column_stack([matrix, offset]), view.shape_hw[::-1], flags=flags)
+
+
+def _rgb(bands: np.ndarray) -> np.ndarray:
+    return np.ascontiguousarray(np.moveaxis(bands[:3], 0, 2))

@@ -1,0 +1,135 @@
+"""Real places with photos and what was drawn on them: what networks for photos are trained on and flown over.
+
+Of each place the photos are brought to a pixel size and its annotation is burnt on their pixels; both are kept in a
+folder. Nothing of them is part of SemRef.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+TILES = "dubai_aerial"
+TILE_CLASSES = (
+    "value,name,color,role\n1,building,#3c1098,reference\n2,land_unpaved,#8429f6,reference\n3,road,#6ec1e4,reference\n"
+    "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
+)
+"""Annotated aerial photos, and the class table of their labels."""
+
+BUILDINGS = ("building",)
+ALL_CLASSES = ("building", "land_unpaved", "road", "vegetation", "water")
+BUILDING, OTHER = 1, 0
+OAM_LICENSE = (
+    "photos CC BY 4.0 (OpenAerialMap), buildings ODbL (OpenStreetMap), as such sets are published by HOTOSM; to be "
+    "confirmed before weights are published"
+)
+
+
+@dataclass(frozen=True)
+class Photo:
+    """A photo and what was drawn on it.
+
+    Attributes:
+        image: File below the data folder.
+        labels: Polygons of buildings, or a label map on the photo's pixels.
+        part: Share of the width, from and to, that belongs to the place.
+    """
+
+    image: str
+    labels: str
+    part: tuple[float, float] = (0.0, 1.0)
+
+    @property
+    def name(self) -> str:
+        """Of the files made of it."""
+        return Path(self.image).stem + ("" if self.part == (0.0, 1.0) else f"_{100 * self.part[0]:.0f}")
+
+
+@dataclass(frozen=True)
+class Place:
+    """Ground that is trained on, or left out, as a whole.
+
+    Attributes:
+        name: Of the place.
+        about: Where it is and what it looks like.
+        license: Of photos and labels.
+        drawn: Classes that were drawn wherever they are.
+        photos: Of the place.
+    """
+
+    name: str
+    about: str
+    license: str
+    drawn: tuple[str, ...]
+    photos: tuple[Photo, ...]
+
+
+def _banepa(side: str, part: tuple[float, float]) -> Place:
+    photo = Photo("banepa/banepa_photo.tif", "banepa/banepa_buildings.gpkg", part)
+    about = f"Banepa, Nepal, {side} half: a dense old town of terraces, 0.15 m"
+    return Place(
+        f"banepa_{side}", about, "photos CC BY 4.0 (OpenAerialMap), buildings ODbL (OpenStreetMap)", BUILDINGS, (photo,)
+    )
+
+
+def _scattered(name: str, about: str, photos: tuple[str, ...]) -> Place:
+    found = (Photo(f"oam_buildings/{photo}.tif", f"oam_buildings/{name}_buildings.gpkg") for photo in photos)
+    return Place(name, about, OAM_LICENSE, BUILDINGS, tuple(found))
+
+
+PLACES = (
+    _banepa("west", (0.0, 0.5)),
+    _banepa("east", (0.5, 1.0)),
+    _scattered("uganda", "Uganda: houses and sheds among trees and red earth, 0.1 m", ("uganda_1",)),
+    _scattered(
+        "nepal_a", "Nepal, less than 2 km from Banepa: scattered houses, fields, 0.1 m", ("nepal_a_1", "nepal_a_2")
+    ),
+    _scattered("kenya", "Kenya: blocks of flats, and an older quarter, 0.1 m", ("kenya_1", "kenya_2")),
+    Place(
+        "dubai",
+        "Dubai: six mosaics seen from space or high above; town, desert, shore",
+        "Humans in the Loop / MBRSC; not confirmed",
+        ALL_CLASSES,
+        tuple(Photo(f"{TILES}/tile{n}_image.tif", f"{TILES}/tile{n}_label.tif") for n in range(1, 7)),
+    ),
+)
+"""All of them."""
+
+
+def place(name: str) -> Place:
+    """The place of this name; KeyError without one."""
+    return {one.name: one for one in PLACES}[name]
+
+
+def class_table(names: tuple[str, ...]) -> str:
+    """The class table of these classes, as CSV."""
+    head, *rows = TILE_CLASSES.strip().split("\n")
+    return "\n".join([head, *(row for row in rows if row.split(",")[1] in names)]) + "\n"
+
+
+def prepared(photo: Photo, data: Path, pixel_m: float, folder: Path) -> tuple[Path, Path]:
+    """The photo at a pixel size, and its labels on the same pixels; what is there already is kept.
+
+    A photo without a place on the ground is left at its own pixels.
+    """
+    from osgeo import gdal, ogr
+
+    gdal.UseExceptions()
+    image, labels = (folder / f"{photo.name}_{pixel_m:g}m_{kind}.tif" for kind in ("image", "label"))
+    if image.exists() and labels.exists():
+        return image, labels
+    folder.mkdir(parents=True, exist_ok=True)
+    source = gdal.Open(str(data / photo.image))
+    first, last = (round(share * source.RasterXSize) for share in photo.part)
+    part = {"srcWin": [first, 0, last - first, source.RasterYSize]}
+    if photo.labels.endswith(".tif"):
+        gdal.Translate(str(image), source, **part)
+        gdal.Translate(str(labels), str(data / photo.labels), **part)
+        return image, labels
+    made = gdal.Translate(str(image), source, xRes=pixel_m, yRes=pixel_m, resampleAlg="average", **part)
+    burnt = gdal.GetDriverByName("GTiff").Create(str(labels), made.RasterXSize, made.RasterYSize, 1)
+    burnt.SetGeoTransform(made.GetGeoTransform())
+    burnt.SetProjection(made.GetProjection())
+    polygons = ogr.Open(str(data / photo.labels))  # a layer does not keep what it lies in
+    gdal.RasterizeLayer(burnt, [1], polygons.GetLayer(0), burn_values=[BUILDING])
+    return image, labels

@@ -1,0 +1,437 @@
+"""Time and memory: each function below is a measurement, named in scenarios/timing.toml."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+
+from benchmarks import plain_build
+from benchmarks.accuracy import GOAL
+from benchmarks.child import run_in_child
+from benchmarks.ground import Ground, Wanted
+from benchmarks.maps import World, build_parameters, read, run_algorithm, settings
+from benchmarks.photos import SHIPPED
+from benchmarks.results import ROOT, Table, rate, size
+from benchmarks.tile_by_tile import TileByTile
+from benchmarks.turns import on_processor, ratios, spread, take_turns
+from semref.core.localization import Method, Prior
+
+SEED = 1671
+TILE_PX = 512
+
+
+def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
+    """Runs the scenario's measurement."""
+    return MEASUREMENTS[scenario["measure"]](world, scenario)
+
+
+def one_fix(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Time of one fix, by method and number of landmarks, one core; in a catalogue of more, copies are far away."""
+    cv2.setNumThreads(1)
+    ground, rows = world.ground(scenario["map"], half="south"), []
+    for landmarks in scenario["landmarks"]:
+        known = ground if landmarks <= len(ground.references) else with_copies(ground, landmarks)
+        for key in scenario["methods"] if known is ground else ("constellation",):
+            method = next(one for one in Method if one.key == key)
+            rng, trials = np.random.default_rng(SEED), []
+            for _ in range((world.count or scenario["count"]) + 1):
+                image = ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng)
+                trials.append(known.try_image(image, method))
+            # The first one makes or opens what is kept beside a database.
+            milliseconds = 1000 * np.percentile([trial.seconds for trial in trials[1:]], [50, 95])
+            right = sum(trial.is_right for trial in trials[1:])
+            rows.append(
+                [f"{len(known.references):,}", key, *(f"{ms:.0f}" for ms in milliseconds), rate(right, len(trials) - 1)]
+            )
+    return [{"columns": ["landmarks", "method", "ms median", "p95", "right fixes"], "rows": rows}]
+
+
+def with_copies(ground: Ground, landmarks: int) -> Ground:
+    """The same ground, its database with altered copies of its landmarks beside it."""
+    from dataclasses import replace
+
+    from semref.core.database.model import MapLandmarks
+
+    known, rng = ground.references, np.random.default_rng(SEED)
+    parts, width = [known], ground.frame.extent[2] - ground.frame.extent[0]
+    for number in range(1, -(-landmarks // len(known))):
+        moved = known.positions + rng.normal(0, 15, known.positions.shape) + (number * 1.1 * width, 0)
+        areas = known.areas_m2 * np.exp(rng.normal(0, 0.3, len(known)))
+        parts.append(replace(known, positions=moved, areas_m2=areas))
+    columns = {
+        name: np.concatenate([getattr(part, name) for part in parts])[:landmarks]
+        for name, column in vars(known).items()
+        if column is not None
+    }
+    database = replace(ground.database, references=MapLandmarks(**columns))
+    other = Ground(ground.labels_hw, database, size_px=ground.size_px)
+    other.extent, other.references = ground.extent, known
+    return other
+
+
+def correlation(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Time of map correlation over a country, and near a stated position; all threads."""
+    ground, rows = world.ground(scenario["map"], half="south"), []
+    started = time.perf_counter()
+    ground.localizer.pyramid  # noqa: B018 - made or opened here
+    opened = time.perf_counter() - started
+    for name, radius in (("whole map", None), ("within 1 km of a stated position", 1000.0)):
+        rng, seconds, right = np.random.default_rng([SEED, 12]), [], 0
+        for _ in range(world.count or scenario["count"]):
+            image = ground.draw(Wanted(landmarks=(0, 10**9), labeled=0.7), rng)
+            near = tuple(np.add(image.view.position, rng.uniform(-0.7, 0.7, 2) * 1000.0))
+            started = time.perf_counter()
+            trial = ground.try_image(image, Method.MAP_CORRELATION, Prior(near, radius) if radius else None)
+            seconds.append(time.perf_counter() - started)
+            right += trial.is_right
+        line = (f"{np.median(seconds):.2f}", f"{np.percentile(seconds, 95):.2f}", rate(right, len(seconds)))
+        rows.append([name, *line, f"{opened:.2f}"])
+    return [{"columns": ["search", "s median", "p95", "right fixes", "s for the pyramid, once"], "rows": rows}]
+
+
+def build(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Building within this process against the plain loop, and the whole command."""
+    name, rows = scenario["map"], []
+    labels, one = world.label_map(name), settings(name)
+    database = world.work / "timed.gpkg"
+    for stride in scenario["strides"]:
+        sampled = scenario["windows"] if stride < one["stride"] else None
+        candidates = {
+            "ours": on_processor(lambda stride=stride: built(labels, name, stride)),
+            "plain": lambda stride=stride, sampled=sampled: plainly(labels, name, stride, sampled),
+            "command": lambda stride=stride: run_in_child(
+                "builddatabase", build_parameters(name, labels, database, stride)
+            )["whole"],
+        }
+        seconds = take_turns(candidates, scenario["turns"])
+        compared = {who: ratios(seconds["plain"], seconds[who], 1) for who in ("ours", "command")}
+        windows, worst = differences(labels, name, stride)
+        middle = [f"{np.median(seconds[who]):.1f}" for who in ("ours", "plain", "command")]
+        rows.append(
+            [f"{one['window']:g} / {stride:g} m", compared["ours"], compared["command"], *middle, windows, worst]
+        )
+    columns = ["window / stride", "× faster, inside one process", "× faster, whole command", "s ours", "s plain loop"]
+    return [{"columns": [*columns, "s command", "windows compared", "largest difference of vectors"], "rows": rows}]
+
+
+def built(labels: Path, name: str, stride: float) -> Any:
+    """core's building of a database: reading, landmarks, overview, hash, windows, vectors."""
+    from osgeo import gdal
+
+    from semref.core.database.build import BuildSettings, DatabaseBuilder
+    from semref.core.geometry.frame import MapFrame
+    from semref.storage.rasters import GdalLabels, HeldLabels
+
+    cv2.setNumThreads(1)
+    one, dataset = settings(name), gdal.Open(str(labels))
+    frame = MapFrame(dataset.GetProjection(), tuple(dataset.GetGeoTransform()))
+    held = HeldLabels(GdalLabels(str(labels)))
+    for _ in held.steps():
+        pass
+    sizes = BuildSettings(one["window"], stride, one["minimum_area"], threads=1)
+    builder = DatabaseBuilder(held.source, frame, classes_of(labels), sizes, "benchmark")
+    for _ in builder.steps():
+        pass
+    return builder.database
+
+
+def classes_of(labels: Path) -> Any:
+    """The class table in a label map."""
+    from osgeo import gdal
+
+    from semref.core.labels.class_table import class_table_from_csv
+    from semref.storage.label_map_file import CLASS_TABLE_ITEM
+
+    return class_table_from_csv(gdal.Open(str(labels)).GetMetadataItem(CLASS_TABLE_ITEM))
+
+
+def plainly(labels: Path, name: str, stride: float, sampled: int | None) -> float:
+    """Seconds of the plain loop over all windows, scaled up when only a sample of them is computed."""
+    cv2.setNumThreads(1)
+    begin = time.process_time()
+    image, grid, size_px, classes, minimum = _plain_inputs(labels, name, stride)
+    plain_build.regions(image, classes, minimum)
+    before = time.process_time() - begin
+    chosen = grid if not sampled else [grid[n] for n in np.random.default_rng(SEED).choice(len(grid), sampled, False)]
+    begin = time.process_time()
+    plain_build.windows(image, chosen, size_px, classes, minimum)
+    return before + (time.process_time() - begin) * len(grid) / len(chosen)
+
+
+def differences(labels: Path, name: str, stride: float) -> tuple[str, str]:
+    """Windows compared with the plain loop, and the largest difference of their vectors."""
+    image, grid, size_px, classes, minimum = _plain_inputs(labels, name, stride)
+    windows = built(labels, name, stride).windows
+    place = {key: n for n, key in enumerate(windows.names.tolist())}
+    chosen = [grid[n] for n in np.random.default_rng(SEED).choice(len(grid), min(500, len(grid)), False)]
+    vectors, _ = plain_build.windows(image, chosen, size_px, classes, minimum)
+    index = [place[f"{column}_{row}"] for column, row in chosen]
+    return f"{len(chosen):,} of {len(grid):,}", f"{np.abs(windows.vectors[index] - vectors).max():.1e}"
+
+
+def _plain_inputs(labels: Path, name: str, stride: float) -> tuple:
+    one, image = settings(name), read(labels)
+    size_px, step = (int(length / one["pixel_size"]) for length in (one["window"], stride))
+    height, width = image.shape
+    grid = [(c, r) for r in range(0, height - size_px + 1, step) for c in range(0, width - size_px + 1, step)]
+    classes = classes_of(labels).reference_values
+    return image, grid, size_px, classes, one["minimum_area"] / one["pixel_size"] ** 2
+
+
+def memory(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Peak memory of building maps that grow: copies of the area side by side."""
+    name = scenario["map"]
+    labels, rows = world.label_map(name), [["QGIS started and stopped", "", size(run_in_child()["peak_bytes"])]]
+    for across, down in scenario["grids"]:
+        path, database = world.work / f"copies_{across}x{down}.tif", world.work / "copies.gpkg"
+        pixels = write_copies(path, labels, across, down)
+        found = run_in_child("builddatabase", build_parameters(name, path, database))
+        rows.append([f"{pixels / 1e9:.2f} Gpx", f"{found['seconds']:.0f}", size(found["peak_bytes"])])
+        path.unlink()
+        database.unlink()
+    return [{"columns": ["map", "s", "peak memory (RSS)"], "rows": rows}]
+
+
+def write_copies(path: Path, template: Path, across: int, down: int) -> int:
+    """A label map of copies of another; gives its pixels."""
+    from osgeo import gdal
+
+    source, image = gdal.Open(str(template)), read(template)
+    height, width = image.shape[0] * down, image.shape[1] * across
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
+    target = gdal.GetDriverByName("GTiff").Create(str(path), width, height, 1, gdal.GDT_Byte, options)
+    target.SetGeoTransform(source.GetGeoTransform())
+    target.SetProjection(source.GetProjection())
+    target.SetMetadata(source.GetMetadata())
+    for first in range(0, height, 256):
+        rows = np.arange(first, min(first + 256, height)) % image.shape[0]
+        target.GetRasterBand(1).WriteArray(np.tile(image[rows], (1, across)), 0, first)
+    target.FlushCache()
+    return width * height
+
+
+def segment(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Segmenting against bare onnxruntime on the same tiles, and against tile by tile as Deepness does it."""
+    folder = world.work / "segment"
+    folder.mkdir(exist_ok=True)
+    image, rows = write_photo(folder / "photo.tif", scenario["edge"]), []
+    network = folder / "usual.onnx"
+    write_network(network)
+    for name, model in (("the network that ships", SHIPPED), ("6 G multiplications a tile", network)):
+        given = {"INPUT": str(image), "MODEL": str(model), "OUTPUT": str(folder / "labels.tif")}
+        tiles, bare = bare_runner(model, image)
+        other = TileByTile(model, image)
+        polygons = {**given, "POLYGONS": str(folder / "polygons.gpkg"), "MINIMUM_AREA": 25}
+        candidates = {
+            "segmentimage": lambda given=given: run_algorithm("segmentimage", given),
+            "onnxruntime": bare,
+            "tile by tile": other.labels,
+            "with polygons": lambda polygons=polygons: run_algorithm("segmentimage", polygons),
+            "tile by tile with polygons": lambda other=other: other.polygons(other.labels()),
+        }
+        seconds = take_turns({who: on_processor(one) for who, one in candidates.items()}, scenario["turns"])
+        own = seconds["segmentimage"]
+        rows.append(
+            [
+                name,
+                f"{tiles / np.median(own):.1f}",
+                ratios(own, seconds["onnxruntime"]),
+                ratios(seconds["tile by tile"], own),
+                ratios(seconds["tile by tile with polygons"], seconds["with polygons"]),
+            ]
+        )
+    columns = ["network", "tiles/s", "times of bare onnxruntime", "× tile by tile", "× tile by tile, with polygons"]
+    return [{"columns": columns, "rows": rows}]
+
+
+def bare_runner(model: Path, image: Path) -> tuple[int, Callable[[], None]]:
+    """(number of tiles, function that runs onnxruntime on them)."""
+    import onnxruntime
+
+    from semref.core.segmentation.tiling import tile_starts
+    from semref.processing.threads import worker_threads
+
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = worker_threads()
+    session = onnxruntime.InferenceSession(str(model), options, providers=["CPUExecutionProvider"])
+    texts = session.get_modelmeta().custom_metadata_map
+    tile_px, overlap, name = int(texts["tile_size"]), float(texts["tiles_overlap"]) / 100, session.get_inputs()[0].name
+    pixels = np.ascontiguousarray(read(image).astype(np.float32) / 255)
+    starts = tile_starts(pixels.shape[1], tile_px, overlap)
+
+    def run_all() -> None:
+        for row in starts:
+            for column in starts:
+                session.run(None, {name: pixels[None, :, row : row + tile_px, column : column + tile_px]})
+
+    return len(starts) ** 2, run_all
+
+
+def write_photo(path: Path, edge: int) -> Path:
+    """An RGB GeoTIFF of (edge, edge) pixels of 1 m, in tiles and compressed: the sample area, mirrored."""
+    from osgeo import gdal, osr
+    from sample.files import grid_of
+    from sample.landscape import make_landscape
+    from sample.photo import render
+
+    if path.exists():
+        return path
+    landscape = make_landscape(SEED)
+    photo = render(landscape, grid_of(landscape, 1.0), 1.0)
+    missing = [(0, max(0, edge - length)) for length in photo.shape[:2]]
+    pixels = np.pad(photo, (*missing, (0, 0)), mode="symmetric")[:edge, :edge]
+    options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "PHOTOMETRIC=RGB", "INTERLEAVE=PIXEL"]
+    target = gdal.GetDriverByName("GTiff").Create(str(path), edge, edge, 3, gdal.GDT_Byte, options)
+    crs = osr.SpatialReference()
+    crs.ImportFromEPSG(landscape.epsg)
+    target.SetProjection(crs.ExportToWkt())
+    target.SetGeoTransform((550000.0, 1.0, 0.0, 5220000.0, 0.0, -1.0))
+    target.WriteArray(np.ascontiguousarray(np.moveaxis(pixels, 2, 0)))
+    target.FlushCache()
+    return path
+
+
+def write_network(path: Path) -> None:
+    """A plain stack of convolutions with seven classes and random weights, as large as networks for photos."""
+    import onnx_writer
+
+    random, network, bands = np.random.default_rng(1), onnx_writer.Network(), 3
+    for channels, kernel, stride in ((32, 3, 2), (96, 3, 2), *[(96, 3, 1)] * 4, (7, 1, 1)):
+        kernels = random.normal(0, (2 / (bands * kernel**2)) ** 0.5, (channels, bands, kernel, kernel))
+        network.convolution(kernels, np.zeros(channels), stride)
+        bands = channels
+        if channels > 7:
+            network.add("Relu")
+    network.add("Resize", network.last, "", network.weight("scales", np.array([1, 1, 4, 4], np.float32)), mode="linear")
+    texts = {
+        "class_names": {str(n): name for n, name in enumerate("abcdefg")},
+        "tile_size": TILE_PX,
+        "tiles_overlap": 15,
+        "resolution": 100.0,
+        "standardization_mean": [0.5] * 3,
+        "standardization_std": [0.25] * 3,
+    }
+    shapes = [1, 3, TILE_PX, TILE_PX], [1, 7, TILE_PX, TILE_PX]
+    metadata = {key: json.dumps(value) for key, value in texts.items()}
+    path.write_bytes(onnx_writer.model_bytes(network, *shapes, metadata))
+
+
+def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Processor seconds of importing and registering the plugin's provider, in fresh processes of QGIS."""
+    import subprocess
+
+    code = (
+        f"import sys, time; sys.path.insert(0, {str(ROOT / 'tools')!r})\n"
+        "from qgis.core import QgsApplication\n"
+        "app = QgsApplication([], True); app.initQgis()\n"
+        "import os; sys.path.append(os.path.join(QgsApplication.pkgDataPath(), 'python', 'plugins'))\n"
+        "from processing.core.Processing import Processing; Processing.initialize()\n"
+        "from plugin_package import load_plugin_package; begin = time.process_time(); load_plugin_package()\n"
+        "import semref.plugin; from semref.processing.provider import register_provider\n"
+        "provider = register_provider(QgsApplication.processingRegistry())\n"
+        "print(time.process_time() - begin, flush=True); os._exit(0)\n"
+    )
+    seconds = []
+    for _ in range(scenario["turns"]):
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd="/")
+        seconds.append(float(done.stdout.split()[-1]))
+    return [{"columns": ["what", "processor s"], "rows": [["plugin and provider", spread(seconds)]]}]
+
+
+def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """*Localize images* of many label images with all threads against one, and peak memory."""
+    from osgeo import gdal
+    from qgis.core import QgsApplication
+
+    ground, folder = world.ground(scenario["map"]), world.work / "many"
+    folder.mkdir(exist_ok=True)
+    count, rng = world.count or scenario["count"], np.random.default_rng(SEED)
+    for number in range(count):
+        path = folder / f"{number:03d}.png"
+        if not path.exists():
+            labels = np.ascontiguousarray(ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng).labels_hw)
+            memory_set = gdal.GetDriverByName("MEM").Create("", labels.shape[1], labels.shape[0], 1)
+            memory_set.WriteArray(labels)
+            gdal.GetDriverByName("PNG").CreateCopy(str(path), memory_set)
+    given = {"DATABASE": str(world.database(scenario["map"])), "IMAGES": str(folder), "OUTPUT": "memory:"}
+    threads = QgsApplication.maxThreads()
+
+    def localized(most: int) -> None:
+        QgsApplication.setMaxThreads(most)
+        try:
+            run_algorithm("localizeimages", given)
+        finally:
+            QgsApplication.setMaxThreads(threads)
+
+    seconds = take_turns({"all": lambda: localized(threads), "one": lambda: localized(1)}, scenario["turns"])
+    peak = run_in_child("localizeimages", {**given, "OUTPUT": str(world.work / "many.gpkg")})["peak_bytes"]
+    row = [
+        f"{count} images",
+        ratios(seconds["one"], seconds["all"]),
+        f"{np.median(seconds['all']) / count:.3f}",
+        size(peak),
+    ]
+    return [{"columns": ["what", "all threads × one", "s an image", "peak memory (RSS)"], "rows": [row]}]
+
+
+def update(world: World, scenario: dict[str, Any]) -> list[Table]:
+    """Updating a database after one rectangle was edited, against building it again; both as commands."""
+    from osgeo import gdal
+
+    name = scenario["map"]
+    labels, edited, database = world.label_map(name), world.work / "edited.tif", world.work / "updated.gpkg"
+    gdal.GetDriverByName("GTiff").CreateCopy(str(edited), gdal.Open(str(labels)), options=["TILED=YES"])
+    dataset, rng = gdal.Open(str(edited), gdal.GA_Update), np.random.default_rng(SEED)
+    height, width = dataset.RasterYSize, dataset.RasterXSize
+    column, row = int(rng.integers(width // 3, width // 2)), int(rng.integers(height // 3, height // 2))
+    dataset.GetRasterBand(1).WriteArray(np.ones((40, 40), np.uint8), column, row)
+    left, pixel, _, top, _, _ = dataset.GetGeoTransform()
+    dataset = None
+    area = [left + column * pixel, left + (column + 40) * pixel, top - (row + 40) * pixel, top - row * pixel]
+    changed = write_area(world.work / "changed.gpkg", edited, area)
+    order = {"DATABASE": str(world.database(name)), "LABELS": str(edited), "OUTPUT": str(database)}
+    candidates = {
+        "changed area stated": lambda: run_in_child("updatedatabase", {**order, "CHANGED": str(changed)})["seconds"],
+        "changes found": lambda: run_in_child("updatedatabase", order)["seconds"],
+        "built again": lambda: run_in_child("builddatabase", build_parameters(name, edited, database))["seconds"],
+        "QGIS started and stopped": lambda: run_in_child()["whole"],
+    }
+    seconds = take_turns(candidates, scenario["turns"])
+    rows = [[who, spread(some), ratios(some, seconds["built again"])] for who, some in seconds.items()]
+    return [{"columns": ["what", "s", "share of building again"], "rows": rows}]
+
+
+def write_area(path: Path, template: Path, area: Sequence[float]) -> Path:
+    """A polygon layer of one rectangle (x_min, x_max, y_min, y_max)."""
+    from osgeo import gdal, ogr, osr
+
+    crs = osr.SpatialReference()
+    crs.ImportFromWkt(gdal.Open(str(template)).GetProjection())
+    path.unlink(missing_ok=True)
+    source = ogr.GetDriverByName("GPKG").CreateDataSource(str(path))
+    layer = source.CreateLayer("changed", crs, ogr.wkbPolygon)
+    x_min, x_max, y_min, y_max = area
+    ring = ", ".join(f"{x} {y}" for x, y in ((x_min, y_min), (x_max, y_min), (x_max, y_max), (x_min, y_max)))
+    feature = ogr.Feature(layer.GetLayerDefn())
+    feature.SetGeometry(ogr.CreateGeometryFromWkt(f"POLYGON (({ring}, {x_min} {y_min}))"))
+    layer.CreateFeature(feature)
+    return path
+
+
+MEASUREMENTS = {
+    "one fix": one_fix,
+    "correlation": correlation,
+    "build": build,
+    "memory": memory,
+    "segment": segment,
+    "plugin load": plugin_load,
+    "many images": many_images,
+    "update": update,
+}

@@ -1,0 +1,32 @@
+"""The page of a network's card."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+TOOLS = Path(__file__).resolve().parents[2] / "tools"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def tools():
+    """tools/ can be imported from, as its commands do."""
+    sys.path.append(str(TOOLS))
+    yield
+    sys.path.remove(str(TOOLS))
+
+
+def test_the_page_of_a_card_has_what_the_card_has():
+    from training.card_page import card_page
+
+    from semref.core.segmentation.model_card import Ground, ModelCard
+
+    tested = (Ground("Kenya", "flats", True, {"building": 0.612}),)
+    card = ModelCard("a/houses.onnx", None, "Houses", ("other", "building"), 0.25, tested_on=tested, not_for="ships")
+    page = card_page(card)
+    assert page.startswith("# Houses\n\n`houses.onnx`\n")
+    for line in ("| classes | other, building |", "| trained at | 0.25 m a pixel |", "| not good for | ships |"):
+        assert line in page
+    assert "| Kenya, left out of training | 0.612 |" in page and "license" not in page

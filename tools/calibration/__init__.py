@@ -1,1 +1,0 @@
-"""Commands that set what the solvers are told (docs/calibration.md)."""
