@@ -21,7 +21,8 @@ DEEPEST_JSON = 32
 
 _LONGEST_NUMBER = 64
 
-_JSON_STRING = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
+_JSON_STRING = re.compile(r'"(?:[^"\\]|\\.?)*"?', re.DOTALL)
+"""A string, also one that does not end: a pattern that can't fail never goes back, so the search is linear."""
 
 
 def read_json(text: str, longest: int = LONGEST_JSON) -> Any:  # noqa: ANN401 -- JSON is of any type
@@ -37,8 +38,8 @@ def read_json(text: str, longest: int = LONGEST_JSON) -> Any:  # noqa: ANN401 --
     if len(text) > longest:
         raise ValueError(f"it has {len(text)} characters, more than {longest}")
     depth = 0
-    for bracket in re.findall(r"[][{}]", _JSON_STRING.sub("", text)):
-        depth += 1 if bracket in "[{" else -1
+    for bracket in re.finditer(r"[][{}]", _JSON_STRING.sub("", text)):
+        depth += 1 if bracket[0] in "[{" else -1
         if depth > DEEPEST_JSON:
             raise ValueError(f"it has lists in more than {DEEPEST_JSON} lists")
     return json.loads(text, parse_int=_whole)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import csv
-import json
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from ..errors import ParameterError
 from ..sentences import Sentence
-from ..values import LONGEST_NAME
+from ..values import LONGEST_NAME, read_json
 from .class_table import LONGEST_LINE
 
 ANY = "*"
@@ -24,7 +23,9 @@ TAG_COLUMNS = ("other_tags", "all_tags", "tags")
 
 MOST_RULES = 10_000
 _COLUMNS = ("key", "value", "class", "priority")
-_HSTORE = re.compile(r'"((?:[^"\\]|\\.)*)"\s*=>\s*(?:"((?:[^"\\]|\\.)*)"|NULL)', re.DOTALL)
+_QUOTED = r'"((?:[^"\\]|\\.?)*)("?)'
+_HSTORE = re.compile(rf"{_QUOTED}(?:\s*=>\s*(?:{_QUOTED}|NULL))?", re.DOTALL)
+"""Pairs, and texts that are no pair: a pattern that can't fail never goes back, so the search is linear."""
 _ESCAPED = re.compile(r"\\(.)", re.DOTALL)
 
 
@@ -129,11 +130,15 @@ def _packed(text: object) -> dict[str, str]:
         return {}
     if text.lstrip().startswith("{"):
         try:
-            found = json.loads(text)
+            found = read_json(text)
         except (ValueError, RecursionError):
             return {}
         return {key: str(value) for key, value in found.items() if isinstance(value, (str, int, float))}
-    return {_ESCAPED.sub(r"\1", key): _ESCAPED.sub(r"\1", value) for key, value in _HSTORE.findall(text) if value}
+    return {
+        _ESCAPED.sub(r"\1", key): _ESCAPED.sub(r"\1", value)
+        for key, _, value, end in _HSTORE.findall(text)
+        if value and end
+    }
 
 
 def _rule(row: Mapping[str, object], where: Sentence) -> Rule:

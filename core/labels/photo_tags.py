@@ -74,7 +74,7 @@ class PhotoTags:
         Args:
             name: Of the property, with or without the prefix of its namespace.
         """
-        found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*([\"'])([^\"'<>]{{0,1000}})\1|>([^<]{{0,1000}})<)", self.xmp)
+        found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*([\"'])([^\"'<>]{{0,1000}})\1|>([^<>]{{0,1000}})<)", self.xmp)
         return (found.group(2) or found.group(3) or "").strip() if found else ""
 
 

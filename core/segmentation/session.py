@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 _IR_VERSION_OF_ALL, _OPSET_OF_ALL, _HIGHEST_ASKED = 4, 11, 100
 """Versions that every onnxruntime knows, and one that none knows."""
 
+_LONGEST_MESSAGE = 1000
+"""Characters of a message of onnxruntime that are looked at; names inside a model may be of any length."""
+
 
 def _onnxruntime() -> ModuleType:
     try:
@@ -156,6 +159,6 @@ def _opens(model: bytes) -> bool:
 
 def reason_of(error: object) -> str:
     """The last part of onnxruntime's message, without its error code and source files, as part of a sentence."""
-    text = re.sub(r"\[ONNXRuntimeError\] : \d+ : [A-Z_]+ : ", "", " ".join(str(error).split()))
+    text = re.sub(r"\[ONNXRuntimeError\] : \d+ : [A-Z_]+ : ", "", " ".join(str(error)[:_LONGEST_MESSAGE].split()))
     text = re.sub(r"\S*/onnxruntime/\S+:\d+ [^\n]*?\) ", "", text)
     return re.sub(r"\.\s+(?=[A-Z])", "; ", text)[:300].rstrip(". ")

@@ -157,7 +157,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
         paths, cameras = in_order(*self.read_images(values, method, feedback))
-        steps = self._odometry(values, paths)
+        steps = cancelable(self._odometry, values, paths, feedback=feedback)
         log = self._log(values, feedback)
         cameras = with_log(cameras, log, paths, method != Method.TOPOLOGY_VECTOR)
         read_labels = self.label_reader(values, database.class_table, feedback)
@@ -170,7 +170,7 @@ class LocalizeFlight(LocalizeAlgorithm):
                 feedback.setProgressText(os.path.basename(path))
                 cancelable(reader.take, path, camera, feedback=feedback)
                 feedback.setProgress(READ_PERCENT * (n + 1) / len(paths))
-            links = reader.links_with(steps, log)
+            links = cancelable(reader.links_with, steps, log, feedback=feedback)
             flown = self._joined(reader, links, localizer, values.number(self.RISK), feedback)
             flown = self._with_jumps(values, flown, cameras, database, feedback)
             localized = [one.localized for one in flown]
@@ -214,7 +214,7 @@ class LocalizeFlight(LocalizeAlgorithm):
 
         if not values.has(self.LOG):
             return None
-        return cancelable(read_log, values.file(self.LOG), feedback=feedback)
+        return cancelable(read_log, values.file(self.LOG), feedback.isCanceled, feedback=feedback)
 
     def _joined(
         self,

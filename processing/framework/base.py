@@ -252,6 +252,8 @@ def cancelable(function: Callable[..., Result], *arguments: Any, feedback: QgsPr
         running = pool.submit(function, *arguments)
         while not wait([running], timeout=CANCEL_EVERY_S).done:
             check_canceled(feedback)
+        # A function that looked for the cancel itself has ended early.
+        check_canceled(feedback)
         return running.result()
     finally:
         pool.shutdown(wait=False)

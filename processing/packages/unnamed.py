@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
+LONGEST_LINE = 1000
+"""Characters of a line that are kept; the time that the patterns take grows with its square."""
+
 _SEPARATOR = r"[/\\]"
 _NAME = r"[^/\\\n\"“”„«»<>|]*"
 _PYTHONS = r"((?:site|dist)-packages|python3?\.?\d*)"
@@ -35,6 +38,7 @@ def unnamed(text: str, plugin_folder: str = "", private: Iterable[str] = ()) -> 
     Returns:
         The text; rather too much of it is left out than too little.
     """
+    text = "\n".join(line[:LONGEST_LINE] for line in text.split("\n"))
     if plugin_folder:
         for folder in {plugin_folder, plugin_folder.replace("\\", "/")}:
             text = text.replace(folder, "…semref")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from growth import LINEAR, growth
 
 PLUGIN = "/home/jane/.local/share/QGIS/QGIS3/profiles/default/python/plugins/semref"
 
@@ -91,3 +92,8 @@ def test_diagnostics_without_messages_say_so(qgis_app):
     from semref.processing.packages.diagnostics import diagnostics
 
     assert diagnostics().endswith("Last messages:\n(none)\n")
+
+
+@pytest.mark.parametrize("part", ["/", "a.", "\\\\", "C:/", "~/"])
+def test_the_time_for_a_long_message_grows_with_its_length_alone(unnamed, part):
+    assert growth(unnamed, lambda n: part * n, 2000) < LINEAR

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -246,3 +247,17 @@ def test_a_cancel_is_heeded_at_once_and_leaves_nothing(localize, tmp_path, perce
         localize(feedback, OUTPUT=str(tmp_path / "positions.gpkg"))
     assert time.process_time() - feedback.canceled_at < 1.0
     assert list(tmp_path.iterdir()) == []
+
+
+def test_reading_a_long_log_ends_at_a_cancel_and_its_thread_with_it(localize, tmp_path):
+    zeros = b"ULog\x01\x12\x35\x01" + bytes(60_000_000)
+    (tmp_path / "zeros.ulg").write_bytes(zeros)
+    feedback = QgsProcessingFeedback(False)
+    canceled_at = []
+    threading.Timer(1.5, lambda: (feedback.cancel(), canceled_at.append(time.process_time()))).start()
+    before = threading.active_count()
+    with pytest.raises(QgsProcessingException, match="Canceled"):
+        localize(feedback, LOG=str(tmp_path / "zeros.ulg"))
+    while threading.active_count() > before and time.process_time() < canceled_at[0] + 30:
+        time.sleep(0.02)
+    assert time.process_time() - canceled_at[0] < 1.0

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
+from typing import Callable
 
 from ..telemetry import Telemetry
-from .entries import GPS_EPOCH_S, LEAP_SECONDS, Data, Entries
+from .entries import GPS_EPOCH_S, LEAP_SECONDS, LOOK_EVERY, Data, Entries, Pace, never
 
 MAGIC = b"\xa3\x95"
 _FORMAT_TYPE, _FORMAT = 128, struct.Struct("<BB4s16s64s")
@@ -40,22 +41,22 @@ class _Message:
         }
 
 
-def read_dataflash(data: Data) -> Telemetry:
+def read_dataflash(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
     """Entries of a log, in UTC where satellites told it.
 
     Args:
         data: Of the file; what is damaged is passed over.
+        canceled: Asked now and then; once it returns True, reading ends early.
     """
     lengths: dict[int, int] = {_FORMAT_TYPE: 3 + _FORMAT.size}
     wanted: dict[int, _Message] = {}
-    entries, place = Entries(), 0
-    while place + 3 <= len(data):
+    entries, pace, place = Entries(), Pace(canceled), 0
+    while place + 3 <= len(data) and not pace.stops_at(place):
         kind = data[place + 2]
         length = lengths.get(kind)
         if data[place : place + 2] != MAGIC or length is None:
-            place = data.find(MAGIC, place + 1)
-            if place < 0:
-                break
+            found = data.find(MAGIC, place + 1, place + LOOK_EVERY)
+            place = found if found >= 0 else place + LOOK_EVERY - 1
             continue
         if place + length > len(data):
             break

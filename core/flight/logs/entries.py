@@ -7,7 +7,7 @@ import mmap
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import Union
+from typing import Callable, Union
 
 import numpy as np
 
@@ -23,6 +23,34 @@ LEAP_SECONDS = 18
 
 MOST_ENTRIES = 200_000
 """Of a kind of messages: over half an hour at 100 a second, some 13 MB; of a longer log every second one is kept."""
+
+
+LOOK_EVERY = 1 << 16
+"""Bytes of a log, or lines, that are read between two looks for a cancel."""
+
+
+def never() -> bool:
+    """The answer of a caller that does not cancel."""
+    return False
+
+
+@dataclass
+class Pace:
+    """Asks now and then whether the user canceled.
+
+    Attributes:
+        canceled: Returns True once the user canceled.
+    """
+
+    canceled: Callable[[], bool]
+    _next: int = 0
+
+    def stops_at(self, place: int) -> bool:
+        """Return whether reading ends early at a place, counted in bytes or lines."""
+        if place < self._next:
+            return False
+        self._next = place + LOOK_EVERY
+        return self.canceled()
 
 
 @dataclass
@@ -65,12 +93,12 @@ class Entries:
         """One message: what it tells, by FIELDS."""
         self._kinds.setdefault(tuple(told), _Kind()).add([time_s, *told.values()])
 
-    def telemetry(self) -> Telemetry:
-        """All of them, in UTC where the log tells it."""
+    def telemetry(self, is_gimbal: bool = False) -> Telemetry:
+        """All of them, in UTC where the log tells it; ``is_gimbal`` as of ``Telemetry``."""
         tables = list(self._tables())
         values = np.concatenate([values for _, values in tables]) if tables else np.zeros((0, len(FIELDS)))
         times = np.concatenate([times for times, _ in tables]) if tables else np.zeros(0)
-        return telemetry(times + (self.start_s or 0.0), values, is_clock=self.start_s is not None)
+        return telemetry(times + (self.start_s or 0.0), values, is_clock=self.start_s is not None, is_gimbal=is_gimbal)
 
     def _tables(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Times (n,) and values (n, 6) of each kind."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import mmap
+from typing import Callable
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from ..table import MOST_BYTES, bytes_of
 from ..telemetry import Telemetry
 from .dataflash import MAGIC as DATAFLASH
 from .dataflash import read_dataflash
+from .entries import never
 from .geo import is_geo, read_geo
 from .mavlink import is_tlog, read_tlog
 from .srt import is_srt, read_srt
@@ -23,11 +25,12 @@ MOST_LOG_BYTES = 1_000_000_000
 """Of a binary log: an autopilot's card writes some 20 MB a minute at most."""
 
 
-def read_log(path: str) -> Telemetry:
+def read_log(path: str, canceled: Callable[[], bool] = never) -> Telemetry:
     """What a flight log tells.
 
     Args:
         path: Of the file.
+        canceled: Asked several times a second; once it returns True, reading ends early.
 
     Raises:
         ParameterError: It can't be read, is no such log, or tells nothing of a flight.
@@ -37,7 +40,7 @@ def read_log(path: str) -> Telemetry:
         found = None
     else:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
-            found = _read(data)
+            found = _read(data, canceled)
     if found is None:
         raise ParameterError("flight.no_log", path=path, kinds=KINDS)
     if not np.isfinite(found.values).any():
@@ -45,16 +48,16 @@ def read_log(path: str) -> Telemetry:
     return found
 
 
-def _read(data: mmap.mmap) -> Telemetry | None:
+def _read(data: mmap.mmap, canceled: Callable[[], bool]) -> Telemetry | None:
     if data[: len(ULOG)] == ULOG:
-        return read_ulog(data)
+        return read_ulog(data, canceled)
     if data[: len(DATAFLASH)] == DATAFLASH:
-        return read_dataflash(data)
+        return read_dataflash(data, canceled)
     if is_tlog(data):
-        return read_tlog(data)
+        return read_tlog(data, canceled)
     if len(data) > MOST_BYTES:
         return None
     text = data[:].decode("utf-8-sig", "replace")
     if is_srt(text):
-        return read_srt(text)
-    return read_geo(text) if is_geo(text) else None
+        return read_srt(text, canceled)
+    return read_geo(text, canceled) if is_geo(text) else None

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import re
+from array import array
+from typing import Callable
+
+import numpy as np
 
 from ..table import stem_of
 from ..telemetry import FIELDS, Telemetry, telemetry
+from .entries import Pace, never
 
 _CRS = re.compile(r"EPSG:\d+|\+proj|WGS84|PROJCS|GEOGCS", re.IGNORECASE)
 
@@ -15,15 +20,18 @@ def is_geo(text: str) -> bool:
     return _CRS.match(text.lstrip("\ufeff \t\r\n")) is not None
 
 
-def read_geo(text: str) -> Telemetry:
+def read_geo(text: str, canceled: Callable[[], bool] = never) -> Telemetry:
     """Headings by the image's name: of lines with image, x, y, z and yaw.
 
     Args:
         text: Of the file; lines without a yaw tell nothing.
+        canceled: Asked now and then; once it returns True, reading ends early.
     """
     names: list[str] = []
-    rows = []
-    for line in text.splitlines()[1:]:
+    yaws, pace = array("d"), Pace(canceled)
+    for number, line in enumerate(text.splitlines()[1:]):
+        if pace.stops_at(number):
+            break
         cells = line.split()
         if len(cells) < 5 or line.lstrip().startswith("#") or stem_of(cells[0]) in names[-1:]:
             continue
@@ -32,5 +40,7 @@ def read_geo(text: str) -> Telemetry:
         except ValueError:
             yaw = float("nan")
         names.append(stem_of(cells[0]))
-        rows.append([yaw] + [float("nan")] * (len(FIELDS) - 1))
-    return telemetry(range(len(names)), rows, images=names)
+        yaws.append(yaw)
+    values = np.full((len(names), len(FIELDS)), np.nan)
+    values[:, FIELDS.index("heading")] = yaws
+    return telemetry(np.arange(len(names)), values, images=names)

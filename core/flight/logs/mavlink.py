@@ -6,11 +6,14 @@ velocity, not the position) and the velocity of LOCAL_POSITION_NED, of the first
 
 from __future__ import annotations
 
+import binascii
 import math
+import re
 import struct
+from typing import Callable
 
 from ..telemetry import Telemetry
-from .entries import Data, Entries
+from .entries import LOOK_EVERY, Data, Entries, Pace, never
 
 _ATTITUDE, _LOCAL, _GLOBAL = 30, 32, 33
 _PACKED = {
@@ -22,6 +25,9 @@ _PACKED = {
 
 _SIGNED, _SIGNATURE = 1, 13
 _TIME = 8
+_STARTS = re.compile(rb"[\xfd\xfe]")
+_REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
+"""Each byte with its bits in reverse order."""
 
 
 def is_tlog(data: Data) -> bool:
@@ -31,14 +37,15 @@ def is_tlog(data: Data) -> bool:
     return size > 0 and (len(data) <= after or _wanted_size(data, after) > 0)
 
 
-def read_tlog(data: Data) -> Telemetry:
+def read_tlog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
     """Entries of a log, in UTC.
 
     Args:
         data: Of the file; what is damaged is passed over.
+        canceled: Asked now and then; once it returns True, reading ends early.
     """
     reader = TlogReader()
-    reader.take(data, is_ended=True)
+    reader.take(data, is_ended=True, canceled=canceled)
     return reader.telemetry()
 
 
@@ -49,23 +56,24 @@ class TlogReader:
         self._entries = Entries(start_s=0.0)
         self._system: int | None = None
 
-    def take(self, data: Data, is_ended: bool = False) -> int:
+    def take(self, data: Data, is_ended: bool = False, canceled: Callable[[], bool] = never) -> int:
         """Reads one more piece.
 
         Args:
             data: It; what is damaged is passed over.
             is_ended: Nothing comes after it.
+            canceled: Asked now and then; once it returns True, reading ends early.
 
         Returns:
             Where in it the first packet begins that is not whole; the next piece begins there.
         """
-        place = 0
-        while place + _TIME < len(data):
+        pace, place = Pace(canceled), 0
+        while place + _TIME < len(data) and not pace.stops_at(place):
             size = _size(data, place + _TIME)
             if size == 0:
                 if not is_ended and _wanted_size(data, place + _TIME) > 0:
                     return place
-                place += 1
+                place = _next_start(data, place)
                 continue
             sender, kind, content, is_whole = _packet(data, place + _TIME, size)
             if kind in _PACKED and not is_whole:
@@ -86,6 +94,13 @@ class TlogReader:
     def telemetry(self) -> Telemetry:
         """What was read so far."""
         return self._entries.telemetry()
+
+
+def _next_start(data: Data, place: int) -> int:
+    """Return the place after ``place`` at which the next packet may begin; at most LOOK_EVERY bytes are searched."""
+    first = place + _TIME + 1
+    found = _STARTS.search(data, first, first + LOOK_EVERY)
+    return (min(first + LOOK_EVERY, len(data)) if found is None else found.start()) - _TIME
 
 
 def _size(data: Data, place: int) -> int:
@@ -121,12 +136,9 @@ def _packet(data: Data, place: int, size: int) -> tuple[int, int, bytes, bool]:
 
 def checksum(content: bytes) -> int:
     """MAVLink's checksum: CRC-16/MCRF4XX."""
-    total = 0xFFFF
-    for byte in content:
-        part = (byte ^ total) & 0xFF
-        part = (part ^ (part << 4)) & 0xFF
-        total = (total >> 8) ^ (part << 8) ^ (part << 3) ^ (part >> 4)
-    return total & 0xFFFF
+    # Python's CRC-16 takes the same bits in the other order.
+    total = binascii.crc_hqx(content.translate(_REVERSED), 0xFFFF)
+    return _REVERSED[total & 0xFF] << 8 | _REVERSED[total >> 8]
 
 
 def _take(entries: Entries, time_s: float, kind: int, told: tuple[float, ...]) -> None:

@@ -3,38 +3,52 @@
 from __future__ import annotations
 
 import re
+from typing import Callable
 
-from ..telemetry import FIELDS, Telemetry, telemetry
+from ..telemetry import Telemetry
+from .entries import Entries, Pace, never
 
-_TIMES = re.compile(r"(\d{1,3}):(\d{2}):(\d{2})[,.](\d{1,3})\s*-->")
-_NUMBER = r"\s*[:(]?\s*([-+]?\d{1,6}(?:\.\d{0,9})?)"
+_ARROW, _LONGEST_TIME, _LONGEST_BLOCK = "-->", 32, 4000
+_TIME = re.compile(r"(\d{1,3}):(\d{2}):(\d{2})[,.](\d{1,3})\s{0,9}$")
+# Bounded, and no two parts take the same character: the search is linear in the text.
+_NUMBER = r"\s{0,9}(?:[:(]\s{0,9})?([-+]?\d{1,6}(?:\.\d{0,9})?)"
 _KEYS = {
     "heading": re.compile(r"\bgb_yaw" + _NUMBER, re.IGNORECASE),
     "roll": re.compile(r"\bgb_roll" + _NUMBER, re.IGNORECASE),
     "pitch": re.compile(r"\bgb_pitch" + _NUMBER, re.IGNORECASE),
-    "height": re.compile(r"(?:\brel_alt|\bBAROMETER|,\s*H(?=\s))" + _NUMBER, re.IGNORECASE),
+    "height": re.compile(r"(?:\brel_alt|\bBAROMETER|,\s{0,9}H(?=\s))" + _NUMBER, re.IGNORECASE),
 }
 
 
 def is_srt(text: str) -> bool:
     """Whether a text begins as subtitles do."""
-    return _TIMES.search(text[:200]) is not None
+    arrow = text.find(_ARROW, 0, 200)
+    return arrow >= 0 and _time_before(text, arrow) is not None
 
 
-def read_srt(text: str) -> Telemetry:
+def read_srt(text: str, canceled: Callable[[], bool] = never) -> Telemetry:
     """Entries by the video's time.
 
     Args:
         text: Of the file; what can't be read in it counts as not told.
+        canceled: Asked now and then; once it returns True, reading ends early.
     """
-    starts = list(_TIMES.finditer(text))
-    times, rows = [], []
-    for number, start in enumerate(starts):
-        hours, minutes, seconds, fraction = start.groups()
-        end = starts[number + 1].start() if number + 1 < len(starts) else len(text)
-        # A subtitle has 500 characters.
-        block = text[start.end() : min(end, start.end() + 4000)]
-        times.append(int(hours) * 3600 + int(minutes) * 60 + int(seconds) + float(f"0.{fraction}"))
-        found = {name: key.search(block) for name, key in _KEYS.items()}
-        rows.append([float(match.group(1)) if (match := found.get(name)) else float("nan") for name in FIELDS])
-    return telemetry(times, rows, is_gimbal=True)
+    entries, pace, arrow = Entries(), Pace(canceled), text.find(_ARROW)
+    while arrow >= 0 and not pace.stops_at(arrow):
+        start, time_s = arrow + len(_ARROW), _time_before(text, arrow)
+        arrow = text.find(_ARROW, start)
+        if time_s is not None:
+            # A subtitle has 500 characters.
+            block = text[start : min(arrow if arrow >= 0 else len(text), start + _LONGEST_BLOCK)]
+            found = {name: key.search(block) for name, key in _KEYS.items()}
+            entries.add(time_s, **{name: float(match[1]) for name, match in found.items() if match})
+    return entries.telemetry(is_gimbal=True)
+
+
+def _time_before(text: str, arrow: int) -> float | None:
+    """Return the seconds of the time that ends at an arrow; None without one."""
+    found = _TIME.search(text, max(0, arrow - _LONGEST_TIME), arrow)
+    if found is None:
+        return None
+    hours, minutes, seconds, fraction = found.groups()
+    return int(hours) * 3600 + int(minutes) * 60 + int(seconds) + float(f"0.{fraction}")

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import math
 import struct
+from typing import Callable
 
 from ..telemetry import Telemetry
-from .entries import Data, Entries
+from .entries import Data, Entries, Pace, never
 
 MAGIC = b"ULog\x01\x12\x35"
 _HEADER, _MESSAGE = 16, struct.Struct("<HB")
@@ -30,22 +31,26 @@ _KINDS = {
 }
 _CLOCKS = ("vehicle_gps_position", "sensor_gps")
 _WANTED = {"vehicle_attitude", "vehicle_local_position", *_CLOCKS}
+_READ = {"timestamp", "q", "vx", "vy", "z", "time_utc_usec"}
 _MOST_FIELDS = 300
+_MOST_BYTES = 0xFFFF
+"""Of a message: its size has 16 bits. A topic of more bytes can't be logged."""
 
 Topic = tuple[struct.Struct, dict[str, int]]
-"""How an entry is packed, and at which place a field's first number stands."""
+"""How an entry is packed, and the position of the first number of each field in _READ."""
 
 
-def read_ulog(data: Data) -> Telemetry:
+def read_ulog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
     """Entries of a log, in UTC where satellites told it.
 
     Args:
         data: Of the file; what is damaged is passed over.
+        canceled: Asked now and then; once it returns True, reading ends early.
     """
     topics: dict[str, Topic] = {}
     wanted: dict[int, str] = {}
-    entries, place = Entries(), _HEADER
-    while place + _MESSAGE.size <= len(data):
+    entries, pace, place = Entries(), Pace(canceled), _HEADER
+    while place + _MESSAGE.size <= len(data) and not pace.stops_at(place):
         size, kind = _MESSAGE.unpack_from(data, place)
         content = data[place + _MESSAGE.size : place + _MESSAGE.size + size]
         place += _MESSAGE.size + size
@@ -77,12 +82,15 @@ def _describe(content: bytes, topics: dict[str, Topic]) -> None:
     for kind, *label in parts:
         base, _, many = kind.partition("[")
         number = many.rstrip("]") or "1"
-        if base not in _KINDS or not label or not (number.isascii() and number.isdigit() and int(number) < 10_000):
+        if base not in _KINDS or not label or not (number.isascii() and number.isdigit() and 0 < int(number) < 10_000):
             return
-        places[label[0]] = count
-        letters.append(int(number) * _KINDS[base])
+        if label[0] in _READ:
+            places[label[0]] = count
+        letters.append(f"{int(number)}{_KINDS[base]}")
         count += int(number)
-    topics[name] = struct.Struct("<" + "".join(letters)), places
+    packed = struct.Struct("<" + "".join(letters))
+    if packed.size <= _MOST_BYTES:
+        topics[name] = packed, places
 
 
 def _take(entries: Entries, name: str, told: dict[str, tuple[float, ...]]) -> None:
