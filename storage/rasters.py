@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import os
+import stat
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Callable
@@ -38,12 +40,12 @@ IMAGE_EXTENSIONS = (".tif", ".tiff", ".png", ".jpg", ".jpeg", ".jp2", ".bmp", ".
 
 _OWN_PIXELS = (
     *("GTiff", "PNG", "JPEG", "JP2OpenJPEG", "JP2KAK", "JP2ECW", "JP2MrSID", "JPEGXL", "BMP", "GIF", "BIGGIF", "WEBP"),
-    *("AVIF", "HEIF", "EXR", "PNM", "HFA", "AAIGrid", "ENVI", "EHdr", "ERS", "RST", "SAGA", "PCIDSK", "ILWIS", "RMF"),
+    *("AVIF", "HEIF", "EXR", "PNM", "HFA", "AAIGrid", "ENVI", "EHdr", "RST", "SAGA", "RMF"),
     *("XYZ", "GSBG", "GS7BG", "SRTMHGT", "USGSDEM", "NITF", "ECW", "MrSID", "GPKG", "MBTiles", "KEA", "HDF4", "HDF5"),
     *("netCDF", "GRIB"),
 )
-"""GDAL's drivers of files that hold their own pixels. Others (VRT, WMS, STACIT, …) read descriptions of rasters that
-lie elsewhere, and ask hosts for them."""
+"""GDAL's drivers of files that hold their own pixels. Others (VRT, WMS, STACIT, ERS, …) read descriptions of rasters
+that lie elsewhere, and ask hosts for them."""
 
 _BY_SUFFIX = {
     ".png": ("PNG",),
@@ -57,8 +59,20 @@ _BY_SUFFIX = {
 }
 """A name with one of these suffixes says what the content is; others are opened by whichever of the drivers fits."""
 
-DESCRIPTIONS = (".vrt", ".xml", ".wms", ".gti", ".json")
+DESCRIPTIONS = (".vrt", ".xml", ".wms", ".gti", ".json", ".ers", ".mpr", ".mpl", ".pix")
 """Suffixes by which the user names a description as such."""
+
+_OVERVIEW_DRIVERS = ("GTiff", "HFA")
+"""Drivers of overviews and masks in files of their own; GDAL itself opens these files with any driver."""
+
+_ERDAS = b"EHFA_HEADER_TAG"
+"""GDAL takes no other ``.aux`` for its own; LaTeX writes such files as well."""
+
+_OVERVIEW_FILE = "OVERVIEW_FILE", "OVERVIEWS"
+"""Item and domain of metadata, in a TIFF or in ``.aux.xml``, by which a raster names another one, also of a host."""
+
+_MOST_SIDE_CAR_BYTES = 20_000_000
+"""Of ``.aux.xml``: histograms and attribute tables take some megabytes; GDAL builds a tree of all of it."""
 
 _FARTHEST = 1e9
 """Map units from the origin, and of a pixel; the false eastings of zoned CRS come to 6e7."""
@@ -90,6 +104,7 @@ def open_raster(path: str) -> gdal.Dataset:
     drivers = drivers_for(path)
     if drivers:
         require_kind_of_name(path, _start(path), LabelMapError)
+        _require_own_side_cars(path)
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
         gdal.ErrorReset()
@@ -104,6 +119,8 @@ def open_raster(path: str) -> gdal.Dataset:
         gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
         raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure())
+    if drivers and dataset.GetMetadataItem(*_OVERVIEW_FILE):
+        raise LabelMapError("storage.overviews_elsewhere", path=path, name=dataset.GetMetadataItem(*_OVERVIEW_FILE))
     if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
         numbers = ", ".join(f"{value:g}" for value in transform)
         raise LabelMapError("storage.bad_georeference", path=path, numbers=numbers)
@@ -120,16 +137,66 @@ def _start(path: str) -> bytes:
 
 
 def require_own_pixels(path: str) -> None:
-    """Raises LabelMapError for a file that is another kind of raster, or describes one, under the name of a picture.
+    """Raises LabelMapError for a file that GDAL would read other rasters for, before QGIS opens it.
 
-    It is not opened by the driver that its content calls for, so that nothing is asked of a host.
+    That is a description of another raster under the name of a picture, or a raster with such an overview.
     """
     drivers = drivers_for(path)
     if drivers:
-        with gdal_failures():
-            driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
-        if driver is not None and driver.ShortName not in drivers:
+        driver = _driver_of(path)
+        # What no driver takes is reported by QGIS.
+        if driver:
             open_raster(path)
+
+
+def _driver_of(path: str) -> str:
+    """Return the short name of the driver that GDAL would open a raster with; empty without one."""
+    driver = None
+    with gdal_failures():
+        driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
+    return "" if driver is None else driver.ShortName
+
+
+def _require_own_side_cars(path: str) -> None:
+    """Raise LabelMapError where GDAL would read other rasters because of a file beside a raster.
+
+    Overviews and masks must be TIFF or Erdas files that hold their own pixels, and so must the files beside them.
+    """
+    for side_car in _side_cars(path):
+        is_metadata = side_car.lower().endswith(".aux.xml")
+        state = os.stat(side_car)
+        if not stat.S_ISREG(state.st_mode) or is_metadata and state.st_size > _MOST_SIDE_CAR_BYTES:
+            raise LabelMapError("storage.foreign_side_car", path=side_car, raster=path)
+        if is_metadata or side_car.lower().endswith(".aux") and not _start(side_car).startswith(_ERDAS):
+            continue
+        dataset = None
+        if _driver_of(side_car) in _OVERVIEW_DRIVERS:
+            with gdal_failures():
+                dataset = gdal.OpenEx(side_car, gdal.OF_RASTER | gdal.OF_READONLY, list(_OVERVIEW_DRIVERS))
+        if dataset is None or dataset.GetMetadataItem(*_OVERVIEW_FILE):
+            raise LabelMapError("storage.foreign_side_car", path=side_car, raster=path)
+        _require_own_side_cars(side_car)
+
+
+def _side_cars(path: str) -> list[str]:
+    """Return the files beside a raster from which GDAL takes metadata, overviews or a mask, in any case of letters."""
+    folder, name = os.path.split(os.path.abspath(path))
+    wanted = [f"{name}{suffix}" for suffix in (".aux.xml", ".ovr", ".msk", ".aux")] + [f"{name.rpartition('.')[0]}.aux"]
+    try:
+        listed = _listed(folder, os.stat(folder).st_mtime_ns)
+    except OSError:
+        # A folder that can't be listed may still be read from.
+        return [side_car for one in wanted if os.path.exists(side_car := os.path.join(folder, one))]
+    return [os.path.join(folder, one) for want in wanted for one in listed.get(want.lower(), ())]
+
+
+@functools.lru_cache(maxsize=1)
+def _listed(folder: str, changed_ns: int) -> dict[str, list[str]]:
+    """Return the names in a folder by the same in small letters; ``changed_ns`` tells its states apart."""
+    found: dict[str, list[str]] = {}
+    for name in os.listdir(folder):
+        found.setdefault(name.lower(), []).append(name)
+    return found
 
 
 def require_whole_raster(path: str, target: str) -> None:

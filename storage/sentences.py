@@ -56,6 +56,14 @@ SENTENCES = {
     "storage.bad_georeference": (
         "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew."
     ),
+    "storage.foreign_side_car": (
+        "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; "
+        "remove it."
+    ),
+    "storage.overviews_elsewhere": (
+        "{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or "
+        "build the overviews again."
+    ),
     "storage.database_in_use": "{path} is being written by another program; try again.",
     "storage.database_unfinished": (
         "{path} was left half written by another program and can't be mended where it lies; copy it with the file "

@@ -1,0 +1,38 @@
+"""A web server on loopback that has nothing and remembers who asked: files from strangers must not make anyone ask."""
+
+from __future__ import annotations
+
+import http.server
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import count
+
+_NUMBERS = count()
+"""GDAL remembers what a host has not: each test needs names of its own."""
+
+
+@contextmanager
+def listening() -> Iterator[http.server.ThreadingHTTPServer]:
+    """Give a server: ``asked`` has the paths, ``url`` is its address, ``name()`` is GDAL's name of a raster on it."""
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            server.asked.append(self.path)
+            self.send_error(404)
+
+        do_HEAD = do_GET
+
+        def log_message(self, *arguments):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    server.asked = []
+    server.url = f"http://127.0.0.1:{server.server_port}"
+    server.name = lambda: f"/vsicurl/{server.url}/{next(_NUMBERS)}.tif"
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield server
+    finally:
+        server.shutdown()
+        server.server_close()
