@@ -58,8 +58,10 @@ def _picture(column: str) -> str:
     path = f"replace({path}, '%', '%25')"
     path = f"replace({path}, map('\"', '%22', '#', '%23', '<', '%3C', '>', '%3E', '?', '%3F', ' ', '%20'))"
     path = f"regexp_replace({path}, '^/+', '')"
+    # Before it is asked whether there is such a file: that would ask another computer.
+    elsewhere = f"regexp_match(\"{column}\", '^[/\\\\\\\\]{{2}}|^/vsi|^[A-Za-z][^/\\\\\\\\]+:')"
     tag = f"'<br><img width=\"{PICTURE_PX}\" src=\"file:///' || {path} || '\">'"
-    return f"[% if(file_exists(\"{column}\"), {tag}, '') %]"
+    return f"[% CASE WHEN {elsewhere} > 0 THEN '' WHEN file_exists(\"{column}\") THEN {tag} ELSE '' END %]"
 
 
 def _escaped(expression: str) -> str:

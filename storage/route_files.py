@@ -19,6 +19,9 @@ from .gdal_errors import gdal_failures
 WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
 """Files that are read here and not as layers: as layers QGIS would take the first part of them, or nothing."""
 
+_DRIVERS = {".gpx": ("GPX",), ".kml": ("LIBKML", "KML"), ".kmz": ("LIBKML",)}
+"""Of GDAL, by suffix: others read descriptions of files that lie elsewhere."""
+
 LARGEST_FILE_BYTES = 64 << 20
 
 _POSITION_COMMANDS = (16, 17, 18, 19, 21, 22, 31, 82, 84, 85)
@@ -144,7 +147,7 @@ def _lines_of_ogr(path: str) -> list[np.ndarray]:
 def _drawn_lines(path: str) -> list[np.ndarray]:
     dataset = None
     with gdal_failures() as failures:
-        dataset = gdal.OpenEx(path, gdal.OF_VECTOR)
+        dataset = gdal.OpenEx(path, gdal.OF_VECTOR, list(_DRIVERS[Path(path).suffix.lower()]))
     if dataset is None:
         raise ParameterError(
             "storage.route_unreadable",

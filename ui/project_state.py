@@ -8,6 +8,7 @@ from typing import Callable
 from qgis.core import QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
+from ..core.named_files import is_elsewhere, named_file
 from ..processing.inspection.models import at_hand
 
 SCOPE = "SemRef"
@@ -70,19 +71,25 @@ def read_state(project: QgsProject) -> DockState | None:
         return None
 
     def path_of(key: str) -> str:
-        return project.readPath(project.readEntry(SCOPE, key)[0])
+        return _local(project, project.readEntry(SCOPE, key)[0])
 
     method = project.readNumEntry(SCOPE, "/method")[0]
     return DockState(
-        project.readPath(database),
+        _local(project, database),
         at_hand(path_of("/model")),
         method if 0 <= method < _METHODS else 0,
-        [project.readPath(path) for path in project.readListEntry(SCOPE, "/images")[0]],
+        [path for path in (_local(project, one) for one in project.readListEntry(SCOPE, "/images")[0]) if path],
         min(max(project.readNumEntry(SCOPE, "/opacity", 60)[0], 0), 100),
         path_of("/results"),
         _prior_of(project.readListEntry(SCOPE, "/prior")[0]),
         project.readBoolEntry(SCOPE, "/flight", False)[0],
     )
+
+
+def _local(project: QgsProject, written: str) -> str:
+    """Return a path of the project; empty for one on another computer, unless the project is there as well."""
+    path = project.readPath(written)
+    return path if not is_elsewhere(path) or named_file(path, [project.absolutePath()]) else ""
 
 
 def _prior_of(entries: list[str]) -> Prior | None:

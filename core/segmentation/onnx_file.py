@@ -11,6 +11,8 @@ import os
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from ..named_files import named_file
+
 _VARINT, _EIGHT_BYTES, _LENGTH, _FOUR_BYTES = 0, 1, 2, 5
 _IR_VERSION, _GRAPH, _OPSETS, _METADATA = 1, 7, 8, 14
 _DOMAIN, _VERSION = 1, 2
@@ -38,9 +40,9 @@ class OnnxHeader:
     aligns_corners: bool = False
 
     def missing_weights(self, path: str) -> str:
-        """The first file of weights that is not beside the model, or nothing."""
-        folder = os.path.dirname(path)
-        return next((name for name in self.weight_files if not os.path.isfile(os.path.join(folder, name))), "")
+        """Return the name of the first file of weights that is not in the folder of the model; empty for none."""
+        folder = [os.path.dirname(os.path.abspath(path))]
+        return next((name for name in self.weight_files if not os.path.isfile(named_file(name, folder))), "")
 
 
 def header_of(path: str) -> OnnxHeader | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
 from ...core.errors import ImageError, SemRefError
 from ...core.sentences import legible
@@ -92,7 +92,7 @@ class GeoreferenceImages(SemRefAlgorithm):
             Files(
                 self.IMAGES,
                 tr("Images"),
-                tr("The images or their folder, where they don’t lie any more where they were localized."),
+                tr("The images or their folder. Needed where they are not in the folder of the positions."),
                 optional=True,
                 advanced=True,
             ),
@@ -108,7 +108,7 @@ class GeoreferenceImages(SemRefAlgorithm):
         found = read_positions(positions, values.source(self.FOOTPRINTS), self.POSITIONS, self.FOOTPRINTS)
         placed = [image for image in found if image.has_place]
         points = read_matches(values.source(self.MATCHES), positions, placed, self.MATCHES)
-        moved = self._moved(values)
+        file_of = self._files(values)
         names = unique_names([image.path for image in placed], ".tif" if self._format(values) == GEOTIFF else "")
         written = 0
         with outputs.folder(self.OUTPUT) as folder:
@@ -118,11 +118,12 @@ class GeoreferenceImages(SemRefAlgorithm):
                 feedback.setProgressText(name)
                 refusal = _why_not(image)
                 if not refusal:
-                    file = moved.get(os.path.basename(image.path), image.path)
                     writer = _Writer(self._format(values), wkt_for_gdal(positions.sourceCrs()), feedback)
                     target = str(Path(folder) / names[image.path])
                     try:
-                        cancelable(writer, file, image, target, points.get(image.path, []), feedback=feedback)
+                        cancelable(
+                            writer, file_of(image.path), image, target, points.get(image.path, []), feedback=feedback
+                        )
                         written += 1
                     except SemRefError as error:
                         check_canceled(feedback)
@@ -140,11 +141,23 @@ class GeoreferenceImages(SemRefAlgorithm):
     def _format(self, values: Values) -> int:
         return values.choice(self.FORMAT)
 
-    def _moved(self, values: Values) -> dict[str, str]:
-        """Where images lie now, by name."""
+    def _files(self, values: Values) -> Callable[[str], str]:
+        """Return a function from the path in a row to the file that it means; it raises ImageError for other files."""
+        from ...core.named_files import named_file
         from ...storage.rasters import image_files
+        from ..exchange.positions import folder_of
 
-        return {os.path.basename(path): path for path in image_files(values.files(self.IMAGES))}
+        chosen = {os.path.basename(path): path for path in image_files(values.files(self.IMAGES))}
+        folder = folder_of(values.vector(self.POSITIONS))
+
+        def file_of(path: str) -> str:
+            # A temporary layer is of this session: its images were chosen by the user.
+            found = chosen.get(os.path.basename(path)) or (path if folder is None else named_file(path, [folder]))
+            if not found:
+                raise ImageError("algorithms.image_elsewhere", path=path)
+            return found
+
+        return file_of
 
 
 def _why_not(image: FoundImage) -> str:

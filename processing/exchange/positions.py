@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from qgis.core import QgsProcessingUtils, QgsProviderRegistry
 
 from ...core.errors import ParameterError
 from ...core.geometry.footprint import image_corners
 from ...core.localization import Method
+from ...core.named_files import named_file
 from ...storage.georeferences import ControlPoint
 from ..compat import is_null
 
 if TYPE_CHECKING:
-    from qgis.core import QgsFeature, QgsPointXY, QgsProcessingFeatureSource
+    from qgis.core import QgsFeature, QgsPointXY, QgsProcessingFeatureSource, QgsVectorLayer
 
 NEEDED = ("image", "status", "heading", "pixel_size")
 """Columns of positions without which nothing can be laid on the ground."""
@@ -63,6 +66,13 @@ class FoundImage:
         right = east * np.cos(heading) - north * np.sin(heading)
         up = east * np.sin(heading) + north * np.cos(heading)
         return float(right / self.pixel_size), float(-up / self.pixel_size)
+
+
+def folder_of(layer: QgsVectorLayer) -> str | None:
+    """Return the folder of a layer's file, in which the names in it are followed; None for a temporary layer."""
+    path = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source()).get("path") or ""
+    is_temporary = layer.providerType() == "memory" or named_file(path, [QgsProcessingUtils.tempFolder()])
+    return None if is_temporary else os.path.dirname(path)
 
 
 def read_positions(

@@ -17,6 +17,9 @@ SENTENCES = {
         "The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were "
         "taken; give the log of this flight, or a camera table with times."
     ),
+    "algorithms.image_elsewhere": (
+        "The positions name {path}, which is not in their own folder; select the image, or its folder, as Images."
+    ),
     "algorithms.image_moved": "There is no image {path}; give IMAGES, the folder where it lies now.",
     "algorithms.no_assessed_route": (
         "“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” "

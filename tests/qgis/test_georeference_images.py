@@ -136,7 +136,8 @@ def test_where_map_correlation_placed_an_image_its_fix_tells_the_control_points(
         row.SetField("method", "map correlation")
         layer.SetFeature(row)
     row = layer = source = None
-    _, folder = georeference(FORMAT=2, POSITIONS=str(by_areas), MATCHES=localized["MATCHES"])
+    images = str(Path(localized["OUTPUT"]).parent / "images")
+    _, folder = georeference(FORMAT=2, POSITIONS=str(by_areas), MATCHES=localized["MATCHES"], IMAGES=images)
     points = points_of(folder / "level.png.points")
     assert points[:, 2:4].tolist() == [[c, -r] for r in (0, 150, 300) for c in (0, 150, 300)]
 
@@ -164,9 +165,10 @@ def test_images_that_were_moved_are_found_by_name(georeference, tmp_path):
 
 
 def test_an_image_that_is_gone_is_named_and_does_not_stop_the_others(georeference, tmp_path, feedback):
-    result, _ = georeference(POSITIONS=made_positions(tmp_path / "p.gpkg", "/no/one.png"), FOOTPRINTS=None)
+    gone = str(tmp_path / "one.png")
+    result, _ = georeference(POSITIONS=made_positions(tmp_path / "p.gpkg", gone), FOOTPRINTS=None)
     assert result["IMAGE_COUNT"] == 0
-    assert "There is no image /no/one.png" in feedback.textLog()
+    assert f"There is no image {gone}" in feedback.textLog()
 
 
 def test_a_position_that_an_export_made_a_multipoint_is_one(georeference, tmp_path):

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from typing import Callable
 
 from qgis.core import QgsProject
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....core.errors import LabelMapError
+from ....core.named_files import named_file
 from ....processing.compat import wkt_for_gdal
 from ....processing.inspection.image import ImageQuery
 from ....processing.translation import tr
@@ -43,6 +45,7 @@ class ShownHit(QObject):
         self._picture_reader = Reader(self)
         self._drape_reader = Reader(self)
         self._database = self._model = self._draped_name = self._draped_crs = ""
+        self._chosen: Callable[[], list[str]] | None = None
         self._results.image.clear(_nothing_yet())
         self._connect()
 
@@ -66,9 +69,15 @@ class ShownHit(QObject):
         for marks in (self.matches, self.highlight, self.track):
             marks.remove()
 
-    def use(self, database: str, model: str) -> None:
-        """Paths of what the results that come now were found with; ``model`` is empty for label images."""
-        self._database, self._model = database, model
+    def use(self, database: str, model: str, chosen: Callable[[], list[str]] | None = None) -> None:
+        """Sets paths of what the results that come now were found with.
+
+        Args:
+            database: The database.
+            model: Empty for label images.
+            chosen: Returns files and folders in which images are opened; None where the user chose all images.
+        """
+        self._database, self._model, self._chosen = database, model, chosen
 
     def set_visible(self, visible: bool) -> None:
         """Whether the canvas shows it."""
@@ -92,8 +101,12 @@ class ShownHit(QObject):
         self._results.image.clear(tr("Reading…"))
         if finding.matches is not None:
             self.matches.show(finding.matches, finding.crs)
+        image = self._file_of(finding)
+        if not image:
+            self._results.image.clear(_not_chosen())
+            return
         pixel_size = None if finding.corners is None else finding.pixel_size
-        query = ImageQuery(finding.image, finding.labels, self._model, pixel_size, finding.is_by_vector)
+        query = ImageQuery(image, finding.labels, self._model, pixel_size, finding.is_by_vector)
         self._picture_reader.read(tr("Reading an image"), self._pictures.read, query, self._database)
 
     def _show_picture(self, picture: ImagePicture) -> None:
@@ -117,16 +130,28 @@ class ShownHit(QObject):
 
     def drape(self, finding: Finding) -> None:
         """Lays the image on the map as its fix says."""
+        image = self._file_of(finding)
+        if not image:
+            self._messages.warning(_not_chosen())
+            return
         self._draped_name = finding.name
         self._draped_crs = wkt_for_gdal(finding.crs)
-        arguments = finding.image, finding.corners, self._draped_crs
+        arguments = image, finding.corners, self._draped_crs
         self._drape_reader.read(tr("Laying an image on the map"), place_image, *arguments)
+
+    def _file_of(self, finding: Finding) -> str:
+        """Return the path of an image; empty where a file of results names one that the user did not choose."""
+        return finding.image if self._chosen is None else named_file(finding.image, self._chosen())
 
     def _show_drape(self, placed: str) -> None:
         try:
             add_placed(placed, self._draped_name, self._draped_crs, self._database, QgsProject.instance())
         except LabelMapError as error:
             self._messages.error(worded(error))
+
+
+def _not_chosen() -> str:
+    return tr("The results name an image that is not in their folder. Add it, or its folder, to the list of images.")
 
 
 def _nothing_yet() -> str:

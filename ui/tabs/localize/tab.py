@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from functools import partial
+from typing import Callable
 
 from qgis.core import QgsFeatureRequest, QgsMapLayerStyle, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer
 from qgis.gui import QgsMapCanvas
@@ -13,6 +14,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 
 from ....core.errors import ParameterError
 from ....core.localization import Status
+from ....core.named_files import named_file
 from ....processing.exchange.flight_styles import flight_look, track_look
 from ....processing.exchange.results_file import open_results, write_results
 from ....processing.translation import tr
@@ -20,7 +22,7 @@ from ....processing.wording.sentences import worded
 from ...findings import Finding, ResultLayers, read_findings
 from ...project_state import DockState
 from ...running.background import DatabaseShelf, Reader
-from ...running.kept_runs import KeptRun, forget_old_runs, kept_runs, labels_of
+from ...running.kept_runs import KeptRun, forget_old_runs, kept_runs, labels_of, runs_folder
 from ...running.localization_run import LocalizationRun, named_results
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
@@ -146,7 +148,10 @@ class LocalizeTab(QWidget):
             return
         try:
             layers = ResultLayers(*named_results(state.results))
-            self._show_layers(layers, state.results, state.model, labels_of(state.results))
+            # Runs in the profile are the user's own.
+            is_own = bool(named_file(state.results, [str(runs_folder())]))
+            chosen = None if is_own else lambda: [os.path.dirname(state.results), *self.images.paths()]
+            self._show_layers(layers, state.results, state.model, labels_of(state.results), chosen=chosen)
             self._fold()
         except ParameterError as error:
             self._messages.warning(worded(error))
@@ -230,7 +235,15 @@ class LocalizeTab(QWidget):
             self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
 
-    def _show_layers(self, layers: ResultLayers, file: str, model: str, labels: str = "", database: str = "") -> None:
+    def _show_layers(
+        self,
+        layers: ResultLayers,
+        file: str,
+        model: str,
+        labels: str = "",
+        database: str = "",
+        chosen: Callable[[], list[str]] | None = None,
+    ) -> None:
         """Shows the results of a run.
 
         Args:
@@ -239,11 +252,12 @@ class LocalizeTab(QWidget):
             model: That made labels of the photos; empty for label images.
             labels: Folder of the photos' label images; empty where they were not kept.
             database: That they were found in; empty for the chosen one.
+            chosen: Returns files and folders in which images are opened; None where the user chose all images.
         """
         self._layers, self._results_file = layers, file
         self._found_with = database or self._database.path(), model
         self._chosen = self._now_chosen()
-        self.hit.use(*self._found_with)
+        self.hit.use(*self._found_with, chosen)
         self._findings = findings = read_findings(layers, labels)
         if findings:
             fixes = sum(1 for finding in findings if finding.status == Status.FIX)
