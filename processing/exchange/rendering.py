@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Generator
 from dataclasses import dataclass
 from math import ceil
@@ -28,6 +29,7 @@ from ...core.errors import ImageError
 from ...core.geometry.frame import MapFrame
 from ...storage.pictures import ColorPicture
 from ..compat import MAP_TILE, is_metric, wkt_for_gdal
+from .downloads import MOST_ANSWER_BYTES, Downloads, install, watched_downloads
 from .reference_systems import describe_crs, utm_zone
 
 MOST_PIXELS = 64_000_000
@@ -37,6 +39,9 @@ TILE_PX = 1024
 """Edge of what is drawn at a time; a cancel ends the drawing of one within CANCEL_EVERY_MS."""
 
 CANCEL_EVERY_MS = 200
+
+LONGEST_S = 300.0
+"""For one such piece, some twenty tiles; a server that takes longer sends nothing of use."""
 
 TRUE_TO_SCALE = 0.01
 """A CRS whose meters are off by more than this share (as those of web maps are: a third in Europe) is not drawn in."""
@@ -64,6 +69,7 @@ def needs_drawing(layer: QgsRasterLayer | None) -> bool:
 
 def drawable(layer: QgsRasterLayer) -> QgsRasterLayer:
     """A copy of a layer to be drawn in another thread, opaque and smooth; for the thread that the layer lives in."""
+    install()
     copy = layer.clone()
     copy.setOpacity(1.0)
     for set_resampler in (copy.resampleFilter().setZoomedInResampler, copy.resampleFilter().setZoomedOutResampler):
@@ -125,10 +131,11 @@ def draw(
     height, width = drawing.frame.shape_hw
     places = [(column, row) for row in range(0, height, TILE_PX) for column in range(0, width, TILE_PX)]
     anything, problems = False, []
-    with ColorPicture(path, drawing.frame) as picture:
+    with ColorPicture(path, drawing.frame) as picture, watched_downloads(drawing.layer) as downloads:
         for n, (column, row) in enumerate(places, start=1):
             shape_hw = min(TILE_PX, height - row), min(TILE_PX, width - column)
-            pixels_hw4, errors = _drawn(drawing, column, row, shape_hw, context, canceled)
+            pixels_hw4, errors = _drawn(drawing, column, row, shape_hw, context, canceled, downloads)
+            _require_plain_answers(drawing.layer.name(), downloads)
             anything = anything or bool(pixels_hw4[:, :, 3].any())
             problems += errors
             picture.write(column, row, pixels_hw4)
@@ -139,6 +146,14 @@ def draw(
         raise ImageError("exchange.nothing_drawn", layer=drawing.layer.name())
 
 
+def _require_plain_answers(layer: str, downloads: Downloads) -> None:
+    """Raise ImageError where a server sent what is not taken."""
+    if downloads.is_too_large:
+        raise ImageError("exchange.answer_too_large", layer=layer, most_mb=MOST_ANSWER_BYTES // 1_000_000)
+    if downloads.refused:
+        raise ImageError("exchange.redirected_elsewhere", layer=layer, address=downloads.refused)
+
+
 def _drawn(
     drawing: Drawing,
     column: int,
@@ -146,6 +161,7 @@ def _drawn(
     shape_hw: tuple[int, int],
     context: QgsCoordinateTransformContext,
     canceled: Callable[[], bool],
+    downloads: Downloads,
 ) -> tuple[np.ndarray, list[str]]:
     """(height, width, 4) uint8 of a piece, red first; what went wrong."""
     height, width = shape_hw
@@ -161,12 +177,20 @@ def _drawn(
     job = QgsMapRendererSequentialJob(settings)
     loop, timer = QEventLoop(), QTimer()
     job.finished.connect(loop.quit)
-    timer.timeout.connect(lambda: job.cancelWithoutBlocking() if canceled() else None)
+    end = time.monotonic() + LONGEST_S
+
+    def look() -> None:
+        if canceled() or downloads.is_broken or time.monotonic() > end:
+            job.cancelWithoutBlocking()
+
+    timer.timeout.connect(look)
     timer.start(CANCEL_EVERY_MS)
     job.start()
     if job.isActive():
         loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
     timer.stop()
+    if time.monotonic() > end and not canceled():
+        raise ImageError("exchange.drawing_too_slow", layer=drawing.layer.name(), most_s=int(LONGEST_S))
     return _pixels(job.renderedImage(), shape_hw), [error.message for error in job.errors()]
 
 

@@ -61,6 +61,15 @@ SENTENCES = {
         "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a "
         "smaller EXTENT, or get the image as a file from whoever offers it."
     ),
+    "exchange.answer_too_large": (
+        "The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it."
+    ),
+    "exchange.redirected_elsewhere": (
+        "The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only."
+    ),
+    "exchange.drawing_too_slow": (
+        "The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer."
+    ),
     "exchange.not_drawn": "“{layer}” can’t be drawn: {reason}.",
     "exchange.nothing_drawn": (
         "Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer."

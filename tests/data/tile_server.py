@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -32,22 +33,39 @@ def tile_png(zoom: int, column: int, row: int, ground=labels_at) -> bytes:
 
 
 @contextmanager
-def tile_server(status: int = 200, delay_s: float = 0.0, ground=labels_at):
+def tile_server(
+    status: int = 200, delay_s: float = 0.0, ground=labels_at, redirect: str = "", sent: list | None = None
+):
     """Gives the URI of an XYZ layer.
 
-    status: other than 200 answers every tile with it; delay_s: before each; ground: classes at (x, y) of EPSG:3857.
+    status: other than 200 answers every tile with it; delay_s: before each; ground: classes at (x, y) of EPSG:3857;
+    redirect: an address for each tile, {path} being its own; sent: takes the sizes of the pieces of
+    tiles that never end.
     """
     stop = threading.Event()
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self):
             stop.wait(delay_s)
+            if redirect:
+                self.send_response(302)
+                self.send_header("Location", redirect.format(path=self.path))
+                self.end_headers()
+                return
             zoom, column, row = (int(part) for part in self.path.split(".")[0].strip("/").split("/"))
             self.send_response(status)
             self.send_header("Content-Type", "image/png")
             self.end_headers()
-            if status == 200:
+            if sent is not None:
+                self.send_without_end()
+            elif status == 200:
                 self.wfile.write(tile_png(zoom, column, row, ground))
+
+        def send_without_end(self):
+            with contextlib.suppress(OSError):
+                while not stop.is_set():
+                    self.wfile.write(bytes(1 << 20))
+                    sent.append(1 << 20)
 
         def log_message(self, *_):
             pass

@@ -17,7 +17,9 @@ from qgis.core import (
     QgsProject,
     QgsRasterLayer,
 )
-from tile_server import labels_at, tile_server
+from qgis.PyQt.QtCore import QUrl
+from qgis.PyQt.QtNetwork import QNetworkRequest
+from tile_server import labels_at, tile_png, tile_server
 
 SEGMENT = "semref:segmentimage"
 EXTENT = f"{WEST},{WEST + 1200},{NORTH - 900},{NORTH} [EPSG:32632]"
@@ -120,6 +122,54 @@ def test_a_cancel_ends_the_drawing_within_a_second(segment, tiles, feedback):
     with pytest.raises(QgsProcessingException, match="Canceled"):
         segment(layer)
     assert time.monotonic() - ended[0] < 2
+
+
+def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, tiles, tmp_path):
+    sent = []
+    with pytest.raises(QgsProcessingException, match="more than 20 MB for one tile"):
+        segment(tiles(sent=sent))
+    # Of six tiles at a time, with what the system's buffers hold.
+    assert 20e6 < sum(sent) < 6 * 40e6
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_redirect_to_a_file_is_not_followed(segment, tiles, tmp_path):
+    (tmp_path / "secret.png").write_bytes(tile_png(0, 0, 0))
+    with pytest.raises(QgsProcessingException, match=r"redirects to file:.*secret\.png; SemRef reads tiles over http"):
+        segment(tiles(redirect=(tmp_path / "secret.png").as_uri()))
+    assert [path.name for path in tmp_path.iterdir()] == ["secret.png"]
+
+
+def test_a_redirect_to_another_server_is_followed(segment, tiles):
+    with tile_server() as other:
+        address = other.partition("url=")[2].partition("/{z}")[0]
+        assert agreement(segment(tiles(redirect=address + "{path}"))) > 0.95
+
+
+def test_tiles_on_the_disk_that_the_user_named_are_drawn(segment, tmp_path):
+    (tmp_path / "tile.png").write_bytes(tile_png(16, 34_800, 22_900))
+    layer = QgsRasterLayer(f"type=xyz&url=file://{tmp_path}/tile.png&zmin=0&zmax=18", "tiles", "wms")
+    assert layer.isValid() and segment(layer).ReadAsArray().any()
+
+
+def test_a_server_that_never_ends_a_tile_is_given_up_after_a_while(segment, tiles, monkeypatch):
+    from semref.processing.exchange import rendering
+
+    monkeypatch.setattr(rendering, "LONGEST_S", 1.0)
+    with pytest.raises(QgsProcessingException, match="took longer than 1 s for one part"):
+        segment(tiles(delay_s=30))
+
+
+def test_requests_of_others_are_left_alone_while_a_layer_is_drawn(tiles, tmp_path):
+    from qgis.core import QgsNetworkAccessManager
+
+    from semref.processing.exchange.downloads import install, watched_downloads
+
+    (tmp_path / "own.txt").write_text("mine")
+    install()
+    with watched_downloads(tiles()) as downloads:
+        reply = QgsNetworkAccessManager.blockingGet(QNetworkRequest(QUrl.fromLocalFile(str(tmp_path / "own.txt"))))
+    assert bytes(reply.content()) == b"mine" and not downloads.is_broken
 
 
 @pytest.mark.parametrize("north_up", [True, False])
