@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 from pathlib import Path
@@ -20,7 +19,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from semref.core.errors import ParameterError, SemRefError
+from semref.core.errors import ParameterError
 
 COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_size", "real")]
 UNC = [r"\\host\share\a.tif", "//host/share/a.tif", "file://host/share/a.tif", "/vsismb/host/a.tif"]
@@ -148,16 +147,6 @@ def test_a_project_brings_no_paths_of_other_computers(qgis_app, tmp_path, name):
     state = read_state(project)
     assert (state.database, state.model, state.results) == ("", "", "")
     assert state.images == [str(tmp_path / "a.tif")]
-
-
-@pytest.mark.parametrize("name", UNC)
-def test_a_set_names_no_database_of_another_computer(qgis_app, tmp_path, name):
-    from semref.storage.database.sets import FORMAT, parts_of
-
-    content = {"format": FORMAT, "version": 1, "parts": [{"path": name}]}
-    path = write_text(tmp_path / "a.semrefset", json.dumps(content))
-    with pytest.raises(SemRefError, match="of another computer"):
-        parts_of(str(path))
 
 
 @pytest.mark.parametrize("suffix", [".gpx", ".kml", ".kmz"])
