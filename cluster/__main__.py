@@ -1,4 +1,4 @@
-"""``python -m cluster`` from the plugin's folder, or ``PYTHON …/semref/cluster``: see command_line.py.
+"""The process beside QGIS that has Dask do SemRef's tasks, see ``service.py``: ``PYTHON …/semref/cluster ORDER``.
 
 The plugin's folder may be called anything, and its rooms must not come before packages of the same names: so this file
 makes it the package ``semref`` and takes its own folder off Python's path.
@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def load_package() -> None:
-    """Makes the plugin's folder importable as ``semref``."""
+    """Make the plugin's folder importable as ``semref``."""
     spec = importlib.util.spec_from_file_location(
         "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
     )
@@ -26,9 +26,9 @@ def load_package() -> None:
 if __name__ == "__main__":
     sys.path[:] = [entry for entry in sys.path if Path(entry or ".").resolve() not in (ROOT, ROOT / "cluster")]
     load_package()
-    lines = importlib.import_module("semref.cluster.command_line")
-    code = lines.main(sys.argv[1:])
-    if code == lines.INTERRUPTED:
-        # Files are cleared away and it was said; Dask's own farewells take seconds.
+    service = importlib.import_module("semref.cluster.service")
+    code = service.main(sys.argv[1])
+    if code == service.INTERRUPTED:
+        # Dask takes seconds to close.
         os._exit(code)
     sys.exit(code)

@@ -53,7 +53,7 @@ _Tell = Callable[[str], None]
 
 
 @contextlib.contextmanager
-def connected(scheduler: str | None, local: int | None, worker_memory: str | None, tell: _Tell) -> Iterator[Client]:
+def connected(scheduler: str | None, local: int | None, tell: _Tell) -> Iterator[Client]:
     """A client of workers that have SemRef's code.
 
     Who reaches a scheduler or a worker runs code there. Those that are started here therefore listen on this machine
@@ -62,7 +62,6 @@ def connected(scheduler: str | None, local: int | None, worker_memory: str | Non
     Args:
         scheduler: Its address; None to start workers here.
         local: How many to start here.
-        worker_memory: Of one that is started here, such as “2GB”; None for its share of the machine's.
         tell: Takes lines for the user.
 
     Raises:
@@ -77,7 +76,7 @@ def connected(scheduler: str | None, local: int | None, worker_memory: str | Non
             folder = tempfile.mkdtemp(prefix="semref-")
             stack.callback(shutil.rmtree, folder, ignore_errors=True)
             stack.enter_context(dask.config.set({**_NO_PAGES, "temporary-directory": folder}))
-            cluster = stack.enter_context(_local(local or 1, worker_memory))
+            cluster = stack.enter_context(_local(local or 1))
             client = stack.enter_context(Client(cluster))
         else:
             client = stack.enter_context(_remote(scheduler))
@@ -94,7 +93,7 @@ def connected(scheduler: str | None, local: int | None, worker_memory: str | Non
             raise
 
 
-def _local(count: int, worker_memory: str | None) -> LocalCluster:
+def _local(count: int) -> LocalCluster:
     # Python's tracker clears up what an interrupted process left, and would say so to the user.
     others = filter(None, [os.environ.get("PYTHONWARNINGS")])
     os.environ["PYTHONWARNINGS"] = ",".join([*others, "ignore::UserWarning:multiprocessing.resource_tracker"])
@@ -102,7 +101,7 @@ def _local(count: int, worker_memory: str | None) -> LocalCluster:
         return LocalCluster(
             n_workers=count,
             threads_per_worker=1,
-            memory_limit=worker_memory or "auto",
+            memory_limit="auto",
             host="127.0.0.1",
             security=Security.temporary(),
             dashboard_address="127.0.0.1:0",

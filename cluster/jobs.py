@@ -1,4 +1,4 @@
-"""What workers do of a job of many images: open what is the same for all once, and answer piece by piece, as text."""
+"""What workers do of a job of many images: open what is the same for all once, and answer piece by piece."""
 
 from __future__ import annotations
 
@@ -18,36 +18,35 @@ from ..core.localizer.localizer import Localizer
 from ..core.localizer.search import AskedImage, FoundImage, ImagesJob
 from ..core.localizer.settings import LOCALIZER
 from ..core.segmentation.class_bias import KnownBiases, known_biases
-from ..storage.carried import from_text, to_text
 from ..storage.database.reader import read_database, read_overview
 from ..storage.file_states import fingerprint
 from ..storage.label_images import LabelImageReader, opened_photo
 from ..storage.rasters import GdalLabels
+from ..storage.serialization import from_bytes, to_bytes
+from .task_names import ASSESS, CORRELATE, EVALUATE, IMAGES
 
-IMAGES, EVALUATE, ASSESS, CORRELATE = "images", "evaluate", "assess", "correlate"
 
-
-def do(task: str, job: str, pieces: str) -> str:
-    """Answers some pieces of a job.
+def do(task: str, job: bytes, pieces: bytes) -> bytes:
+    """Answer some pieces of a job.
 
     Args:
         task: One of ``TASKS``.
-        job: With the fingerprint of its database, as ``storage.carried`` makes a text of both.
-        pieces: A list of them, likewise.
+        job: The job and the fingerprint of its database, serialized.
+        pieces: A serialized list of them.
 
     Returns:
-        The list of what was found, likewise.
+        The serialized list of what was found.
 
     Raises:
         SemRefError: The job can't be done.
     """
     answer = TASKS[task]
-    return to_text([answer(job, piece) for piece in from_text(pieces)])
+    return to_bytes([answer(job, piece) for piece in from_bytes(pieces)])
 
 
-def _image(text: str, asked: AskedImage) -> FoundImage:
+def _image(content: bytes, asked: AskedImage) -> FoundImage:
     """One bad image must not stop the others."""
-    opened = _images(text)
+    opened = _images(content)
     try:
         seen, known = opened.read(asked)
         opened.localizer.heed_biases(known.class_biases, known.class_spread)
@@ -64,8 +63,8 @@ class _Images(NamedTuple):
 
 
 @lru_cache(1)
-def _images(text: str) -> _Images:
-    job, known = _told(text)
+def _images(content: bytes) -> _Images:
+    job, known = _opened(content)
     database = _as_planned(read_database(job.database, with_overview=job.has_overview), known)
     localizer = Localizer(database, replace(LOCALIZER, allowed_risk=job.risk), job.sun_deg)
     read = _photos(job.model, database.class_table) if job.model else _label_images(database.class_table)
@@ -93,31 +92,31 @@ def _photos(path: str, table: ClassTable) -> Callable[[AskedImage], tuple[SeenLa
     return read
 
 
-def _trials(text: str, piece: tuple) -> list[Any]:
+def _trials(content: bytes, piece: tuple) -> list[Any]:
     query, methods = piece
-    return _evaluation(text).run(query, methods)
+    return _evaluation(content).run(query, methods)
 
 
 @lru_cache(1)
-def _evaluation(text: str) -> Evaluation:
-    job, known = _told(text)
+def _evaluation(content: bytes) -> Evaluation:
+    job, known = _opened(content)
     database = _as_planned(read_database(job.database, with_overview=True), known)
     return job.evaluation(database, GdalLabels(job.labels))
 
 
-def _simulated(text: str, piece: tuple) -> Any:
+def _simulated(content: bytes, piece: tuple) -> Any:
     footprint, query = piece
-    return _assessment(text, footprint).run(query)
+    return _assessment(content, footprint).run(query)
 
 
-def _correlated(text: str, piece: tuple) -> Any:
+def _correlated(content: bytes, piece: tuple) -> Any:
     footprint, query = piece
-    return _assessment(text, footprint).run_correlation(query)
+    return _assessment(content, footprint).run_correlation(query)
 
 
 @lru_cache(1)
-def _assessed(text: str) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
-    job, known = _told(text)
+def _assessed(content: bytes) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
+    job, known = _opened(content)
     database = _as_planned(read_database(job.database, with_bounds=True), known)
     if job.has_overview:
         database = replace(database, overview=read_overview(job.database, database.parameters))
@@ -125,14 +124,14 @@ def _assessed(text: str) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
 
 
 @lru_cache(2)
-def _assessment(text: str, footprint: float) -> Assessment:
-    job, database, localizer = _assessed(text)
+def _assessment(content: bytes, footprint: float) -> Assessment:
+    job, database, localizer = _assessed(content)
     return job.assessment(database, localizer, footprint)
 
 
-def _told(text: str) -> tuple[Any, str]:
+def _opened(content: bytes) -> tuple[Any, str]:
     """A job, and the fingerprint of its database."""
-    return from_text(text)
+    return from_bytes(content)
 
 
 def _as_planned(database: ReferenceDatabase, known: str) -> ReferenceDatabase:

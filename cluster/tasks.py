@@ -11,31 +11,25 @@ from osgeo import gdal
 from ..core.database.parts import TASKS
 from ..core.errors import SemRefError
 from ..core.geometry.frame import MapFrame
-from ..core.onboard.command_line import finding, localize_options
-from ..core.onboard.finder import Finding
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.tiling import segment_tiles
 from ..storage.burning import burnt_strip
 from ..storage.rasters import GdalLabels
 from . import jobs
 from .photos import Opening, opened
+from .task_names import BURN, SEGMENT
 
 _CACHE_BYTES = 64 << 20
 """GDAL's cache of one worker; by default it is a share of the machine's memory, for each of them."""
-
-
-LOCALIZE, SEGMENT, BURN = "localize", "segment", "burn"
-"""Tasks that need no label map: images in an onboard file, blocks of a photo's tiles, and strips of polygons."""
 
 
 def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]:
     """Does one task.
 
     Args:
-        task: One of ``TASKS``; LOCALIZE, whose shared arguments are the options and whose other is an image;
-            SEGMENT, whose shared ones are those of ``photos.Opening``; BURN, whose shared one is a CRS and whose
-            others are geotransform and shape of a strip and its polygons; or one of ``jobs.TASKS``, whose shared one is
-            the job and whose other are pieces of it.
+        task: One of ``TASKS``; SEGMENT, whose shared arguments are those of ``photos.Opening``; BURN, whose shared one
+            is a CRS and whose others are geotransform and shape of a strip and its polygons; or one of ``jobs.TASKS``,
+            whose shared one is the job and whose other are pieces of it.
         path: The label map.
         shared: The task's first arguments.
         arguments: The others.
@@ -44,8 +38,6 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
         “done” and what it gave; “failed” and class, code and values of an error that the user can mend.
     """
     try:
-        if task == LOCALIZE:
-            return "done", _finding(shared)(*arguments)
         if task == SEGMENT:
             return "done", _segmented(shared, *arguments)
         if task == BURN:
@@ -64,11 +56,6 @@ def _labels(path: str) -> GdalLabels:
     return GdalLabels(path)
 
 
-@lru_cache(1)
-def _finding(options: tuple[str, ...]) -> Finding:
-    return finding(localize_options(list(options)))
-
-
 def _burnt(crs: str, geotransform: tuple[float, ...], shape_hw: tuple[int, int], *polygons: np.ndarray) -> np.ndarray:
     """(H, W) uint8 labels of a strip."""
     gdal.SetCacheMax(_CACHE_BYTES)
@@ -78,11 +65,11 @@ def _burnt(crs: str, geotransform: tuple[float, ...], shape_hw: tuple[int, int],
 def _segmented(opening: tuple, first: tuple[int, int], count: int) -> tuple[np.ndarray, float, int]:
     """(h, w) uint8 labels of a block, and the sum and number of how sure the network is of some of them."""
     gdal.SetCacheMax(_CACHE_BYTES)
-    photo, sure = opened(Opening(*opening)), Sureness()
+    photo, sure, overlap = opened(Opening(*opening)), Sureness(), Opening(*opening).overlap
     tiles = photo.tiles.block(photo.model.tile_hw, first, count)
     labels = []
     values = photo.model.classes.values
-    for _, rows in segment_tiles(photo.model, photo.image, values, photo.overlap, tiles):
+    for _, rows in segment_tiles(photo.model, photo.image, values, overlap, tiles):
         if rows is not None:
             labels.append(rows.labels_hw)
             sure.add(rows.sure)

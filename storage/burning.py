@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from ..core.annotation.job import BurnJob
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.counts import count_labels
@@ -45,11 +44,23 @@ class LabelMapBurning:
         frame: MapFrame,
         table: ClassTable,
         polygons: list[BurnPolygon],
+        burn: Callable[[Iterable[tuple]], Iterator[np.ndarray]] | None = None,
     ) -> None:
+        """Nothing is burnt yet.
+
+        Args:
+            path: Of the new file.
+            frame: Its pixels.
+            table: Its classes.
+            polygons: In any order of priorities.
+            burn: Takes what ``strip_polygons`` gives and gives the (H, W) labels of each strip, from elsewhere; None to
+                burn them here.
+        """
         self._path = path
         self._frame = frame
         self._table = table
-        self._layer = BurnLayer(polygons, frame.crs)
+        self._polygons = polygons
+        self._burn = burn or self._burnt
         self.counts = np.zeros(256, np.int64)
 
     def steps(self) -> Iterator[tuple[str, float]]:
@@ -60,8 +71,8 @@ class LabelMapBurning:
         with file as label_map, ThreadPoolExecutor(1) as writer:
             yield "Burning polygons", 0.0
             writing: Future[None] | None = None
-            for first, strip in strips_of(self._frame):
-                labels = self._layer.burnt(strip, gdal.GDT_Byte)
+            found = self._burn(strip_polygons(self._frame, self._polygons))
+            for (first, _), labels in zip(strips_of(self._frame), found):
                 self.counts += count_labels(labels)
                 if writing is not None:
                     writing.result()
@@ -69,6 +80,10 @@ class LabelMapBurning:
                 yield "Burning polygons", (first + len(labels)) / height
             if writing is not None:
                 writing.result()
+
+    def _burnt(self, _: Iterable[tuple]) -> Iterator[np.ndarray]:
+        layer = BurnLayer(self._polygons, self._frame.crs)
+        return (layer.burnt(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame))
 
 
 def strips_of(frame: MapFrame) -> Iterator[tuple[int, MapFrame]]:
@@ -83,27 +98,28 @@ def strips_of(frame: MapFrame) -> Iterator[tuple[int, MapFrame]]:
         yield first, frame.part(0, first, (min(rows, height - first), width))
 
 
-def burn_job(frame: MapFrame, table: ClassTable, polygons: list[BurnPolygon]) -> BurnJob:
-    """What ``LabelMapBurning`` would burn, to be burnt elsewhere.
+def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tuple]:
+    """Yields of each strip geotransform, shape, and (N,) values, (N,) ends and WKB outlines of what may reach into it.
 
     Args:
-        frame: Of the label map.
-        table: Of its classes.
+        frame: Of the whole map.
         polygons: In any order of priorities.
     """
-    sorted_ = bottom_first(polygons)
-    return BurnJob(
-        frame,
-        table,
-        np.array([polygon.value for polygon in sorted_], np.uint8),
-        np.array([polygon.bounds for polygon in sorted_], np.float64).reshape(-1, 4),
-        np.cumsum([len(polygon.wkb) for polygon in sorted_], dtype=np.int64),
-        np.frombuffer(b"".join(polygon.wkb for polygon in sorted_), np.uint8),
-    )
+    ordered = bottom_first(polygons)
+    bounds = np.array([polygon.bounds for polygon in ordered], np.float64).reshape(-1, 4)
+    for _, strip in strips_of(frame):
+        left, bottom, right, top = strip.extent
+        x_min, y_min, x_max, y_max = bounds.T
+        chosen = np.flatnonzero((x_min <= right) & (x_max >= left) & (y_min <= top) & (y_max >= bottom))
+        some = [ordered[number] for number in chosen]
+        values = np.array([polygon.value for polygon in some], np.uint8)
+        ends = np.cumsum([len(polygon.wkb) for polygon in some], dtype=np.int64)
+        outlines = np.frombuffer(b"".join(polygon.wkb for polygon in some), np.uint8)
+        yield strip.geotransform, strip.shape_hw, values, ends, outlines
 
 
 def burnt_strip(strip: MapFrame, values: np.ndarray, ends: np.ndarray, outlines: np.ndarray) -> np.ndarray:
-    """(H, W) uint8 labels of a strip, of what ``BurnJob.within`` gave for it."""
+    """(H, W) uint8 labels of a strip, of what ``strip_polygons`` gave for it."""
     whole, begins = outlines.tobytes(), [0, *ends.tolist()[:-1]]
     polygons = [
         BurnPolygon(whole[begin:end], value, 0.0, strip.extent)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import os
+from collections.abc import Mapping
 from dataclasses import astuple
 
 import numpy as np
 from osgeo import gdal
 
 from ..core.database.model import ReferenceDatabase
+from ..core.errors import ParameterError
 
 
 def state(path: str) -> tuple[int, float]:
@@ -19,6 +21,13 @@ def state(path: str) -> tuple[int, float]:
         return found.st_size, found.st_mtime
     known = gdal.VSIStatL(path)
     return (known.size, float(known.mtime)) if known is not None else (0, 0.0)
+
+
+def require_unchanged(before: Mapping[str, tuple[int, float]]) -> None:
+    """Raises ParameterError where a file is another one than when ``state`` reported that of it."""
+    for path, then in before.items():
+        if state(path) != then:
+            raise ParameterError("cluster.map_changed", path=path)
 
 
 def fingerprint(database: ReferenceDatabase) -> str:

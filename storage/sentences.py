@@ -12,7 +12,6 @@ SENTENCES = {
     "storage.no_georeference": "{path} has no georeference, so its windows would have no place on the map.",
     "storage.rotated": "{path} is rotated or mirrored; warp it to a north-up grid first.",
     "storage.not_square": "{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.",
-    "storage.no_crs": "{path} has no coordinate reference system; give it a metric one.",
     "storage.not_in_meters": (
         "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters."
     ),
@@ -28,19 +27,6 @@ SENTENCES = {
         "The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent."
     ),
     "storage.nothing_to_rasterize": "“{source}” has no polygon with area and class; there is nothing to rasterize.",
-    "storage.annotation_unreadable": "{path} can't be read as polygons ({reason}); choose another file.",
-    "storage.annotation_layers": "{path} has the layers {layers}; name one of them.",
-    "storage.annotation_fields": "{path} has no field “{name}”; its fields are {names}.",
-    "storage.annotation_field_kind": (
-        "The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number."
-    ),
-    "storage.annotation_in_qgis": (
-        "{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large."
-    ),
-    "storage.other_geometry": "geometry of the kind {kind}",
-    "storage.invalid_polygons": "polygons that are invalid, such as that of feature {fid}",
-    "storage.own_style": "a style that may tell classes, and no class table is given",
-    "storage.other_crs": "a CRS that does not measure in meters ({crs})",
     "storage.no_overlap": "The reference and the prediction don't overlap; choose maps of the same ground.",
     "storage.tilted_for_world_file": (
         "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead."

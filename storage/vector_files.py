@@ -19,13 +19,6 @@ _OWN = {"layer_styles"}
 STYLE_OF_SEMREF = "Style of SemRef"
 """Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
 
-_DATES = {
-    "gpkg_contents": "UPDATE gpkg_contents SET last_change = ?",
-    "layer_styles": "UPDATE layer_styles SET update_time = ?",
-    "gpkg_metadata_reference": "UPDATE gpkg_metadata_reference SET timestamp = ?",
-}
-"""What dates a file, by table."""
-
 
 def require_no_other_layers(path: str) -> None:
     """Refuses a file as output of one layer when it holds others, which would be gone.
@@ -95,16 +88,3 @@ def leave_wal(path: str) -> None:
     with contextlib.closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         connection.execute("PRAGMA journal_mode=DELETE")
-
-
-def tell_moment(connection: sqlite3.Connection, moment: str) -> None:
-    """Dates what a GeoPackage holds, so that the same content gives the same bytes.
-
-    Args:
-        connection: To the file.
-        moment: ISO 8601, UTC.
-    """
-    there = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
-    for table, statement in _DATES.items():
-        if table in there:
-            connection.execute(statement, (moment,))

@@ -6,7 +6,7 @@
 # tests/core and tests/tools with QGIS, GDAL and Qt blocked, tests/qgis without a display, tests/gui in a virtual one.
 # Two at a time: core and tools beside qgis and gui; what the first two say is shown when all are through. A suite that
 # fails does not keep the next from running; the exit status tells whether any failed. Each tells its processor time.
-# With SEMREF_QUICK_CORE=yes the first three, and tests/qgis/cluster, leave out slow tests.
+# With SEMREF_QUICK_CORE=yes the first three leave out slow tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python=$1

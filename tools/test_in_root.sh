@@ -146,5 +146,5 @@ import sys
 import numpy
 from qgis.core import Qgis
 print(f"QGIS {Qgis.QGIS_VERSION}, Python {sys.version.split()[0]}, numpy {numpy.__version__}")')"
-# What is slow in tests/core and tests/qgis/cluster has no QGIS in it, and runs on this machine.
+# What is slow in tests/core has no QGIS in it, and runs on this machine.
 run env SEMREF_QUICK_CORE=yes bash tools/pytest_suites.sh /usr/bin/python3 "$@"

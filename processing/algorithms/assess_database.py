@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsGeometry, QgsRectangle
@@ -14,7 +15,7 @@ from ..framework import offers
 from ..framework.assessing import AssessAlgorithm, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.declarations import Number, NumberResult, PolygonOutput, Text
-from ..framework.scheduled import SCHEDULER, ordered, require_scheduler, scheduler
+from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
@@ -27,8 +28,12 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.trial import Trial
     from ..framework.outputs import Outputs
+    from ..framework.scheduler import Workers
     from ..framework.values import Values
     from ..reports.assessment_report import AssessedFootprint
+
+_SIMULATED_A_TASK = 25
+"""Of some milliseconds each."""
 
 
 class AssessDatabase(AssessAlgorithm):
@@ -112,8 +117,11 @@ class AssessDatabase(AssessAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.assessment.cells import ground_cells
         from ...core.assessment.squares import footprint_sizes
+        from ...storage.file_states import state
         from ..reports.assessment_report import AssessedFootprint
 
+        path = values.file(self.DATABASE)
+        before = {path: state(path)}
         database, crs = self.read_all(values, feedback)
         footprints = footprint_sizes(values.text(self.FOOTPRINT), database.parameters.window_size)
         spacing = values.optional_number(self.SPACING, min(footprints) / 2)
@@ -124,7 +132,11 @@ class AssessDatabase(AssessAlgorithm):
         count = values.integer(self.TRIALS)
         assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]
         planned = [assessment.plan(cells.centers, cells.size, count) for assessment in assessments]
-        tried = self._tried(values, assessments, planned, feedback)
+        if values.has(SCHEDULER):
+            with workers(values, feedback, before) as run:
+                tried = _tried_by(run, assessments, planned, feedback)
+        else:
+            tried = self._tried(assessments, planned, feedback)
         results = []
         for assessment, (trials, correlated) in zip(assessments, tried):
             known = cells.centers, trials, correlated, cells.size
@@ -141,16 +153,11 @@ class AssessDatabase(AssessAlgorithm):
 
     def _tried(
         self,
-        values: Values,
         assessments: Sequence[Assessment],
         planned: Sequence[Sequence[PlaceQuery]],
         feedback: QgsProcessingFeedback,
     ) -> list[tuple[list[Trial], dict[int, Trial]]]:
-        """Of each assessment, as of ``simulate``; by the workers of SCHEDULER, where it is given."""
-        if values.has(SCHEDULER):
-            from ...core.assessment.job import job_of
-
-            return ordered(values, job_of(assessments), planned, feedback, assessments[0].database)
+        """Of each assessment, as of ``simulate``."""
         tried = []
         for n, (assessment, queries) in enumerate(zip(assessments, planned)):
             share = [5 + 90 * (n + done) / len(planned) for done in (0, 1)]
@@ -206,3 +213,35 @@ class AssessDatabase(AssessAlgorithm):
                     mean=float(result.estimates.success.mean()),
                 )
             )
+
+
+def _tried_by(
+    run: Workers,
+    assessments: Sequence[Assessment],
+    planned: Sequence[Sequence[PlaceQuery]],
+    feedback: QgsProcessingFeedback,
+) -> list[tuple[list[Trial], dict[int, Trial]]]:
+    """As ``_tried``, by the workers of SCHEDULER."""
+    from ...cluster.task_names import ASSESS, CORRELATE
+    from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
+    from ...core.assessment.job import job_of
+
+    job, database = job_of(assessments), assessments[0].database
+    feedback.setProgressText(tr("Localizing simulated images"))
+    asked = [(one.footprint, query) for one, queries in zip(assessments, planned) for query in queries]
+    until = 30.0 if job.correlation else 100.0
+    found = run.answers(ASSESS, job, asked, database, _SIMULATED_A_TASK)
+    trials = iter(list(counted(found, len(asked), feedback, 0, until)))
+    tried: list[tuple[list[Trial], dict[int, Trial]]] = [(list(islice(trials, len(some))), {}) for some in planned]
+    if not job.correlation:
+        return tried
+    chosen = [
+        (n, number)
+        for n, (some, _) in enumerate(tried)
+        for number in to_correlate(job.seed, some, max(len(some) // CORRELATED_SHARE, 1))
+    ]
+    again = [(assessments[n].footprint, planned[n][number]) for n, number in chosen]
+    found = run.answers(CORRELATE, job, again, database)
+    for (n, number), trial in zip(chosen, counted(found, len(again), feedback, until, 100)):
+        tried[n][1][number] = trial
+    return tried

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ...core.errors import ClassTableError, ParameterError
 from ..framework import offers
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
 from ..framework.declarations import FileOutput, Number, NumberResult, Text
-from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled, scheduler
+from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -16,11 +17,15 @@ from ..version import plugin_version
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
-    from ...core.database.build import BuildSettings, DatabaseBuilder
+    from ...core.database.build import BuildSettings
+    from ...core.database.model import ReferenceDatabase
     from ...core.geometry.frame import MapFrame
     from ...core.labels.class_table import ClassTable
+    from ...core.labels.overview import OverviewSink
+    from ...core.windows.grid import WindowGrid
     from ...storage.rasters import GdalLabels
     from ..framework.outputs import Outputs
+    from ..framework.scheduler import Workers
     from ..framework.values import Values
 
 
@@ -148,59 +153,74 @@ class BuildDatabase(SemRefAlgorithm):
         self._layer = values.label_map(self.LABELS)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        counts = self._scheduled if values.has(SCHEDULER) else self._built
-        windows, references, lacking = counts(values, outputs, feedback)
-        self._say_result(windows, references, lacking, feedback)
-        return {self.WINDOW_COUNT: windows, self.REFERENCE_COUNT: references}
-
-    def _scheduled(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> tuple[int, int, int]:
-        """As ``_built``, by the workers of SCHEDULER."""
-        settings = self._settings(values)
-        options = {
-            "--reference-classes": ";".join(values.parts(self.REFERENCE_CLASSES)),
-            "--window-size": settings.window_size,
-            "--stride": settings.stride,
-            "--levels": ";".join(map(repr, settings.levels)),
-            "--references-per-vector": settings.references_per_vector,
-            "--minimum-area": settings.minimum_area,
-            "--map-accuracy": settings.map_accuracy,
-        }
-        given = ["--without-note", *(f"{name}={value}" for name, value in options.items())]
-        with outputs.database(self.DATABASE) as path:
-            found = scheduled(values, ["build", self._layer.path, "--database", path, *given], feedback)
-        return found["windows"], found["references"], found["windows_without_vector"]
-
-    def _built(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> tuple[int, int, int]:
-        """Builds the database; numbers of windows, of landmarks and of windows without a vector."""
-        from ...core.database.build import DatabaseBuilder
         from ...storage.database.overview_file import overview_beside
         from ...storage.database.writer import DatabaseWriter
-        from ...storage.rasters import GdalLabels, HeldLabels
+        from ...storage.file_states import state
+        from ...storage.rasters import GdalLabels
         from ..exchange.layers import map_frame
         from ..exchange.reference_systems import longitudes_latitudes
         from ..exchange.styles import database_styles
 
+        before = {self._layer.path: state(self._layer.path)}
         labels = GdalLabels(self._layer.path)
         frame = map_frame(labels, self._layer)
         table = self._table(values, labels, feedback)
         settings = self._settings(values)
-        held = HeldLabels(labels)
-        shape_hw = frame.of_shape(labels.shape_hw).reduced(settings.overview_factor).shape_hw
+        shape_hw = frame.reduced(settings.overview_factor).shape_hw
         with outputs.database(self.DATABASE) as path, overview_beside(path, shape_hw) as overview:
             with overview:
-                builder = DatabaseBuilder(labels, frame, table, settings, plugin_version(), overview.put)
-                self._say_rounding(builder, frame, settings, feedback)
-                follow(held.steps(), feedback, 0, 10)
-                builder.read_from(held.source)
-                follow(builder.steps(), feedback, 10, 75)
-                follow(builder.compare_windows(), feedback, 75, 85)
-            database = builder.database
+                build = frame, table, settings, overview.put
+                if values.has(SCHEDULER):
+                    with workers(values, feedback, before, self._layer.path) as run:
+                        database = self._by_workers(run, *build, feedback)
+                else:
+                    database = self._built(labels, *build, feedback)
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, values.transform_context)
             styles = database_styles(database.class_table)
             writer = DatabaseWriter(path, database, *degrees, overview, styles)
             follow(writer.steps(), feedback, 85, 100)
-        windows = database.windows
-        return len(windows), len(database.references), int((~windows.described).sum())
+        windows, references = database.windows, len(database.references)
+        self._say_result(len(windows), references, int((~windows.described).sum()), feedback)
+        return {self.WINDOW_COUNT: len(windows), self.REFERENCE_COUNT: references}
+
+    def _by_workers(
+        self,
+        run: Workers,
+        frame: MapFrame,
+        table: ClassTable,
+        settings: BuildSettings,
+        put: OverviewSink,
+        feedback: QgsProcessingFeedback,
+    ) -> ReferenceDatabase:
+        """The database by the workers of SCHEDULER."""
+        from ...core.database.parts import PartsBuilder
+
+        builder = PartsBuilder(frame, table, settings, plugin_version(), run, put)
+        self._say_rounding(builder.grids, frame, settings, feedback)
+        follow(builder.steps(), feedback, 0, 85)
+        return builder.database
+
+    def _built(
+        self,
+        labels: GdalLabels,
+        frame: MapFrame,
+        table: ClassTable,
+        settings: BuildSettings,
+        put: OverviewSink,
+        feedback: QgsProcessingFeedback,
+    ) -> ReferenceDatabase:
+        """The database by this process."""
+        from ...core.database.build import DatabaseBuilder
+        from ...storage.rasters import HeldLabels
+
+        held = HeldLabels(labels)
+        builder = DatabaseBuilder(labels, frame, table, settings, plugin_version(), put)
+        self._say_rounding(builder.grids, frame, settings, feedback)
+        follow(held.steps(), feedback, 0, 10)
+        builder.read_from(held.source)
+        follow(builder.steps(), feedback, 10, 75)
+        follow(builder.compare_windows(), feedback, 75, 85)
+        return builder.database
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
         """The map's class table with the asked reference classes."""
@@ -233,9 +253,9 @@ class BuildDatabase(SemRefAlgorithm):
         )
 
     def _say_rounding(
-        self, builder: DatabaseBuilder, frame: MapFrame, settings: BuildSettings, feedback: QgsProcessingFeedback
+        self, grids: Sequence[WindowGrid], frame: MapFrame, settings: BuildSettings, feedback: QgsProcessingFeedback
     ) -> None:
-        for level, grid in zip(settings.levels, builder.grids):
+        for level, grid in zip(settings.levels, grids):
             size, stride = grid.size * frame.pixel_size, grid.stride * frame.pixel_size
             asked = settings.window_size * level, settings.stride * level
             if abs(size - asked[0]) > 1e-9 * size or abs(stride - asked[1]) > 1e-9 * stride:

@@ -16,7 +16,7 @@ from ..compat import POINT
 from ..framework import offers
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.declarations import Choice, FileOutput, Number, NumberRange, NumberResult, PointOutput
-from ..framework.scheduled import SCHEDULER, ordered, require_scheduler, scheduler
+from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
 from ..translation import tr
 from ..wording.sentences import worded
 
@@ -31,6 +31,9 @@ if TYPE_CHECKING:
     from ..framework.values import Values
 
     Job = tuple[WindowQuery, list[Method]]
+
+_TRIALS_A_TASK = 4
+"""Of some hundred milliseconds each."""
 
 
 class EvaluateLocalization(SemRefAlgorithm):
@@ -218,11 +221,13 @@ class EvaluateLocalization(SemRefAlgorithm):
         self._layer = values.label_map(self.LABELS)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float | None]:
+        from ...cluster.task_names import EVALUATE
         from ...core.evaluation.summary import summarize
         from ...storage.file_states import state
         from ..reports.evaluation_report import tried_ground
 
-        methods, before = self._methods(values), {self._layer.path: state(self._layer.path)}
+        methods, files = self._methods(values), (values.file(self.DATABASE), self._layer.path)
+        before = {path: state(path) for path in files}
         evaluation, database, crs = self._evaluation(values, feedback)
         for method in methods:
             evaluation.localizer.check(method)
@@ -231,8 +236,10 @@ class EvaluateLocalization(SemRefAlgorithm):
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.pushInfo(tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES)))
         if values.has(SCHEDULER):
-            tried = ordered(values, self._job, jobs, feedback, database, before)
-            trials = [trial for of_image in tried for trial in of_image]
+            feedback.setProgressText(tr("Localizing"))
+            with workers(values, feedback, before) as run:
+                tried = run.answers(EVALUATE, self._job, jobs, database, _TRIALS_A_TASK)
+                trials = [trial for of_image in counted(tried, len(jobs), feedback, 0, 100) for trial in of_image]
         else:
             trials = self._try(evaluation, jobs, feedback)
         # Everything is written last: a cancel before leaves nothing behind.

@@ -26,7 +26,7 @@ from ..framework.localizing import LocalizeAlgorithm, localize_image, scheduled_
 from ..framework.photo_labels import pace_results
 from ..framework.photo_positions import with_far_photos
 from ..framework.photo_source import PhotoSource
-from ..framework.scheduled import SCHEDULER, require_scheduler, scheduler
+from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -167,9 +167,11 @@ class LocalizeImages(LocalizeAlgorithm):
         from ...core.geometry.camera import Camera
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
+        from ...storage.file_states import state
         from ..exchange.reference_systems import database_crs
 
-        method = self.method(values)
+        method, path = self.method(values), values.file(self.DATABASE)
+        before = {path: state(path)}
         database = self.read_database(values, method, feedback)
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
@@ -184,7 +186,7 @@ class LocalizeImages(LocalizeAlgorithm):
         with outputs.folder(self.LABELS) as folder:
             if is_scheduled:
                 search = self.search(values, method, crs, values.has(self.MATCHES))
-                localized = scheduled_images(values, database, search, paths, cameras, feedback)
+                localized = scheduled_images(values, database, before, search, paths, cameras, feedback)
                 for item in localized:
                     say(item, feedback)
             else:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
+from functools import partial
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem
@@ -12,7 +14,7 @@ from ..framework import offers
 from ..framework.annotation import AnnotationAlgorithm, filling_polygon
 from ..framework.base import Declared, follow
 from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput, Switch
-from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled_with, scheduler
+from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -138,15 +140,16 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> list[int]:
         """Writes the label map; pixels of each value. Workers get polygons, not the layer: any layer will do."""
-        from ...storage.burning import LabelMapBurning, burn_job
+        from ...cluster.task_names import BURN
+        from ...storage.burning import LabelMapBurning
 
-        if values.has(SCHEDULER):
-            job = burn_job(frame, table, polygons)
-            command = ["burn", "--labels", path]
-            found = scheduled_with(values, job, lambda order: [*command, order], feedback, READING_SHARE)
-            return list(found["counts"])
-        burning = LabelMapBurning(path, frame, table, polygons)
-        follow(burning.steps(), feedback, READING_SHARE, 100)
+        with ExitStack() as stack:
+            burn = None
+            if values.has(SCHEDULER):
+                run = stack.enter_context(workers(values, feedback, {}))
+                burn = partial(run.in_order, BURN, shared=(frame.crs,))
+            burning = LabelMapBurning(path, frame, table, polygons, burn)
+            follow(burning.steps(), feedback, READING_SHARE, 100)
         return burning.counts.tolist()
 
     def _frame(self, values: Values, crs: QgsCoordinateReferenceSystem, polygons: list[BurnPolygon]) -> MapFrame:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import closing
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ..compat import wkt_for_gdal
@@ -14,7 +15,7 @@ from ..framework.declarations import Number, NumberResult, PolygonOutput, Raster
 from ..framework.label_polygons import write_polygons
 from ..framework.photo_labels import Pace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
-from ..framework.scheduled import SCHEDULER, require_scheduler, scheduled, scheduler
+from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..framework.segmented_files import SeenGrid, SegmentedFiles
 from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, require
 from ..translation import tr
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.image_source import ImageSource
-    from ...core.segmentation.certainty import Sureness
+    from ...core.segmentation.certainty import Certainty, Sureness
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
     from ..framework.outputs import Outputs
@@ -184,13 +185,10 @@ class SegmentImage(SemRefAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.segmentation.certainty import Certainty, Sureness
         from ...core.segmentation.resampling import resized_transform
-        from ...core.segmentation.tiling import segment
 
         feedback.setProgressText(tr("Loading the model"))
         model = open_model(values.file(self.MODEL), values.class_table(self.CLASS_TABLE))
         check_canceled(feedback)
-        if values.has(SCHEDULER):
-            return self._scheduled(model, values, outputs, feedback)
         resolution_cm = values.optional_number(self.RESOLUTION)
         resolution_m = model.settings.resolution_m if resolution_cm is None else resolution_cm / 100
         photo = self._source.open(resolution_m, feedback)
@@ -206,32 +204,45 @@ class SegmentImage(SemRefAlgorithm):
         begun, sure = time.perf_counter(), Sureness()
         with (
             SegmentedFiles(outputs, grid, model, (self.OUTPUT, self.CONFIDENCE, self.PROBABILITIES), wanted) as files,
-            closing(segment(model, image, classes.values, overlap, wanted)) as steps,
+            closing(self._segmented(values, model, (photo, image), resolution_m, overlap, wanted, feedback)) as steps,
         ):
             # The steps are closed first: threads they hold are let go before the files are cleared away.
             files.write(_followed(steps, sure, feedback))
         pace = Pace(model, time.perf_counter() - begun)
+        if values.has(SCHEDULER):
+            return self._told(sure, feedback)
         feedback.pushInfo(pace.told())
         write_polygons(values, outputs, self.POLYGONS, files.label_map, photo.crs, classes.table, feedback)
         return {**pace.results, **self._told(sure, feedback)}
 
-    def _scheduled(
-        self, model: SegmentationModel, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback
-    ) -> dict[str, Any]:
-        """The label map by the workers of SCHEDULER."""
-        from ...core.segmentation.certainty import Sureness
+    def _segmented(
+        self,
+        values: Values,
+        model: SegmentationModel,
+        images: tuple[Photo, ImageSource],
+        resolution_m: float | None,
+        overlap: float,
+        wanted: Certainty,
+        feedback: QgsProcessingFeedback,
+    ) -> Iterator[tuple[float, SegmentedRows | None]]:
+        """As ``tiling.segment``, by SCHEDULER too; ``images``: the photo, and as the network sees it."""
+        from ...core.segmentation.tiling import segment, tiles_of
 
-        options = {
-            "--class-table": values.file(self.CLASS_TABLE) if values.has(self.CLASS_TABLE) else None,
-            "--resolution": values.optional_number(self.RESOLUTION),
-            "--overlap": values.optional_number(self.OVERLAP),
-        }
-        given = [f"{name}={value}" for name, value in options.items() if value is not None]
-        image = self._source.path()
-        with outputs.label_map(self.OUTPUT, model.classes.table) as path:
-            found = scheduled(values, ["segment", image, "--model", model.path, "--labels", path, *given], feedback)
-        certainty = found["certainty"]
-        return self._told(Sureness() if certainty is None else Sureness(certainty, 1), feedback)
+        photo, image = images
+        if not values.has(SCHEDULER):
+            yield from segment(model, image, model.classes.values, overlap, wanted)
+            return
+        from ...cluster.task_names import SEGMENT
+        from ...core.segmentation.blocks import segment_blocks
+        from ...storage.file_states import state
+        from ..exchange.images import pixel_size_m
+
+        path, table = self._source.path(), values.class_table(self.CLASS_TABLE)
+        tiles = tiles_of(model, image.shape_hw, overlap)
+        size_m = pixel_size_m(photo.file, photo.crs)
+        opening = path, model.path, table.to_csv() if table else "", size_m, resolution_m, overlap
+        with workers(values, feedback, {file: state(file) for file in (path, model.path)}) as run:
+            yield from segment_blocks(tiles, model.tile_hw, partial(run.in_order, SEGMENT, shared=opening))
 
     def _told(self, sure: Sureness, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         """How sure the network is; nothing of one that gives class numbers alone, or of an image without data."""

@@ -13,8 +13,7 @@ from pathlib import Path
 
 from qgis.core import QgsBox3d, QgsLayerMetadata, QgsMapLayer, QgsProviderRegistry, QgsVectorLayer
 
-from ...storage.database.notes import SENTENCES_OF_TABLES, SENTENCES_OF_TITLES
-from ...storage.notes import QGIS_STANDARD, SENTENCES_OF_SOURCES
+from ...storage.notes import QGIS_STANDARD
 from ...storage.vector_files import leave_wal
 from ..translation import tr
 from .database_layers import REFERENCES, WINDOWS
@@ -24,6 +23,14 @@ _MOST_LINES, _LONGEST_HISTORY = 50, 150_000
 """Lines and characters of a history: no note of more than a million is read, and in XML a sign may take six."""
 
 _LEFT_OUT = "…"
+
+SENTENCES_OF_TITLES = {REFERENCES: "Landmarks", WINDOWS: "Windows"}
+
+SENTENCES_OF_TABLES = {
+    REFERENCES: "The landmarks of the whole map: center of gravity, class and area of each region of their classes.",
+    WINDOWS: "The windows that slide over the map, each described by the topology vector of its landmarks.",
+}
+"""What a database's layers are, by table."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +75,7 @@ class Note:
     def _abstract(self) -> str:
         if not self.lineage.sources:
             return self.abstract
-        made_of = tr(SENTENCES_OF_SOURCES["made_of"]).format(sources="; ".join(self.lineage.sources))
+        made_of = tr("Made of: {sources}").format(sources="; ".join(self.lineage.sources))
         return f"{self.abstract}\n\n{made_of}"
 
 

@@ -15,7 +15,7 @@ from . import offers, priors
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable
 from .declarations import Choice, File, Files, FolderOutput, Number, Parameter, PointOutput, PolygonOutput
 from .localized_image import LabelImages, LocalizedImage, is_photo
-from .scheduled import ordered
+from .scheduler import counted, workers
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -272,12 +272,14 @@ def _localized(path: str, found: Localization, camera: Camera, shape_hw: tuple[i
 def scheduled_images(
     values: Values,
     database: ReferenceDatabase,
+    before: dict[str, tuple[int, float]],
     search: Search,
     paths: Sequence[str],
     cameras: Sequence[Camera],
     feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """The images, localized by the workers of SCHEDULER."""
+    """The images, localized by the workers of SCHEDULER; ``before``: state of the database's file."""
+    from ...cluster.task_names import IMAGES
     from ...core.localizer.search import AskedImage, ImagesJob
     from ..exchange.images import stated_pixel_size_m
 
@@ -289,9 +291,11 @@ def scheduled_images(
         size = cancelable(stated_pixel_size_m, path, feedback=feedback) if model else None
         asked.append(AskedImage(path, camera, size))
     localized = []
-    for image, found in zip(asked, ordered(values, job, asked, feedback, database)):
-        if found.result is None:
-            localized.append(LocalizedImage(image.path, error=worded(found.fault)))
-        else:
-            localized.append(_localized(image.path, found.result, image.camera, found.shape_hw))
+    with workers(values, feedback, before) as run:
+        answers = run.answers(IMAGES, job, asked, database)
+        for image, found in zip(asked, counted(answers, len(asked), feedback, 0, 100)):
+            if found.result is None:
+                localized.append(LocalizedImage(image.path, error=worded(found.fault)))
+            else:
+                localized.append(_localized(image.path, found.result, image.camera, found.shape_hw))
     return localized

@@ -9,7 +9,6 @@ from collections.abc import Collection
 
 from ...core.localization import Method, Status
 from ...storage.database.titles import SENTENCES_OF_REFERENCES, SENTENCES_OF_WINDOWS
-from ...storage.squares_style import SENTENCES_OF_SQUARES, SENTENCES_OF_VERDICTS
 from ..translation import tr
 from .annotation_messages import kind_titles, severity_words
 from .sentences import worded
@@ -94,7 +93,19 @@ def _landmarks() -> dict[str, str]:
 
 def _assessment() -> dict[str, str]:
     return {
-        **{name: tr(text) for name, text in SENTENCES_OF_SQUARES.items()},
+        "footprint": tr("Footprint (m)"),
+        "success": tr("Expected success"),
+        "success_low": tr("Expected success, at least (95 %)"),
+        "success_high": tr("Expected success, at most (95 %)"),
+        "error": tr("Error (m)"),
+        "objects": tr("Landmarks in view"),
+        "classes": tr("Classes in view"),
+        "distinctiveness": tr("Distinctiveness"),
+        "look_alikes": tr("Look-alikes"),
+        "wrong": tr("Wrong fixes (share)"),
+        "trials": tr("Simulated images"),
+        "verdict": tr("Verdict"),
+        "reason": tr("Reason"),
         "route": tr("Route"),
         "along": tr("Along the route (m)"),
         "gap": tr("Stretch without an expected fix (m)"),
@@ -170,7 +181,13 @@ def trial_words() -> dict[str, str]:
 
 def verdict_words() -> dict[str, str]:
     """Words for each key of ``verdict``, from the worst to the best."""
-    return {key: tr(text) for key, text in SENTENCES_OF_VERDICTS.items()}
+    return {
+        "hardly_ever": tr("hardly ever"),
+        "sometimes": tr("sometimes"),
+        "often": tr("often"),
+        "reliably": tr("reliably"),
+        "very_reliably": tr("very reliably"),
+    }
 
 
 def column_words(names: Collection[str]) -> dict[str, dict[str, str]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import sqlite3
 from collections.abc import Iterator
 from dataclasses import fields
@@ -15,7 +14,7 @@ from ...core.errors import DatabaseError
 from ...core.labels.overview import HeldOverview
 from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
-from ..vector_files import leave_wal, tell_moment
+from ..vector_files import leave_wal
 from . import schema
 from .batches import BATCH
 from .overview_file import OverviewFile
@@ -39,7 +38,6 @@ class DatabaseWriter:
         latitudes: np.ndarray,
         overview: np.ndarray | HeldOverview | OverviewFile,
         styles: dict[str, str],
-        moment: str = "",
     ) -> None:
         """Makes the writer.
 
@@ -50,11 +48,8 @@ class DatabaseWriter:
             latitudes: (N,) degrees, as well.
             overview: (h, w) uint8, or what took its pieces.
             styles: QML by table.
-            moment: What the file says of when it was written (ISO 8601, UTC), so that the same map gives the same
-                bytes; empty for now.
         """
         self._path = path
-        self._moment = moment
         self._database = database
         self._longitudes = longitudes
         self._latitudes = latitudes
@@ -88,9 +83,6 @@ class DatabaseWriter:
         self._write_overview(srs)
         leave_wal(self._path)
         tell_titles(self._path)
-        if self._moment:
-            with contextlib.closing(sqlite3.connect(self._path)) as connection, connection:
-                tell_moment(connection, self._moment)
         store_checksums(self._path)
         yield 1.0
 

@@ -96,18 +96,6 @@ def test_a_history_of_long_lines_stays_what_a_reader_takes(qgis_app):
     assert 100_000 < sum(map(len, lines)) <= 150_001
 
 
-def test_licenses_are_read_without_qgis_too(database, label_map, tmp_path):
-    from semref.storage.notes import database_sources, raster_source
-
-    (of_database,), of_raster = database_sources(database), raster_source(str(label_map))
-    assert (of_database.text, of_database.rights) == ("area (ODbL 1.0)", ("© OpenStreetMap contributors",))
-    assert (of_raster.text, of_raster.rights) == ("Land cover of Erewhon (ODbL 1.0)", of_database.rights)
-    plain = tmp_path / "plain.gpkg"
-    plain.write_bytes(b"no note")
-    assert database_sources(str(plain)) == []
-    assert raster_source(str(tmp_path / "bare.tif")).text == "bare"
-
-
 def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):
     image = write_raster(tmp_path / "image.png", scattered_objects(600, 600, 300, seed=3)[100:300, 100:300])
     output = str(tmp_path / "positions.gpkg")

@@ -257,3 +257,12 @@ def test_a_layer_in_memory_comes_with_its_look_as_well(annotation, run_algorithm
     layer = run_algorithm("semref:checkannotation", given)["ISSUES"]
     assert layer.attributeAlias(layer.fields().lookupField("severity")) == "Severity"
     assert layer.metadata().title() == "Issues"
+
+
+def test_every_column_of_an_assessment_and_every_verdict_has_its_word(qgis_app):
+    from semref.core.assessment.squares import FIELDS, VERDICTS
+    from semref.processing.exchange.assessment_styles import COLORS
+    from semref.processing.wording.columns import column_titles, verdict_words
+
+    assert {name for name, _ in FIELDS} <= set(column_titles())
+    assert tuple(verdict_words()) == VERDICTS and len(COLORS) == len(VERDICTS)

@@ -95,17 +95,17 @@ def test_what_is_no_scheduler_is_refused(run_algorithm, database, tmp_path):
 def test_a_database_that_changes_before_workers_begin_is_noticed(
     run_algorithm, build_area, database, tmp_path, monkeypatch
 ):
-    from semref.processing.framework import scheduled
+    from semref.processing.framework.scheduler import Workers
 
-    area, start = tmp_path / "area.gpkg", scheduled.scheduled
+    area, wait = tmp_path / "area.gpkg", Workers.wait
     area.write_bytes(Path(database).read_bytes())
     other = Path(build_area(scattered_objects(420, 480, 280, seed=5, background=0), NAMES, SIZE, 40)).read_bytes()
 
-    def late(*arguments, **options):
+    def late(run):
         area.write_bytes(other)
-        return start(*arguments, **options)
+        wait(run)
 
-    monkeypatch.setattr(scheduled, "scheduled", late)
+    monkeypatch.setattr(Workers, "wait", late)
     asked = {"DATABASE": str(area), "TRIALS": 20, "SCHEDULER": "local:1", "OUTPUT": str(tmp_path / "never.gpkg")}
     with pytest.raises(QgsProcessingException, match="area.gpkg was changed while it was read"):
         run_algorithm(ASSESS, asked)
@@ -115,16 +115,16 @@ def test_a_database_that_changes_before_workers_begin_is_noticed(
 def test_a_label_map_that_changes_before_workers_begin_is_noticed(
     run_algorithm, database, label_map, tmp_path, monkeypatch
 ):
-    from semref.processing.framework import scheduled
+    from semref.processing.framework.scheduler import Workers
 
-    labels, start = tmp_path / "labels.tif", scheduled.scheduled
+    labels, wait = tmp_path / "labels.tif", Workers.wait
     labels.write_bytes(Path(label_map).read_bytes())
 
-    def late(*arguments, **options):
+    def late(run):
         os.utime(labels, (1, 1))
-        return start(*arguments, **options)
+        wait(run)
 
-    monkeypatch.setattr(scheduled, "scheduled", late)
+    monkeypatch.setattr(Workers, "wait", late)
     asked = {"DATABASE": database, "LABELS": str(labels), "TRIALS": 4, "SCHEDULER": "local:1"}
     with pytest.raises(QgsProcessingException, match="labels.tif was changed while it was read"):
         run_algorithm(EVALUATE, {**asked, "OUTPUT": str(tmp_path / "never.gpkg")})

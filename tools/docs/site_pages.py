@@ -27,7 +27,7 @@ MENU: dict[str, tuple[tuple[str, str], ...]] = {
         ("Flights", "guide/flights.md"),
         ("On board", "guide/on_board.md"),
         ("For toolbox users", "guide/toolbox.md"),
-        ("On a cluster", "guide/cluster.md"),
+        ("On many cores or machines", "guide/cluster.md"),
         ("Without a network", "guide/offline.md"),
     ),
     "Look up": (

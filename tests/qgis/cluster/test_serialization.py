@@ -1,4 +1,4 @@
-"""What processes tell each other comes back as it was, and nothing but core's own values is made of a text."""
+"""Serialized values are restored as they were, and nothing but core's own classes is restored."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 from semref.core.errors import ParameterError
 from semref.core.localization import Localization, Matches, Method, Place, Prior, Status
 from semref.core.sentences import Sentence
-from semref.storage.carried import from_text, read, to_text, write
+from semref.storage.serialization import from_bytes, read, to_bytes, write
 
 PLACE = Place((0.1 + 0.2, -1e300), math.pi)
 VALUES = [
@@ -20,6 +20,8 @@ VALUES = [
     -3,
     1e-320,
     "ä “quoted” \n",
+    b"\n\x00\xff",
+    (b"", [b"a"], 1.5),
     (),
     [(1, 2.5), ["a", None]],
     {"a": (1,), 2: [3], (4, 5): "six"},
@@ -33,22 +35,22 @@ VALUES = [
 
 @pytest.mark.parametrize("value", VALUES, ids=str)
 def test_a_value_comes_back_as_it_was(value):
-    found = from_text(to_text(value))
+    found = from_bytes(to_bytes(value))
     assert found == value and type(found) is type(value)
 
 
 def test_numbers_that_are_none_or_endless_come_back():
-    nothing, endless = from_text(to_text([math.nan, -math.inf]))
+    nothing, endless = from_bytes(to_bytes([math.nan, -math.inf]))
     assert math.isnan(nothing) and endless == -math.inf
 
 
 @pytest.mark.parametrize("kind", ["uint8", "<i8", ">f4", "bool", "complex128"])
 def test_arrays_come_back_with_kind_shape_and_bits_and_may_be_changed(kind):
     array = np.arange(24).reshape(2, 3, 4).astype(kind)[:, ::2]
-    found = from_text(to_text(array))
+    found = from_bytes(to_bytes(array))
     assert found.dtype == array.dtype and found.shape == array.shape and (found == array).all()
     found[0] = 0
-    number = from_text(to_text(array[0, 0, 1]))
+    number = from_bytes(to_bytes(array[0, 0, 1]))
     assert number == array[0, 0, 1] and type(number) is type(array[0, 0, 1])
 
 
@@ -61,14 +63,14 @@ def test_matches_travel_in_a_localization(tmp_path):
 
 
 @pytest.mark.parametrize("value", [object(), ParameterError("labels.no_pixels"), {1}, np.array([None]), Prior])
-def test_what_has_no_text_is_refused(value):
+def test_other_values_are_refused(value):
     with pytest.raises(TypeError):
-        to_text(value)
+        to_bytes(value)
 
 
 @pytest.mark.parametrize(
     "name", ["os:system", "core.errors:SemRefError", "core.localization:risk_of", "core..os:x", "subprocess:Popen"]
 )
-def test_nothing_but_core_s_values_is_made_of_a_text(name):
+def test_nothing_but_core_s_values_is_restored(name):
     with pytest.raises(ValueError, match=name.partition(":")[0]):
-        from_text(json.dumps({"object": [name, {}]}))
+        from_bytes(json.dumps({"object": [name, {}]}).encode() + b"\n")
