@@ -12,10 +12,6 @@
    <translation>--camera-yaw ist {yaw:g}; es muss ein Winkel von höchstens 360 Grad sein.</translation>
   </message>
   <message>
-   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
-   <translation>--extent ist „{text}“; geben Sie links,unten,rechts,oben in Karteneinheiten an.</translation>
-  </message>
-  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin ist {latitude:g} {longitude:g}; es müssen eine geografische Breite und eine Länge in Grad sein.</translation>
   </message>
@@ -32,6 +28,14 @@
    <translation>--risk ist {risk:g}; es muss eine Wahrscheinlichkeit von {least:g} bis {most:g} sein.</translation>
   </message>
   <message>
+   <source>--state {path} is a file of another kind, which would be replaced; choose another name.</source>
+   <translation>--state {path} ist eine Datei anderer Art, die ersetzt würde; einen anderen Namen wählen.</translation>
+  </message>
+  <message>
+   <source>--state {path} is not a regular file; choose another name.</source>
+   <translation>--state {path} ist keine gewöhnliche Datei; einen anderen Namen wählen.</translation>
+  </message>
+  <message>
    <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
    <translation>--sun ist {sun:g}; es muss eine Richtung von 0 bis 360 Grad sein.</translation>
   </message>
@@ -44,8 +48,8 @@
    <translation>1 Objekt</translation>
   </message>
   <message>
-   <source>1 in {count}</source>
-   <translation>1 von {count}</translation>
+   <source>1 in {count:,.0f}</source>
+   <translation>1 zu {count:,.0f}</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -80,8 +84,8 @@
    <translation>Eine CSV mit den Spalten image, dx_m, dy_m und dheading_deg: wie weit sich die Kamera seit der Zeile davor bewegt hat, nach rechts und zur Oberkante jenes Bildes hin in Metern, und wie weit sie sich im Uhrzeigersinn gedreht hat in Grad; wahlweise sigma_m, sigma_heading_deg, scale und sigma_scale. Eine Zeile ohne Zahlen sagt, dass die Bewegung nicht bekannt ist. Sie gilt vor dem, was die Pixel sagen.</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
-   <translation>Ein mit „Referenzdatenbank erstellen“ erzeugtes GeoPackage oder ein mit „Datenbanken als eine verwenden“ erzeugter Verbund.</translation>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>Ein GeoPackage, das „Referenzdatenbank erstellen“ erzeugt hat.</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -110,6 +114,10 @@
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>Ein Fix ist richtig, wenn er höchstens so weit daneben liegt, wie unter „Einstellungen“ steht; beim Topologievektor, der nur Fenster kennt, wenn er das Fenster nennt, das der Bildmitte am nächsten liegt. Falsch angenommen sind gespiegelte Bilder der Karte, die einen Fix bekamen: Sie können nie richtig sein. CEP50 und CEP95: Die Hälfte und 95 % der richtigen Fixe liegen höchstens so weit daneben. Ausrichtung und Maßstab: mediane Fehler der richtigen Fixe.</translation>
+  </message>
+  <message>
+   <source>A folder of images can’t be used.</source>
+   <translation>Ein Ordner mit Bildern kann nicht verwendet werden.</translation>
   </message>
   <message>
    <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
@@ -164,10 +172,6 @@
    <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
   </message>
   <message>
-   <source>A new or empty folder; one that holds files is left alone.</source>
-   <translation>Ein neuer oder leerer Ordner; einer mit Dateien darin bleibt unberührt.</translation>
-  </message>
-  <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
    <translation>Eine Seite mit IoU jeder Klasse, Konfusionsmatrix, Kurven und Beispielen nebeneinander.</translation>
   </message>
@@ -206,10 +210,6 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Ein Splitter von {name} mit {area:.2f} m² liegt neben {other_name} (Objekt {id}).</translation>
-  </message>
-  <message>
-   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
-   <translation>Eine Textdatei mit den Pfaden der Datenbanken von ihrem eigenen Ordner aus, sodass alles zusammen umziehen kann.</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -292,8 +292,16 @@
    <translation>Alle Dateien (*)</translation>
   </message>
   <message>
+   <source>All kinds ({count})</source>
+   <translation>Alle Arten ({count})</translation>
+  </message>
+  <message>
    <source>All places are done.</source>
    <translation>Alle Stellen sind erledigt.</translation>
+  </message>
+  <message>
+   <source>All polygons are</source>
+   <translation>Alle Polygone sind</translation>
   </message>
   <message>
    <source>All that the report shows, for scripts.</source>
@@ -398,6 +406,10 @@
   <message>
    <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
    <translation>Beliebiges Raster mit oder ohne Georeferenz oder eine beliebige Kachelkarte. Rot, Grün und Blau werden an Farbinterpretation oder Wellenlänge erkannt, sonst sind es die ersten drei Kanäle; ein einzelner Kanal gilt als grau. Kanäle mit mehr als 8 Bit werden vom 2. bis zum 98. Perzentil gestreckt.</translation>
+  </message>
+  <message>
+   <source>Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>Gilt innerhalb der Ausdehnung der Polygone. Wählen, wenn alle Flächen der Klassen gezeichnet wurden. Bei einem Layer mit einer einzigen Klasse, etwa Gebäuden, tut SemRef es immer.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -524,10 +536,6 @@ Alle Einstellungen kommen aus der Datenbank. Was sich nicht geändert hat, behä
    <translation>Datenbanken und Klassenkarten mit vielen Prozessen oder Rechnern herstellen</translation>
   </message>
   <message>
-   <source>Building the sample’s reference database</source>
-   <translation>Referenzdatenbank des Beispiels wird erstellt</translation>
-  </message>
-  <message>
    <source>Burning landmarks</source>
    <translation>Landmarken werden gerastert</translation>
   </message>
@@ -566,10 +574,6 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>Nach dem Verfahren, das den Fix gab. Als richtig genannt: die mittlere Konfidenz, die der Anteil richtiger Fixe sein sollte; Kalibrierungsfehler: wie weit beide auseinanderliegen, Zehntel für Zehntel der Konfidenz. Ellipsen: richtige Fixe, deren wahrer Ort in der genannten Ellipse liegt; ehrliche enthalten 50, 95 und 99 %.</translation>
-  </message>
-  <message>
-   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
-   <translation>CLASS_FIELD ist leer; das Feld wählen, das die Klasse jedes Polygons nennt.</translation>
   </message>
   <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
@@ -668,8 +672,8 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Prüfung einer Annotation</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations, making the sample project</source>
-   <translation>Annotationen prüfen und reparieren, das Beispielprojekt erstellen</translation>
+   <source>Checking and repairing annotations</source>
+   <translation>Annotationen prüfen und reparieren</translation>
   </message>
   <message>
    <source>Checking torch…</source>
@@ -712,8 +716,16 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
    <translation>Ein Segmentierungsmodell wählen</translation>
   </message>
   <message>
+   <source>Choose the annotation and its class field below, under “Update the database”.</source>
+   <translation>Die Annotation und ihr Klassenfeld unten wählen, unter „Datenbank aktualisieren“.</translation>
+  </message>
+  <message>
    <source>Choose the annotation that you mended</source>
    <translation>Wählen Sie die verbesserte Annotation</translation>
+  </message>
+  <message>
+   <source>Choose the class field of the polygons, or enter the one class that all of them are.</source>
+   <translation>Das Klassenfeld der Polygone wählen oder die eine Klasse eingeben, die alle haben.</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -928,12 +940,8 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>DATABASES nennt {count}; zwei oder mehr wählen, um sie als eine zu verwenden.</translation>
   </message>
   <message>
-   <source>Database set</source>
-   <translation>Datenbankverbund</translation>
-  </message>
-  <message>
-   <source>Database sets (*.semrefset)</source>
-   <translation>Datenbankverbünde (*.semrefset)</translation>
+   <source>Dask on this machine: keeps other users out of its processes</source>
+   <translation>Dask auf diesem Rechner: hält andere Benutzer von seinen Prozessen fern</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1168,10 +1176,6 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>EfficientNet-Lite0, das Fotos schon kennt</translation>
   </message>
   <message>
-   <source>Else colors are taken for classes.</source>
-   <translation>Sonst gelten Farben als Klassen.</translation>
-  </message>
-  <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
    <translation>Das Bedienfeld leeren und alle Einstellungen von SemRef vergessen? Dateien, Layer und installierte Pakete bleiben, wie sie sind.</translation>
   </message>
@@ -1192,6 +1196,14 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Epochen</translation>
   </message>
   <message>
+   <source>Epochs that fit on this computer: about {count}</source>
+   <translation>Epochen, die auf diesem Rechner hineinpassen: etwa {count}</translation>
+  </message>
+  <message>
+   <source>Epochs that fit: about {count}. Choose a longer time or a coarser resolution.</source>
+   <translation>Epochen, die hineinpassen: etwa {count}. Eine längere Zeit oder eine gröbere Auflösung wählen.</translation>
+  </message>
+  <message>
    <source>Error</source>
    <translation>Fehler</translation>
   </message>
@@ -1210,6 +1222,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Error over 95 % radius</source>
    <translation>Fehler durch 95-%-Radius</translation>
+  </message>
+  <message>
+   <source>Error probability</source>
+   <translation>Irrtumswahrscheinlichkeit</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -1384,8 +1400,8 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Dateiname des Bildes</translation>
   </message>
   <message>
-   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
-   <translation>Dateiname, Status, Position mit Radius und von wie vielen solchen Ergebnissen eines falsch ist</translation>
+   <source>File name, status, error probability, and position with its 95 % radius</source>
+   <translation>Dateiname, Status, Irrtumswahrscheinlichkeit und Position mit ihrem 95-%-Radius</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1492,10 +1508,6 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Ordner für die Klassenbilder</translation>
   </message>
   <message>
-   <source>Folder for the sample</source>
-   <translation>Ordner für das Beispiel</translation>
-  </message>
-  <message>
    <source>Folder for the tiles</source>
    <translation>Ordner für die Kacheln</translation>
   </message>
@@ -1564,16 +1576,16 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Von Polygonen der Landbedeckung in einem Lauf zu einer Referenzdatenbank: „Annotation rastern“, dann „Referenzdatenbank erstellen“. Geben Sie eine Klassentabelle an oder nennen Sie die Referenzklassen.</translation>
   </message>
   <message>
+   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>Vom Start bis zum geschriebenen Modell, Lesen und Prüfen eingeschlossen. Zehn Minuten sind ein Anfang, eine Stunde ist besser. 0: keine Grenze.</translation>
+  </message>
+  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter links wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
   </message>
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter rechts wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
-   <translation>GDAL von {python} wurde für ein anderes numpy gemacht als das vorhandene {version}; installieren Sie jenes, für das es gemacht wurde, wie docs/guide/cluster.md sagt.</translation>
   </message>
   <message>
    <source>GPS elsewhere</source>
@@ -1590,10 +1602,6 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
   <message>
    <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
    <translation>Ein mit „Referenzdatenbank erstellen“ oder mit diesem Algorithmus erzeugtes GeoPackage.</translation>
-  </message>
-  <message>
-   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
-   <translation>Zwei oder mehr mit „Referenzdatenbank erstellen“ erzeugte GeoPackages. Sie bleiben, wo sie sind.</translation>
   </message>
   <message>
    <source>GeoTIFF</source>
@@ -1690,10 +1698,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Ground without a label</source>
    <translation>Gelände ohne Klasse</translation>
-  </message>
-  <message>
-   <source>Ground without a polygon is something else</source>
-   <translation>Boden ohne Polygon ist etwas anderes</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1880,10 +1884,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Im Flug</translation>
   </message>
   <message>
-   <source>In how many fixes as sure as this one is wrong</source>
-   <translation>Von wie vielen so sicheren Ergebnissen eines falsch ist</translation>
-  </message>
-  <message>
    <source>In the project</source>
    <translation>Im Projekt</translation>
   </message>
@@ -2060,10 +2060,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Landmarken</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Die Landmarken stimmen mit einem Ort überein, die Klassenflächen dort aber nur mit {agreement:.2f}: Zusammen ist er mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
-  </message>
-  <message>
    <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
    <translation>Nur auf einer Seite des Bildes stimmen Landmarken mit der Karte überein: Es zeigt vielleicht zwei Orte.</translation>
   </message>
@@ -2092,6 +2088,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Erfundene Landmarken (%)</translation>
   </message>
   <message>
+   <source>Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Landmarken passen zu einem Ort, Klassenflächen dort aber nur mit {agreement:.2f}: Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
+  </message>
+  <message>
    <source>Landmarks misnamed (%)</source>
    <translation>Falsch benannte Landmarken (%)</translation>
   </message>
@@ -2106,10 +2106,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>Landmarks that agree</source>
    <translation>Übereinstimmende Landmarken</translation>
-  </message>
-  <message>
-   <source>Landmarks that no database has whole</source>
-   <translation>Landmarken, die keine Datenbank ganz hat</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2216,6 +2212,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Zeigt nur Fehler und Warnungen: was behoben werden muss</translation>
   </message>
   <message>
+   <source>Lists the places of one kind only</source>
+   <translation>Zeigt nur die Stellen einer Art</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>Das Modell wird geladen</translation>
   </message>
@@ -2316,6 +2316,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Nachbarn derselben Klasse werden geprüft</translation>
   </message>
   <message>
+   <source>Looking at the images</source>
+   <translation>Die Bilder werden angesehen</translation>
+  </message>
+  <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Das Python von QGIS wird gesucht…</translation>
   </message>
@@ -2388,10 +2392,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Routenblatt anlegen</translation>
   </message>
   <message>
-   <source>Make sample area</source>
-   <translation>Beispielgebiet erzeugen</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2400,28 +2400,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das kleinere Polygon, sonst der niedrigere Klassenwert. Jedes Polygon behält die Attribute des Objekts, das den größten Teil davon bedeckt. Einen reparierten Layer zu reparieren ändert nichts.</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
-
-The model that ships with SemRef can read these photos.</source>
-   <translation>Erfindet ein Stück Land von 4 × 3 km, um SemRef daran auszuprobieren: seine Landbedeckung als Polygone (landcover.shp), deren Klassentabelle (classes.csv), ein Orthofoto, Fotos von beliebigen Stellen darüber mit den wahren Aufnahmeorten (photos.csv) und die Fotos eines Fluges mit ihren Orten und Zeiten (flight.csv).
-
-Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
-  </message>
-  <message>
    <source>Making an environment for training…</source>
    <translation>Eine Umgebung zum Trainieren wird angelegt …</translation>
   </message>
   <message>
-   <source>Making the sample area</source>
-   <translation>Beispielgebiet wird erzeugt</translation>
-  </message>
-  <message>
    <source>Making the sample project</source>
    <translation>Beispielprojekt wird erzeugt</translation>
-  </message>
-  <message>
-   <source>Making up the landscape</source>
-   <translation>Landschaft wird erfunden</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2768,12 +2752,12 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Nordwert, wo sie gesehen wird</translation>
   </message>
   <message>
-   <source>Not good for</source>
-   <translation>Nicht gut für</translation>
+   <source>Not available, with the Python package that each needs: {devices}.</source>
+   <translation>Nicht verfügbar, mit dem Python-Paket, das jeweils nötig ist: {devices}.</translation>
   </message>
   <message>
-   <source>Not there, with the Python package that brings it: {devices}.</source>
-   <translation>Nicht da, mit dem Python-Paket, das es bringt: {devices}.</translation>
+   <source>Not good for</source>
+   <translation>Nicht gut für</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2834,10 +2818,6 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Number of landmarks</source>
    <translation>Anzahl der Landmarken</translation>
-  </message>
-  <message>
-   <source>Number of photos</source>
-   <translation>Anzahl der Fotos</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -2972,6 +2952,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Ein Polygon je Bild mit Position: der Boden, den es zeigt.</translation>
   </message>
   <message>
+   <source>Only if all are of one class, such as “building”</source>
+   <translation>Nur wenn alle von einer Klasse sind, etwa „building“</translation>
+  </message>
+  <message>
    <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
    <translation>Nur von einem Flug wird ein Zustand aufbewahrt: --flight ergänzen oder --state weglassen.</translation>
   </message>
@@ -3034,6 +3018,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
   <message>
    <source>Other feature</source>
    <translation>Anderes Objekt</translation>
+  </message>
+  <message>
+   <source>Otherwise colors are taken for classes.</source>
+   <translation>Sonst werden Farben für Klassen gehalten.</translation>
   </message>
   <message>
    <source>Out of reach in time</source>
@@ -3124,6 +3112,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Pixel, an denen es trainiert wurde</translation>
   </message>
   <message>
+   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>Pixel, an denen das Netz lernt, wenn nicht die des Bildes: Die kleinsten Gebäude sollten etwa 14 Pixel breit sein. Gröbere Pixel lernen schneller.</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>Vorige Stelle</translation>
   </message>
@@ -3144,8 +3136,8 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Orte werden mit Netzen geprüft, die ohne sie trainiert wurden.</translation>
   </message>
   <message>
-   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
-   <translation>Hier erscheinen die Stellen, die zu verbessern sind: „Annotation prüfen“ und „Klassenkarten vergleichen“ finden sie.</translation>
+   <source>Places to repair appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>Hier erscheinen Stellen zum Reparieren: „Annotation prüfen“ und „Klassenkarten vergleichen“ finden sie.</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -3240,6 +3232,10 @@ Das mit SemRef ausgelieferte Modell kann diese Fotos lesen.</translation>
    <translation>Wahrscheinlichkeiten</translation>
   </message>
   <message>
+   <source>Probability that the position is wrong</source>
+   <translation>Wahrscheinlichkeit, dass die Position falsch ist</translation>
+  </message>
+  <message>
    <source>Probability to be right</source>
    <translation>Wahrscheinlichkeit, richtig zu sein</translation>
   </message>
@@ -3320,12 +3316,16 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>ROUTE liegt außerhalb der Karte der Datenbank; eine andere Route oder Datenbank wählen.</translation>
   </message>
   <message>
+   <source>Radius (m)</source>
+   <translation>Radius (m)</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>Radius darum (Karteneinheiten)</translation>
   </message>
   <message>
-   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
-   <translation>Radius, der in 95 % der Fälle die wahre Position enthält, in Metern</translation>
+   <source>Radius in meters that contains the true position in 95 % of fixes</source>
+   <translation>Radius in Metern, der in 95 % der Fixes die wahre Position enthält</translation>
   </message>
   <message>
    <source>Ragged edges (map units)</source>
@@ -3348,16 +3348,16 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Annotation rastern</translation>
   </message>
   <message>
+   <source>Rasterize it again…</source>
+   <translation>Noch einmal rastern…</translation>
+  </message>
+  <message>
    <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
    <translation>Rastert die Annotation auf die Karte der Datenbank und aktualisiert diese an Ort und Stelle; die alte Datei bleibt erhalten</translation>
   </message>
   <message>
    <source>Rasterizing the correction</source>
    <translation>Korrektur wird gerastert</translation>
-  </message>
-  <message>
-   <source>Rasterizing the sample area</source>
-   <translation>Beispielgebiet wird gerastert</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -3368,16 +3368,12 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Datenbank wird gelesen</translation>
   </message>
   <message>
-   <source>Reading the databases</source>
-   <translation>Datenbanken werden gelesen</translation>
+   <source>Reading the folder…</source>
+   <translation>Der Ordner wird gelesen…</translation>
   </message>
   <message>
    <source>Reading the label map</source>
    <translation>Klassenkarte wird gelesen</translation>
-  </message>
-  <message>
-   <source>Reading the times of images</source>
-   <translation>Aufnahmezeiten werden gelesen</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3412,12 +3408,8 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Referenzdatenbank: {name}</translation>
   </message>
   <message>
-   <source>Reference databases</source>
-   <translation>Referenzdatenbanken</translation>
-  </message>
-  <message>
-   <source>Reference databases (*.gpkg *.semrefset)</source>
-   <translation>Referenzdatenbanken (*.gpkg *.semrefset)</translation>
+   <source>Reference databases (*.gpkg)</source>
+   <translation>Referenzdatenbanken (*.gpkg)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -3452,12 +3444,24 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Alte Ergebnisse werden entfernt</translation>
   </message>
   <message>
-   <source>Rendering it as a photo</source>
-   <translation>Foto davon wird gezeichnet</translation>
+   <source>Repair all</source>
+   <translation>Alle reparieren</translation>
+  </message>
+  <message>
+   <source>Repair all ({count})…</source>
+   <translation>Alle reparieren ({count})…</translation>
+  </message>
+  <message>
+   <source>Repair all…</source>
+   <translation>Alle reparieren…</translation>
   </message>
   <message>
    <source>Repair annotation</source>
    <translation>Annotation reparieren</translation>
+  </message>
+  <message>
+   <source>Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is edited, not saved: you can undo it.</source>
+   <translation>{count} Stellen in „{layer}“ reparieren ({kinds})? Polygone einer Klasse, die sich berühren, werden eins. Der Layer wird bearbeitet, nicht gespeichert: Es lässt sich rückgängig machen.</translation>
   </message>
   <message>
    <source>Repaired annotation</source>
@@ -3466,6 +3470,22 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
    <translation>Ungültige Geometrie repariert: {features}, {polygons} Polygone.</translation>
+  </message>
+  <message>
+   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left.</source>
+   <translation>„{layer}“ repariert: {changed} Polygone geändert, {added} hinzugefügt, {removed} entfernt. Die Änderungen des Layers speichern, um sie zu behalten, oder rückgängig machen (Strg+Z). Die Annotation noch einmal prüfen, um zu sehen, was bleibt.</translation>
+  </message>
+  <message>
+   <source>Repairing the annotation</source>
+   <translation>Die Annotation wird repariert</translation>
+  </message>
+  <message>
+   <source>Repairing: {percent} %</source>
+   <translation>Reparatur: {percent} %</translation>
+  </message>
+  <message>
+   <source>Repairs in the annotation what “Repair annotation” can repair; it can be undone</source>
+   <translation>Repariert in der Annotation, was „Annotation reparieren“ reparieren kann; es lässt sich rückgängig machen</translation>
   </message>
   <message>
    <source>Report</source>
@@ -3672,8 +3692,16 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>SemRef-Zuordnungen</translation>
   </message>
   <message>
+   <source>SemRef needs Python packages that this QGIS does not have yet: {packages}.</source>
+   <translation>SemRef braucht Python-Pakete, die dieses QGIS noch nicht hat: {packages}.</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef braucht das Python-Paket {packages}. Installieren Sie es unter Einstellungen ▸ Optionen ▸ SemRef oder durch Eingabe von {commands}.</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
+   <translation>SemRef braucht das Python-Paket {packages}. Es lässt sich unter Einstellungen ▸ Optionen ▸ SemRef installieren.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -4000,20 +4028,12 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Erfolg unter Störungen</translation>
   </message>
   <message>
-   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
-   <translation>Solcher Boden wird, so weit die Polygone reichen, zur Klasse „other“. Nur wo alles gezeichnet ist, was zu einer Klasse gehört. Bei einer einzigen Klasse, etwa Gebäuden, braucht die Kartenkorrelation das.</translation>
-  </message>
-  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>Tabellen und Diagramme in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
    <source>Take the database along: “Export for onboard use”, with this route as area.</source>
    <translation>Nehmen Sie die Datenbank mit: „Für den Bordrechner exportieren“ mit dieser Route als Gebiet.</translation>
-  </message>
-  <message>
-   <source>Taking photos</source>
-   <translation>Fotos werden aufgenommen</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -4024,8 +4044,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Getestete Versionen</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon.</source>
-   <translation>Text- oder Zahlenfeld, das die Klasse jedes Polygons angibt.</translation>
+   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <translation>Text- oder Zahlenfeld mit der Klasse jedes Polygons. Nicht nötig, wenn alle von einer Klasse sind.</translation>
   </message>
   <message>
    <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
@@ -4044,20 +4064,20 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Gebiet von CLIP ist leer oder liegt außerhalb der Karte der Datenbank; ein anderes wählen oder bei Linien und Punkten eine größere DISTANCE als {distance:g}.</translation>
   </message>
   <message>
-   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Der beste Ort (logarithmische Chancen {log_odds:.1f}) ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
+   <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Die beste Übereinstimmung ({score:.2f}) ist nicht wesentlich besser als Zufall: Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Der beste Ort ({score:.2f}) stimmt zu wenig besser überein, als es das gespiegelte Bild durch Zufall tut ({mirror:.2f}): Er ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
-  </message>
-  <message>
-   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Der beste Ort stimmt mit dem Bild nur mit {score:.2f} überein: Er ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; erlaubt sind höchstens {allowed:.2g}.</translation>
+   <source>The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Der beste Ort (log-Odds {log_odds:.1f}) hat eine Irrtumswahrscheinlichkeit von {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
   </message>
   <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>Am schlechtesten wird {name} gefunden ({iou}): Mehr davon beim Trainieren hilft am meisten.</translation>
+  </message>
+  <message>
+   <source>The class of every polygon, such as “building”. If you enter one, the class field is not used.</source>
+   <translation>Die Klasse aller Polygone, etwa „building“. Wenn sie angegeben ist, wird das Klassenfeld nicht verwendet.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4124,10 +4144,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
   <message>
-   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
-   <translation>Die Datenbanken liegen so weit auseinander, dass eine Karte von allen {width} × {height} Pixel hätte; nur benachbarte zusammen verwenden.</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Die Abweichungen der Bewegung von Bild {first} zu Bild {second} widersprechen einander.</translation>
   </message>
@@ -4168,10 +4184,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Ausschnitt für „{layer}“ passt nicht zu seinem KBS {crs}; wählen Sie einen anderen.</translation>
   </message>
   <message>
-   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
-   <translation>Das Feld „{name}“ von {path} ist nicht verwendbar; eine Klasse ist ein Text oder eine Zahl, eine Priorität eine Zahl.</translation>
-  </message>
-  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Die Datei kann Länge und Breite nicht angeben: Die Karte ist dafür zu groß, oder ein Pol liegt darin.</translation>
   </message>
@@ -4210,6 +4222,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>Den Ordner {folder} gibt es nicht; ihn anlegen oder einen anderen Ort für {name} wählen.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} of --state {path} does not exist; create it or choose another one.</source>
+   <translation>Den Ordner {folder} von --state {path} gibt es nicht; ihn anlegen oder einen anderen wählen.</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4296,8 +4312,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Bild zeigt {count} ganze Landmarken</translation>
   </message>
   <message>
-   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
-   <translation>Die Bilder oder ihr Ordner, wenn sie nicht mehr dort liegen, wo sie lokalisiert wurden.</translation>
+   <source>The images or their folder. Needed where they are not in the folder of the positions.</source>
+   <translation>Die Bilder oder ihr Ordner. Nötig, wenn sie nicht im Ordner der Positionen sind.</translation>
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
@@ -4318,10 +4334,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>Die Klassenkarte enthält keine Klassennamen; ihre Klassen werden nach ihren Werten benannt.</translation>
-  </message>
-  <message>
-   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
-   <translation>Die Klassenkarte hat nur eine Klasse, und die Kartenkorrelation braucht zwei. Wenn alles von dieser Klasse gezeichnet ist, „Boden ohne Polygon ist etwas anderes“ einschalten: Es werden mehr Bilder gefunden.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
@@ -4356,6 +4368,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassenkarte hätte {width} × {height} Pixel; wählen Sie größere Pixel oder eine kleinere Ausdehnung.</translation>
   </message>
   <message>
+   <source>The label map “{layer}” is older than the database now.</source>
+   <translation>Die Klassenkarte „{layer}“ ist jetzt älter als die Datenbank.</translation>
+  </message>
+  <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
    <translation>Die Klassen lassen sich nicht auf das Bild bringen: {reason}.</translation>
   </message>
@@ -4384,16 +4400,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Landmarken der ganzen Karte: Schwerpunkt, Klasse und Fläche jeder Region ihrer Klassen.</translation>
   </message>
   <message>
-   <source>The landscape can’t be rasterized: {reason}.</source>
-   <translation>Die Landschaft lässt sich nicht rastern: {reason}.</translation>
-  </message>
-  <message>
    <source>The largest of each kind</source>
    <translation>Die größten jeder Art</translation>
   </message>
   <message>
-   <source>The layer {layer} can’t be created: {reason}.</source>
-   <translation>Der Layer {layer} lässt sich nicht anlegen: {reason}.</translation>
+   <source>The layer has a single class: ground without a polygon becomes class “other”.</source>
+   <translation>Der Layer hat eine einzige Klasse: Gelände ohne Polygon wird die Klasse „other“.</translation>
+  </message>
+  <message>
+   <source>The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.</source>
+   <translation>Der Layer {layer} kann nicht bearbeitet werden; ihn als GeoPackage speichern und dieses als Annotation wählen.</translation>
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
@@ -4420,8 +4436,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der Verlust ist keine Zahl mehr; mit einer kleineren Lernrate trainieren.</translation>
   </message>
   <message>
-   <source>The map has fewer than two classes, so that no place differs from another.</source>
-   <translation>Die Karte hat weniger als zwei Klassen, sodass sich kein Ort von einem anderen unterscheidet.</translation>
+   <source>The map has one class everywhere, so that no place differs from another.</source>
+   <translation>Die Karte hat überall nur eine Klasse, sodass sich kein Ort von einem anderen unterscheidet.</translation>
   </message>
   <message>
    <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
@@ -4452,6 +4468,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Karten haben keine gemeinsamen Klassennamen: Klassen werden nach ihren Werten zugeordnet.</translation>
   </message>
   <message>
+   <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Die Übereinstimmung ({score:.2f}) ist nicht wesentlich besser als beim gespiegelten Bild ({mirror:.2f}): Irrtumswahrscheinlichkeit {risk:.2g}; höchstens {allowed:.2g} ist erlaubt.</translation>
+  </message>
+  <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
    <translation>Die Mindestfläche ist {minimum_area:g} m²; sie muss größer als 0 sein.</translation>
   </message>
@@ -4480,6 +4500,14 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Netz vergrößert mit ausgerichteten Ecken: Was abseits der Mitte einer Kachel liegt, wird bis zu einige Pixel weiter außen gezeigt, und Fotos werden für bis zu 1 % größer gehalten, als sie sind.</translation>
   </message>
   <message>
+   <source>The network found {count} landmark ({classes})</source>
+   <translation>Das Netz hat {count} Landmarke gefunden ({classes})</translation>
+  </message>
+  <message>
+   <source>The network found {count} landmarks ({classes})</source>
+   <translation>Das Netz hat {count} Landmarken gefunden ({classes})</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>Das Netz hält seine Labels im Mittel zu {percent:.0f} % für richtig. Wo das viel weniger ist als auf dem Gelände, auf dem es trainiert wurde, kennt es dieses Gelände nicht; eine hohe Zahl beweist nicht, dass es das tut.</translation>
   </message>
@@ -4490,6 +4518,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>Das Netz, das aus Fotos Klassen macht; bei Klassenbildern leer lassen</translation>
+  </message>
+  <message>
+   <source>The network was trained on: {places}.</source>
+   <translation>Das Netz wurde trainiert auf: {places}.</translation>
   </message>
   <message>
    <source>The objects that agree with the map don't fix the position closely enough.</source>
@@ -4544,6 +4576,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
   <message>
+   <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
+   <translation>Die Positionen nennen {path}, das nicht in ihrem eigenen Ordner ist; das Bild oder seinen Ordner unter Bilder wählen.</translation>
+  </message>
+  <message>
    <source>The precision is {precision:g}; it must be more than 0 map units.</source>
    <translation>Die Genauigkeit ist {precision:g}; sie muss größer als 0 Karteneinheiten sein.</translation>
   </message>
@@ -4592,8 +4628,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Ergebnis von „Annotation prüfen“ oder „Klassenkarten vergleichen“</translation>
   </message>
   <message>
-   <source>The result would replace {path}; choose another name.</source>
-   <translation>Das Ergebnis würde {path} ersetzen; wählen Sie einen anderen Namen.</translation>
+   <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
+   <translation>Die Ergebnisse nennen ein Bild, das nicht in ihrem Ordner ist. Es oder seinen Ordner zur Liste der Bilder hinzufügen.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4602,10 +4638,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
    <translation>Der Lauf in {folder} hatte andere Werte für {settings}; dieselben noch einmal angeben oder neu beginnen.</translation>
-  </message>
-  <message>
-   <source>The same number gives the same area; another one makes up another.</source>
-   <translation>Dieselbe Zahl ergibt dasselbe Gebiet, eine andere ein anderes.</translation>
   </message>
   <message>
    <source>The same windows, turned about their centers.</source>
@@ -4648,6 +4680,18 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das gewählte Bild; Plus, Minus und 0 zoomen</translation>
   </message>
   <message>
+   <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
+   <translation>Der Server von „{layer}“ hat mit mehr als {most_mb} MB für eine Kachel geantwortet; SemRef hat aufgehört zu lesen.</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.</source>
+   <translation>Der Server von „{layer}“ leitet nach {address} weiter; SemRef liest Kacheln nur über http und https.</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer.</source>
+   <translation>Der Server von „{layer}“ hat länger als {most_s} s für einen Teil gebraucht; später noch einmal versuchen oder einen anderen Layer wählen.</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>Die Form ist nicht die von {source}; das Bild wird genommen, wie es ist.</translation>
   </message>
@@ -4666,10 +4710,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Die Schrittweite ({stride} px) ist größer als das Fenster ({size} px), sodass Gelände zwischen den Fenstern fehlen würde; die Schrittweite höchstens so groß wie das Fenster wählen.</translation>
-  </message>
-  <message>
-   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
-   <translation>Die Schrittweite {stride:g} ist größer als die Fenstergröße {size:g}; wählen Sie eine kleinere.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -4764,12 +4804,16 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keine Landmarke zu exportieren; eine andere Datenbank oder ein größeres Gebiet wählen.</translation>
   </message>
   <message>
+   <source>There is no private folder for the secret that --state is authenticated with; set up a home folder for this user, or add --require-signature.</source>
+   <translation>Es gibt keinen privaten Ordner für das Geheimnis, mit dem --state authentifiziert wird; für diesen Benutzer ein Heimatverzeichnis einrichten oder --require-signature angeben.</translation>
+  </message>
+  <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>In {folder} gibt es keinen Lauf, der fortgesetzt werden könnte.</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
-   <translation>Unter {address} ist kein Scheduler ({reason}); starten Sie einen, oder lassen Sie Prozesse auf diesem Rechner starten: --local 4, in QGIS local:4.</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
+   <translation>Bei {address} gibt es keinen Scheduler ({reason}); einen starten oder Prozesse auf diesem Rechner starten lassen: local:4.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -4778,6 +4822,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>These images are one flight</source>
    <translation>Diese Bilder sind ein Flug</translation>
+  </message>
+  <message>
+   <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
+   <translation>Diese Kopie von SemRef hat kein Beispielgebiet. SemRef aus seiner Zip-Datei installieren.</translation>
   </message>
   <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
@@ -4814,10 +4862,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Title</source>
    <translation>Titel</translation>
-  </message>
-  <message>
-   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
-   <translation>Um mit anderen Pixeln als denen des Bildes zu lernen: mit denen der Fotos, die lokalisiert werden sollen.</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -4884,10 +4928,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Training</translation>
   </message>
   <message>
-   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>In dieser Zeit ist das Training fertig; zehn Minuten sind ein Anfang, eine Stunde ist besser. 0: keine Grenze.</translation>
-  </message>
-  <message>
    <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
    <translation>Das Training braucht ein eigenes Python mit torch: unter Einstellungen ▸ Optionen ▸ SemRef eines anlegen lassen (etwa 1,5 GB, mehr mit Unterstützung für Grafikkarten) oder in PYTHON eines nennen.</translation>
   </message>
@@ -4910,6 +4950,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
    <translation>Trainiert ein Segmentierungsnetz an einem Orthofoto und einer Annotation oder Klassenkarte desselben Geländes und gibt es als Modell (ONNX) für „Bild segmentieren“ und „Bilder lokalisieren“, mit einem Bericht.
 
 Ein Teil des Geländes wird zurückgehalten, um zu sagen, wie gut das Netz ist. Das Training läuft in einem eigenen Python mit torch: SemRef legt unter Einstellungen ▸ Optionen ▸ SemRef eines an, oder man nennt eines. Ein abgebrochener Lauf kann fortgesetzt werden: mit derselben Ausgabe noch einmal starten.</translation>
+  </message>
+  <message>
+   <source>Treat ground without a polygon as class “other”</source>
+   <translation>Gelände ohne Polygon als Klasse „other“ behandeln</translation>
   </message>
   <message>
    <source>Trial</source>
@@ -4980,8 +5024,8 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
 Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik und alles, was je Tag eine Spalte oder eine Spalte mit Tags hat. Welcher Tag welche Klasse bedeutet, steht in einer Regeltabelle, die Sie durch eine eigene ersetzen können.</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
-   <translation>Zwei Orte stimmen fast gleich gut überein ({score:.2f} und {runner_up:.2f}): Der bessere ist mit einer Wahrscheinlichkeit von {risk:.2g} falsch; eine ungefähre Position könnte sie unterscheiden.</translation>
+   <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
+   <translation>Zwei Orte passen fast gleich gut ({score:.2f} und {runner_up:.2f}): Irrtumswahrscheinlichkeit {risk:.2g} für den besseren. Eine ungefähre Position angeben, um zwischen ihnen zu wählen.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -5000,8 +5044,8 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>Aktualisierung wird rückgängig gemacht</translation>
   </message>
   <message>
-   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
-   <translation>Unbekanntes Gelände bleibt beim Training außen vor. „Etwas anderes“ nur wählen, wo alles gezeichnet wurde, was zu einer Klasse gehört; die Ausdehnung hält dann Gelände fern, wo nichts gezeichnet wurde.</translation>
+   <source>Unknown ground is left out of training. Choose class “other” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>Unbekanntes Gelände bleibt beim Training außen vor. „other“ nur wählen, wenn alles von einer Klasse gezeichnet wurde; die Ausdehnung hält dann Gelände fern, in dem nichts gezeichnet wurde. Bei einem Layer mit einer einzigen Klasse, etwa Gebäuden, tut SemRef es immer.</translation>
   </message>
   <message>
    <source>Unreadable</source>
@@ -5026,10 +5070,6 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
   <message>
    <source>Updating the database</source>
    <translation>Datenbank wird aktualisiert</translation>
-  </message>
-  <message>
-   <source>Use databases as one</source>
-   <translation>Datenbanken als eine verwenden</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5312,14 +5352,6 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
   </message>
   <message>
-   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
-
-The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
-   <translation>Schreibt eine kleine Textdatei, die mehrere Referenzdatenbanken nennt, nach Blatt oder nach Datum. Wo eine Datenbank gelesen wird, kann diese Datei angegeben werden, und alle werden als eine verwendet; wird ein Blatt aktualisiert, ändert sich nur seine Datei.
-
-Die Datenbanken müssen gleich erstellt sein: in einem KBS, mit einer Pixelgröße, Klassentabelle, Fenstergröße, Schrittweite und Mindestfläche, aus Karten, deren Ecken um ganze Pixel der Übersicht auseinanderliegen. Wo zwei denselben Boden zeigen, gilt die zuletzt erstellte oder aktualisierte. Blätter sollten sich um mehr überlappen, als ihre Landmarken lang sind: Was kein Blatt ganz hat, gehört zu keiner Konstellation.</translation>
-  </message>
-  <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
 
 Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
@@ -5332,44 +5364,20 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Das Modell wird geschrieben und geprüft</translation>
   </message>
   <message>
-   <source>Writing the annotation</source>
-   <translation>Annotation wird geschrieben</translation>
-  </message>
-  <message>
    <source>Writing the database</source>
    <translation>Datenbank wird geschrieben</translation>
-  </message>
-  <message>
-   <source>Writing the orthophoto</source>
-   <translation>Orthofoto wird geschrieben</translation>
   </message>
   <message>
    <source>Writing tiles</source>
    <translation>Kacheln werden geschrieben</translation>
   </message>
   <message>
-   <source>Wrong</source>
-   <translation>Falsch</translation>
-  </message>
-  <message>
    <source>Wrong fixes (share)</source>
    <translation>Falsche Fixe (Anteil)</translation>
   </message>
   <message>
-   <source>Wrong once in</source>
-   <translation>Falsch einmal in</translation>
-  </message>
-  <message>
    <source>Zoom to hit</source>
    <translation>Zoom auf Treffer</translation>
-  </message>
-  <message>
-   <source>a CRS that does not measure in meters ({crs})</source>
-   <translation>ein KBS, das nicht in Metern misst ({crs})</translation>
-  </message>
-  <message>
-   <source>a style that may tell classes, and no class table is given</source>
-   <translation>einen Stil, der Klassen angeben kann, und keine Klassentabelle ist angegeben</translation>
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5442,6 +5450,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>background</source>
    <translation>Hintergrund</translation>
+  </message>
+  <message>
+   <source>below 1 in {count:,.0f}</source>
+   <translation>unter 1 zu {count:,.0f}</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -5532,6 +5544,18 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Fehler</translation>
   </message>
   <message>
+   <source>error probability</source>
+   <translation>Irrtumswahrscheinlichkeit</translation>
+  </message>
+  <message>
+   <source>error probability {value}</source>
+   <translation>Irrtumswahrscheinlichkeit {value}</translation>
+  </message>
+  <message>
+   <source>error {probability}</source>
+   <translation>Irrtum {probability}</translation>
+  </message>
+  <message>
    <source>error, m</source>
    <translation>Fehler, m</translation>
   </message>
@@ -5582,10 +5606,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>gap between neighbors</source>
    <translation>Lücke zwischen Nachbarn</translation>
-  </message>
-  <message>
-   <source>geometry of the kind {kind}</source>
-   <translation>Geometrie der Art {kind}</translation>
   </message>
   <message>
    <source>good</source>
@@ -5688,8 +5708,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>erfunden</translation>
   </message>
   <message>
-   <source>is something else</source>
-   <translation>ist etwas anderes</translation>
+   <source>is class “other”</source>
+   <translation>ist Klasse „other“</translation>
   </message>
   <message>
    <source>is unknown</source>
@@ -5768,10 +5788,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Verzeichnung bis {value:.1f} % der Breite ausgeglichen</translation>
   </message>
   <message>
-   <source>levels</source>
-   <translation>Stufen</translation>
-  </message>
-  <message>
    <source>localizable</source>
    <translation>lokalisierbar</translation>
   </message>
@@ -5830,10 +5846,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>merged by pixels</source>
    <translation>durch Pixel vereint</translation>
-  </message>
-  <message>
-   <source>minimum area</source>
-   <translation>Mindestfläche</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5902,10 +5914,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>nowhere</source>
    <translation>nirgends</translation>
-  </message>
-  <message>
-   <source>number of landmarks a vector</source>
-   <translation>Zahl der Landmarken je Vektor</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5992,10 +6000,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>Pixelgröße {value:.3g} m</translation>
   </message>
   <message>
-   <source>polygons that are invalid, such as that of feature {fid}</source>
-   <translation>ungültige Polygone, etwa das von Objekt {fid}</translation>
-  </message>
-  <message>
    <source>poor</source>
    <translation>schlecht</translation>
   </message>
@@ -6006,10 +6010,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>reason</source>
    <translation>Grund</translation>
-  </message>
-  <message>
-   <source>reduction of the overview</source>
-   <translation>Verkleinerung der Übersicht</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -6110,10 +6110,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>stopped: the time was over</source>
    <translation>beendet: die Zeit war um</translation>
-  </message>
-  <message>
-   <source>stride</source>
-   <translation>Schrittweite</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6220,10 +6216,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>was zu erwarten ist</translation>
   </message>
   <message>
-   <source>window size</source>
-   <translation>Fenstergröße</translation>
-  </message>
-  <message>
    <source>window {value}</source>
    <translation>Fenster {value}</translation>
   </message>
@@ -6248,14 +6240,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>falsche Fixe simuliert</translation>
   </message>
   <message>
-   <source>wrong once in</source>
-   <translation>falsch einmal in</translation>
-  </message>
-  <message>
-   <source>wrong once in {value:,.0f}</source>
-   <translation>falsch einmal in {value:,.0f}</translation>
-  </message>
-  <message>
    <source>x</source>
    <translation>x</translation>
   </message>
@@ -6278,6 +6262,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>{area:.2f} m², die zwei beanspruchten, gehören {name} (Objekt {id}), nicht mehr Objekt {other}.</translation>
+  </message>
+  <message>
+   <source>{area} m²</source>
+   <translation>{area} m²</translation>
   </message>
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
@@ -6308,10 +6296,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{count} Bilder zu lokalisieren.</translation>
   </message>
   <message>
-   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
-   <translation>{count} Landmarken gehen über den Rand ihrer Datenbank hinaus und sind in keiner ganz, daher hat keine Konstellation sie; Blätter mehr überlappen lassen, wo das zu viele sind.</translation>
-  </message>
-  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} Landmarken im mittigen Quadrat von {size} Pixeln.</translation>
   </message>
@@ -6326,10 +6310,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{count} other places fit almost as well as the best one.</source>
    <translation>{count} andere Orte passen fast so gut wie der beste.</translation>
-  </message>
-  <message>
-   <source>{count} photos in {folder}</source>
-   <translation>{count} Fotos in {folder}</translation>
   </message>
   <message>
    <source>{count} pixels compared</source>
@@ -6354,10 +6334,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} misst nicht in Metern; ein projiziertes KBS in Metern als TARGET_CRS wählen.</translation>
-  </message>
-  <message>
-   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
-   <translation>{databases} Datenbanken haben zusammen {landmarks} Landmarken und {windows} Fenster.</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6400,12 +6376,20 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{device}, {rate:.3g} Kacheln je Sekunde.</translation>
   </message>
   <message>
+   <source>{first} {second}</source>
+   <translation>{first} {second}</translation>
+  </message>
+  <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Standort gefunden für {fixes} von {images} Bildern.</translation>
   </message>
   <message>
    <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
    <translation>{flights} simulierte Flüge entlang jeder Route, mit einem Bild alle {distance:.0f} m, so wie es im Flug bekannt ist. Die erste Position zählt dort, wo {threshold} der Flüge ihre hatten; Radien sind Mediane der Flüge, die eine Position haben.</translation>
+  </message>
+  <message>
+   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
+   <translation>{folder} kann das Trainierte nicht aufnehmen ({reason}); Platz auf dem Datenträger schaffen und das Training noch einmal starten: Es geht nach der letzten gespeicherten Epoche weiter.</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6636,18 +6620,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{number} Objekte</translation>
   </message>
   <message>
-   <source>{odds} wrong</source>
-   <translation>{odds} falsch</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give numbers separated by “;”.</source>
-   <translation>{option} ist „{text}“; geben Sie Zahlen an, getrennt durch „;“.</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
-   <translation>{option} ist „{text}“; den kleinsten und den größten Wert angeben, etwa 0,20.</translation>
-  </message>
-  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} braucht das Python-Paket {package}; installieren Sie es: pip install {package}.</translation>
   </message>
@@ -6668,10 +6640,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{own} durch eigenen Fix, {flight} durch den Flug</translation>
   </message>
   <message>
-   <source>{packages} is missing; without it nothing can be localized.</source>
-   <translation>{packages} fehlt; ohne kann nichts lokalisiert werden.</translation>
-  </message>
-  <message>
    <source>{packages} is missing; without it the model can’t make labels of photos.</source>
    <translation>{packages} fehlt; ohne das kann das Modell aus Fotos keine Labels machen.</translation>
   </message>
@@ -6688,10 +6656,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{pairs} Paare von Nachbarn: {pixels} in ihren Pixeln gesehen, {table} von der Tabelle angegeben, {log} vom Log, {none} unbekannt.</translation>
   </message>
   <message>
-   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
-   <translation>{part} hat das KBS {crs} und {other} {other_crs}; Datenbanken, die als eine verwendet werden, haben dasselbe KBS.</translation>
-  </message>
-  <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
    <translation>{path} antwortet anders als das Netz, aus dem es gemacht wurde, um {difference:.2g} in einem Logit.</translation>
   </message>
@@ -6706,10 +6670,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} can't be read as a route ({reason}).</source>
    <translation>{path} ist nicht als Route lesbar ({reason}).</translation>
-  </message>
-  <message>
-   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
-   <translation>{path} lässt sich nicht als Polygone lesen ({reason}); wählen Sie eine andere Datei.</translation>
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
@@ -6800,14 +6760,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat kein Koordinatenbezugssystem; dem Layer ein metrisches zuweisen.</translation>
   </message>
   <message>
-   <source>{path} has no coordinate reference system; give it a metric one.</source>
-   <translation>{path} hat kein Koordinatenreferenzsystem; geben Sie ihm ein metrisches.</translation>
-  </message>
-  <message>
-   <source>{path} has no field “{name}”; its fields are {names}.</source>
-   <translation>{path} hat kein Feld „{name}“; seine Felder sind {names}.</translation>
-  </message>
-  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} hat keine lesbaren Einzelbilder.</translation>
   </message>
@@ -6848,10 +6800,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat Pixel von {pixel_x:g} × {pixel_y:g}; zuerst auf quadratische Pixel umrechnen.</translation>
   </message>
   <message>
-   <source>{path} has the layers {layers}; name one of them.</source>
-   <translation>{path} hat die Layer {layers}; nennen Sie einen davon.</translation>
-  </message>
-  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} hat den Wert {found}; eine Klassenkarte enthält Klassenwerte von 0 bis 255.</translation>
   </message>
@@ -6890,10 +6838,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} hat {size} Pixel, das Bild {image_size}, und nicht beide sind georeferenziert; beiden einen Ort im Gelände geben oder Klassen in der Größe des Bildes.</translation>
-  </message>
-  <message>
-   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
-   <translation>{path} hat {what}, womit nur QGIS richtig umgeht; rastern Sie es dort, mit SCHEDULER, wenn es groß ist.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
@@ -6956,16 +6900,28 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist ein TIFF mit Palette und {bits} Bit pro Pixel; mit 8 oder als PNG speichern.</translation>
   </message>
   <message>
-   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
-   <translation>{path} ist ein Datenbankverbund, der nur gelesen wird; die gemeinte Datenbank darin angeben, zum Beispiel das korrigierte Blatt.</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
   </message>
   <message>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
+   <translation>{path} wird schon trainiert; auf dieses Training warten, es abbrechen oder einen anderen OUTPUT wählen.</translation>
+  </message>
+  <message>
    <source>{path} is being written by another program; try again.</source>
    <translation>{path} wird gerade von einem anderen Programm geschrieben; versuchen Sie es noch einmal.</translation>
+  </message>
+  <message>
+   <source>{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; remove it.</source>
+   <translation>{path} liegt neben {raster}, enthält aber keine eigenen Pixel oder Metadaten, sodass GDAL andere Dateien öffnen würde; es entfernen.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
+   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; es ohne den früheren Lauf noch einmal starten.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; RESUME ausschalten, um es noch einmal zu starten.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -6998,10 +6954,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern rastern oder umrechnen.</translation>
-  </message>
-  <message>
-   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
-   <translation>{path} hat das KBS {crs}, das nicht in Metern misst; in ein projiziertes KBS in Metern umrechnen.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
@@ -7088,10 +7040,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist keine SemRef-Referenzdatenbank; eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
   </message>
   <message>
-   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
-   <translation>{path} ist kein Datenbankverbund ({reason}); eine andere Datei wählen oder ihn mit „Datenbanken als eine verwenden“ neu erstellen.</translation>
-  </message>
-  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} ist kein ONNX-Modell, oder es ist beschädigt oder abgeschnitten; noch einmal kopieren oder exportieren.</translation>
   </message>
@@ -7132,20 +7080,12 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} fehlen {lacking} der {count} Tensoren des Encoders, etwa {name}.</translation>
   </message>
   <message>
+   <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
+   <translation>{path} nennt eine andere Datei für seine Übersichten ({name}), die SemRef nicht öffnet; {path}.aux.xml entfernen oder die Übersichten neu erstellen.</translation>
+  </message>
+  <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} nennt keines der Bilder, zum Beispiel {image}; die Spalte image enthält ihre Dateinamen.</translation>
-  </message>
-  <message>
-   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
-   <translation>{path} nennt die Datenbank {part}, die es nicht gibt; sie zurücklegen oder den Verbund mit „Datenbanken als eine verwenden“ neu erstellen.</translation>
-  </message>
-  <message>
-   <source>{path} names {part} twice; make the set anew with each database once.</source>
-   <translation>{path} nennt {part} zweimal; den Verbund mit jeder Datenbank nur einmal neu erstellen.</translation>
-  </message>
-  <message>
-   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
-   <translation>{path} nennt {part}, das selbst ein Datenbankverbund ist; den Verbund nur aus Datenbanken neu erstellen.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7176,6 +7116,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} verwendet ONNX-Operatoren der Version {found} (Opset), onnxruntime {version} kennt sie aber nur bis {known}; ein neueres onnxruntime installieren oder das Modell mit einem älteren Opset exportieren.</translation>
   </message>
   <message>
+   <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
+   <translation>{path} wurde nach der Aktualisierung geändert, zu der {before} gehört; sie kann daher nicht rückgängig gemacht werden. Um weiter zurückzugehen, {before} selbst öffnen.</translation>
+  </message>
+  <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
    <translation>{path} wurde inzwischen von einem anderen Programm geändert; versuchen Sie es noch einmal.</translation>
   </message>
@@ -7190,6 +7134,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seitdem geändert; holen Sie die Datei noch einmal von dort, wo sie exportiert wurde.</translation>
+  </message>
+  <message>
+   <source>{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), or was changed since.</source>
+   <translation>{path} wurde nicht mit dem Schlüssel dieses Flugs geschrieben (--require-signature, sonst das Geheimnis dieses Benutzers) oder seither geändert.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
@@ -7242,10 +7190,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} kann keine Umgebung anlegen ({reason}); unter Debian und Ubuntu python3-venv installieren, sonst ein anderes Python mit torch nennen.</translation>
-  </message>
-  <message>
-   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
-   <translation>{python} fehlt {package}; installieren Sie dort, was cluster/requirements.txt nennt, und GDAL, oder nehmen Sie ein anderes Python.</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>
@@ -7316,10 +7260,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{shown}; {needed}.</translation>
   </message>
   <message>
-   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
-   <translation>{source} beginnt {columns:.10g} Pixel neben {other} und {rows:.10g} darüber oder darunter; um als eine verwendet zu werden, müssen beide ganze Vielfache von {factor} Pixeln ({length:g} m) sein.</translation>
-  </message>
-  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} kennt die Klasse {missing} der Datenbank nicht, nur {names}; ein Modell nehmen, das mit den Klassen der Datenbank trainiert wurde.</translation>
   </message>
@@ -7340,10 +7280,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{source} hat eine Zeile mit mehr als {most} Zeichen, wie sie keine Klassentabelle hat; wählen Sie eine andere Datei.</translation>
   </message>
   <message>
-   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
-   <translation>{source} hat eine andere Klassentabelle als {other}; mit einer Klassentabelle erstellen, um sie als eine zu verwenden.</translation>
-  </message>
-  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} hat die Formatversion {version}, neuer als dieses SemRef liest ({known}); die Erweiterung aktualisieren.</translation>
   </message>
@@ -7358,10 +7294,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} hat keine Übersicht, mit der Flüge simuliert werden; legen Sie sie mit einer an.</translation>
-  </message>
-  <message>
-   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
-   <translation>{source} hat Pixel von {pixel_size:g} m und {other} von {known:g} m; Datenbanken, die als eine verwendet werden, haben dieselbe Pixelgröße.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7420,14 +7352,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{source} unterscheidet {channels} Klassen, in der Klassentabelle stehen aber {count} Klassennamen: {names}; die Namen nehmen, mit denen es trainiert wurde.</translation>
   </message>
   <message>
-   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
-   <translation>{source} wurde mit einem anderen Wert für „{setting}“ ({value}) erstellt als {other} ({known}); gleich erstellen, um sie als eine zu verwenden.</translation>
-  </message>
-  <message>
-   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
-   <translation>{source} wurde mit SemRef {plugin_version} erstellt, das keine Grenzen der Landmarken speicherte, und kann daher nicht mit anderen zusammen verwendet werden; einmal neu erstellen.</translation>
-  </message>
-  <message>
    <source>{source}, line {line}</source>
    <translation>{source}, Zeile {line}</translation>
   </message>
@@ -7454,10 +7378,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{value} landmarks in the image</source>
    <translation>{value} Landmarken im Bild</translation>
-  </message>
-  <message>
-   <source>{value} wrong</source>
-   <translation>{value} falsch</translation>
   </message>
   <message>
    <source>{version}, which was not tested</source>
@@ -7558,10 +7478,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>„{name}“ ist keine beurteilte Route: Sie hat keine Punkte, oder ihr fehlen die Spalten {missing}; geben Sie an, was „Route beurteilen“ geschrieben hat.</translation>
-  </message>
-  <message>
-   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
-   <translation>„{name}“ ist kein Verfahren; einige von {known} angeben, durch „;“ getrennt.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

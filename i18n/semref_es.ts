@@ -12,10 +12,6 @@
    <translation>--camera-yaw es {yaw:g}; debe ser un ángulo de 360 grados como máximo.</translation>
   </message>
   <message>
-   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
-   <translation>--extent es «{text}»; indique izquierda,abajo,derecha,arriba en unidades del mapa.</translation>
-  </message>
-  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin es {latitude:g} {longitude:g}; deben ser una latitud y una longitud en grados.</translation>
   </message>
@@ -32,6 +28,14 @@
    <translation>--risk es {risk:g}; debe ser una probabilidad de {least:g} a {most:g}.</translation>
   </message>
   <message>
+   <source>--state {path} is a file of another kind, which would be replaced; choose another name.</source>
+   <translation>--state {path} es un archivo de otro tipo, que se reemplazaría; elija otro nombre.</translation>
+  </message>
+  <message>
+   <source>--state {path} is not a regular file; choose another name.</source>
+   <translation>--state {path} no es un archivo normal; elija otro nombre.</translation>
+  </message>
+  <message>
    <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
    <translation>--sun es {sun:g}; debe ser una dirección de 0 a 360 grados.</translation>
   </message>
@@ -44,8 +48,8 @@
    <translation>1 objeto</translation>
   </message>
   <message>
-   <source>1 in {count}</source>
-   <translation>1 de cada {count}</translation>
+   <source>1 in {count:,.0f}</source>
+   <translation>1 de cada {count:,.0f}</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -80,8 +84,8 @@
    <translation>Un CSV con las columnas image, dx_m, dy_m y dheading_deg: cuánto se movió la cámara desde la fila anterior, hacia la derecha y hacia la parte superior de aquella imagen en metros, y cuánto giró en sentido horario en grados; opcionalmente sigma_m, sigma_heading_deg, scale y sigma_scale. Una fila sin números dice que el movimiento no se conoce. Prevalece sobre lo que dicen los píxeles.</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
-   <translation>Un GeoPackage creado con «Crear base de datos de referencia», o un conjunto de ellos creado con «Usar bases de datos como una».</translation>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -110,6 +114,10 @@
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>Una posición encontrada es correcta si su error no supera la distancia indicada en «Configuración»; la del vector topológico, que solo conoce ventanas, si nombra la ventana más cercana al centro de la imagen. Las falsas aceptaciones son imágenes reflejadas del mapa para las que se encontró una posición: nunca pueden ser correctas. CEP50 y CEP95: la mitad y el 95 % de las posiciones correctas tienen como mucho ese error. Rumbo y escala: errores medianos de las posiciones correctas.</translation>
+  </message>
+  <message>
+   <source>A folder of images can’t be used.</source>
+   <translation>No se puede usar una carpeta de imágenes.</translation>
   </message>
   <message>
    <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
@@ -164,10 +172,6 @@
    <translation>Una carpeta nueva o vacía; la de una exportación anterior se reemplaza.</translation>
   </message>
   <message>
-   <source>A new or empty folder; one that holds files is left alone.</source>
-   <translation>Una carpeta nueva o vacía; la que contiene archivos no se toca.</translation>
-  </message>
-  <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
    <translation>Una página con el IoU de cada clase, la matriz de confusión, las curvas y ejemplos lado a lado.</translation>
   </message>
@@ -206,10 +210,6 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Una astilla de {name} de {area:.2f} m² está junto a {other_name} (objeto espacial {id}).</translation>
-  </message>
-  <message>
-   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
-   <translation>Un archivo de texto con las rutas de las bases de datos desde su propia carpeta, para que todo pueda moverse junto.</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -292,8 +292,16 @@
    <translation>Todos los archivos (*)</translation>
   </message>
   <message>
+   <source>All kinds ({count})</source>
+   <translation>Todos los tipos ({count})</translation>
+  </message>
+  <message>
    <source>All places are done.</source>
    <translation>Todos los lugares están hechos.</translation>
+  </message>
+  <message>
+   <source>All polygons are</source>
+   <translation>Todos los polígonos son</translation>
   </message>
   <message>
    <source>All that the report shows, for scripts.</source>
@@ -398,6 +406,10 @@
   <message>
    <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
    <translation>Cualquier ráster con o sin georreferencia, o cualquier mapa de teselas. Rojo, verde y azul se reconocen por la interpretación de color o la longitud de onda; si no, son las tres primeras bandas; una sola banda se toma como gris. Las bandas de más de 8 bits se estiran del percentil 2 al 98.</translation>
+  </message>
+  <message>
+   <source>Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>Se aplica dentro de la extensión de los polígonos. Elíjalo si se dibujaron todas las áreas de las clases. SemRef siempre lo hace con una capa de una sola clase, como edificios.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -524,10 +536,6 @@ Todos los ajustes vienen de la base de datos. Lo que no cambió conserva su fila
    <translation>Crear bases de datos y mapas de etiquetas con muchos procesos o equipos</translation>
   </message>
   <message>
-   <source>Building the sample’s reference database</source>
-   <translation>Construyendo la base de datos de referencia del ejemplo</translation>
-  </message>
-  <message>
    <source>Burning landmarks</source>
    <translation>Rasterizando hitos</translation>
   </message>
@@ -566,10 +574,6 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>Según el método que dio la posición. Declaradas correctas: la confianza media, que debería ser la proporción de posiciones correctas; error de calibración: cuánto difieren ambas, décima a décima de la confianza. Elipses: posiciones correctas cuyo lugar verdadero está en la elipse declarada; las honestas contienen el 50, el 95 y el 99 %.</translation>
-  </message>
-  <message>
-   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
-   <translation>CLASS_FIELD está vacío; elija el campo que indica la clase de cada polígono.</translation>
   </message>
   <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
@@ -668,8 +672,8 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Comprobación de una anotación</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations, making the sample project</source>
-   <translation>Comprobar y reparar anotaciones, crear el proyecto de ejemplo</translation>
+   <source>Checking and repairing annotations</source>
+   <translation>Comprobar y reparar anotaciones</translation>
   </message>
   <message>
    <source>Checking torch…</source>
@@ -712,8 +716,16 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
    <translation>Elegir un modelo de segmentación</translation>
   </message>
   <message>
+   <source>Choose the annotation and its class field below, under “Update the database”.</source>
+   <translation>Elija abajo la anotación y su campo de clase, en «Actualizar la base de datos».</translation>
+  </message>
+  <message>
    <source>Choose the annotation that you mended</source>
    <translation>Elija la anotación que ha corregido</translation>
+  </message>
+  <message>
+   <source>Choose the class field of the polygons, or enter the one class that all of them are.</source>
+   <translation>Elija el campo de clase de los polígonos o escriba la única clase que todos tienen.</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -928,12 +940,8 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>DATABASES nombra {count}; elija dos o más para usarlas como una.</translation>
   </message>
   <message>
-   <source>Database set</source>
-   <translation>Conjunto de bases de datos</translation>
-  </message>
-  <message>
-   <source>Database sets (*.semrefset)</source>
-   <translation>Conjuntos de bases de datos (*.semrefset)</translation>
+   <source>Dask on this machine: keeps other users out of its processes</source>
+   <translation>Dask en este equipo: mantiene a otros usuarios fuera de sus procesos</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1168,10 +1176,6 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>EfficientNet-Lite0, que ya conoce fotos</translation>
   </message>
   <message>
-   <source>Else colors are taken for classes.</source>
-   <translation>Si no, los colores se toman por clases.</translation>
-  </message>
-  <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
    <translation>¿Vaciar el panel y olvidar todos los ajustes de SemRef? Los archivos, las capas y los paquetes instalados quedan como están.</translation>
   </message>
@@ -1192,6 +1196,14 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Épocas</translation>
   </message>
   <message>
+   <source>Epochs that fit on this computer: about {count}</source>
+   <translation>Épocas que caben en este equipo: unas {count}</translation>
+  </message>
+  <message>
+   <source>Epochs that fit: about {count}. Choose a longer time or a coarser resolution.</source>
+   <translation>Épocas que caben: unas {count}. Elija más tiempo o una resolución más gruesa.</translation>
+  </message>
+  <message>
    <source>Error</source>
    <translation>Error</translation>
   </message>
@@ -1210,6 +1222,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Error over 95 % radius</source>
    <translation>Error entre radio del 95 %</translation>
+  </message>
+  <message>
+   <source>Error probability</source>
+   <translation>Probabilidad de error</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -1384,8 +1400,8 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Nombre de archivo de la imagen</translation>
   </message>
   <message>
-   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
-   <translation>Nombre del archivo, estado, posición con su radio y de cuántas posiciones así una es errónea</translation>
+   <source>File name, status, error probability, and position with its 95 % radius</source>
+   <translation>Nombre del archivo, estado, probabilidad de error y posición con su radio del 95 %</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1492,10 +1508,6 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>Carpeta para las imágenes de etiquetas</translation>
   </message>
   <message>
-   <source>Folder for the sample</source>
-   <translation>Carpeta para el ejemplo</translation>
-  </message>
-  <message>
    <source>Folder for the tiles</source>
    <translation>Carpeta para las teselas</translation>
   </message>
@@ -1564,16 +1576,16 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>De polígonos de cobertura del suelo a una base de datos de referencia en una sola ejecución: «Rasterizar anotación» y después «Crear base de datos de referencia». Indique una tabla de clases o nombre las clases de referencia.</translation>
   </message>
   <message>
+   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>Desde el inicio hasta el modelo escrito, incluidas la lectura y la comprobación. Diez minutos son un comienzo; una hora es mejor. 0: sin límite.</translation>
+  </message>
+  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la izquierda el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
   </message>
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la derecha el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
-   <translation>GDAL de {python} se hizo para otro numpy que el {version} presente; instale aquel para el que se hizo, como indica docs/guide/cluster.md.</translation>
   </message>
   <message>
    <source>GPS elsewhere</source>
@@ -1590,10 +1602,6 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
   <message>
    <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
    <translation>GeoPackage creado por «Crear base de datos de referencia» o por este algoritmo.</translation>
-  </message>
-  <message>
-   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
-   <translation>Dos o más GeoPackages creados con «Crear base de datos de referencia». Se quedan donde están.</translation>
   </message>
   <message>
    <source>GeoTIFF</source>
@@ -1690,10 +1698,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Ground without a label</source>
    <translation>Terreno sin etiqueta</translation>
-  </message>
-  <message>
-   <source>Ground without a polygon is something else</source>
-   <translation>El terreno sin polígono es otra cosa</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1880,10 +1884,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>En vuelo</translation>
   </message>
   <message>
-   <source>In how many fixes as sure as this one is wrong</source>
-   <translation>De cuántas posiciones tan seguras como esta una es errónea</translation>
-  </message>
-  <message>
    <source>In the project</source>
    <translation>En el proyecto</translation>
   </message>
@@ -2060,10 +2060,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Hitos</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Los hitos coinciden con un lugar, pero las áreas de clases solo en {agreement:.2f} allí: en conjunto es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
-  </message>
-  <message>
    <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
    <translation>Los hitos coinciden con el mapa solo en un lado de la imagen: puede mostrar dos lugares.</translation>
   </message>
@@ -2092,6 +2088,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Hitos inventados (%)</translation>
   </message>
   <message>
+   <source>Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Los hitos coinciden con un lugar, pero las áreas de clases allí solo con {agreement:.2f}: probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
+  </message>
+  <message>
    <source>Landmarks misnamed (%)</source>
    <translation>Hitos mal nombrados (%)</translation>
   </message>
@@ -2106,10 +2106,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>Landmarks that agree</source>
    <translation>Hitos que concuerdan</translation>
-  </message>
-  <message>
-   <source>Landmarks that no database has whole</source>
-   <translation>Hitos que ninguna base de datos tiene enteros</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2216,6 +2212,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Muestra solo errores y advertencias: lo que hay que corregir</translation>
   </message>
   <message>
+   <source>Lists the places of one kind only</source>
+   <translation>Muestra solo los lugares de un tipo</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>Cargando el modelo</translation>
   </message>
@@ -2316,6 +2316,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Examinando vecinos de una misma clase</translation>
   </message>
   <message>
+   <source>Looking at the images</source>
+   <translation>Examinando las imágenes</translation>
+  </message>
+  <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Buscando el Python de QGIS…</translation>
   </message>
@@ -2388,10 +2392,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Crear hoja de ruta</translation>
   </message>
   <message>
-   <source>Make sample area</source>
-   <translation>Crear zona de ejemplo</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2400,28 +2400,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 Donde se superponen polígonos, queda encima la prioridad más alta; si no, el polígono más pequeño; si no, el valor de clase más bajo. Cada polígono conserva los atributos del objeto espacial que cubre su mayor parte. Reparar una capa reparada no cambia nada.</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
-
-The model that ships with SemRef can read these photos.</source>
-   <translation>Inventa un terreno de 4 × 3 km para probar SemRef: sus polígonos de cobertura del suelo (landcover.shp), su tabla de clases (classes.csv), una ortofoto, fotos tomadas en cualquier punto sobre él, con el lugar real de cada toma (photos.csv), y las fotos de un vuelo, con sus lugares y horas (flight.csv).
-
-El modelo que viene con SemRef sabe leer estas fotos.</translation>
-  </message>
-  <message>
    <source>Making an environment for training…</source>
    <translation>Creando un entorno para entrenar…</translation>
   </message>
   <message>
-   <source>Making the sample area</source>
-   <translation>Creando la zona de ejemplo</translation>
-  </message>
-  <message>
    <source>Making the sample project</source>
    <translation>Creando el proyecto de ejemplo</translation>
-  </message>
-  <message>
-   <source>Making up the landscape</source>
-   <translation>Inventando el paisaje</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2768,12 +2752,12 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Norte donde se ve</translation>
   </message>
   <message>
-   <source>Not good for</source>
-   <translation>No sirve para</translation>
+   <source>Not available, with the Python package that each needs: {devices}.</source>
+   <translation>No disponibles, con el paquete de Python que necesita cada uno: {devices}.</translation>
   </message>
   <message>
-   <source>Not there, with the Python package that brings it: {devices}.</source>
-   <translation>No están, con el paquete de Python que los trae: {devices}.</translation>
+   <source>Not good for</source>
+   <translation>No sirve para</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2834,10 +2818,6 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Number of landmarks</source>
    <translation>Número de hitos</translation>
-  </message>
-  <message>
-   <source>Number of photos</source>
-   <translation>Número de fotos</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -2972,6 +2952,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Un polígono por imagen con posición: el terreno que muestra.</translation>
   </message>
   <message>
+   <source>Only if all are of one class, such as “building”</source>
+   <translation>Solo si todos son de una clase, como «building»</translation>
+  </message>
+  <message>
    <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
    <translation>Solo se guarda el estado de un vuelo: añada --flight o quite --state.</translation>
   </message>
@@ -3034,6 +3018,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
   <message>
    <source>Other feature</source>
    <translation>Otro objeto</translation>
+  </message>
+  <message>
+   <source>Otherwise colors are taken for classes.</source>
+   <translation>De lo contrario, los colores se toman por clases.</translation>
   </message>
   <message>
    <source>Out of reach in time</source>
@@ -3124,6 +3112,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Píxeles con los que se entrenó</translation>
   </message>
   <message>
+   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>Píxeles con los que aprende la red, si no son los de la imagen: los edificios más pequeños deberían tener unos 14 píxeles de ancho. Con píxeles más gruesos se entrena más rápido.</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>Lugar anterior</translation>
   </message>
@@ -3144,8 +3136,8 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Los lugares se prueban con redes entrenadas sin ellos.</translation>
   </message>
   <message>
-   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
-   <translation>Aquí aparecen los lugares que hay que corregir: los encuentran «Comprobar anotación» y «Comparar mapas de etiquetas».</translation>
+   <source>Places to repair appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>Aquí aparecen los lugares que hay que reparar: los encuentran «Comprobar anotación» y «Comparar mapas de etiquetas».</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -3240,6 +3232,10 @@ El modelo que viene con SemRef sabe leer estas fotos.</translation>
    <translation>Probabilidades</translation>
   </message>
   <message>
+   <source>Probability that the position is wrong</source>
+   <translation>Probabilidad de que la posición sea errónea</translation>
+  </message>
+  <message>
    <source>Probability to be right</source>
    <translation>Probabilidad de ser correcta</translation>
   </message>
@@ -3320,12 +3316,16 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>ROUTE está fuera del mapa de la base de datos; elija otra ruta u otra base de datos.</translation>
   </message>
   <message>
+   <source>Radius (m)</source>
+   <translation>Radio (m)</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>Radio alrededor de ella (unidades del mapa)</translation>
   </message>
   <message>
-   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
-   <translation>Radio que contiene la posición verdadera en el 95 % de las posiciones encontradas, en metros</translation>
+   <source>Radius in meters that contains the true position in 95 % of fixes</source>
+   <translation>Radio en metros que contiene la posición verdadera en el 95 % de las posiciones encontradas</translation>
   </message>
   <message>
    <source>Ragged edges (map units)</source>
@@ -3348,16 +3348,16 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Rasterizar anotación</translation>
   </message>
   <message>
+   <source>Rasterize it again…</source>
+   <translation>Rasterizarlo de nuevo…</translation>
+  </message>
+  <message>
    <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
    <translation>Rasteriza la anotación sobre el mapa de la base de datos y la actualiza en su sitio; el archivo antiguo se conserva</translation>
   </message>
   <message>
    <source>Rasterizing the correction</source>
    <translation>Rasterizando la corrección</translation>
-  </message>
-  <message>
-   <source>Rasterizing the sample area</source>
-   <translation>Rasterizando la zona de ejemplo</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -3368,16 +3368,12 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Leyendo la base de datos</translation>
   </message>
   <message>
-   <source>Reading the databases</source>
-   <translation>Leyendo las bases de datos</translation>
+   <source>Reading the folder…</source>
+   <translation>Leyendo la carpeta…</translation>
   </message>
   <message>
    <source>Reading the label map</source>
    <translation>Leyendo el mapa de etiquetas</translation>
-  </message>
-  <message>
-   <source>Reading the times of images</source>
-   <translation>Leyendo las horas de las imágenes</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3412,12 +3408,8 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Base de datos de referencia: {name}</translation>
   </message>
   <message>
-   <source>Reference databases</source>
-   <translation>Bases de datos de referencia</translation>
-  </message>
-  <message>
-   <source>Reference databases (*.gpkg *.semrefset)</source>
-   <translation>Bases de datos de referencia (*.gpkg *.semrefset)</translation>
+   <source>Reference databases (*.gpkg)</source>
+   <translation>Bases de datos de referencia (*.gpkg)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -3452,12 +3444,24 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Eliminando resultados antiguos</translation>
   </message>
   <message>
-   <source>Rendering it as a photo</source>
-   <translation>Dibujándolo como foto</translation>
+   <source>Repair all</source>
+   <translation>Reparar todo</translation>
+  </message>
+  <message>
+   <source>Repair all ({count})…</source>
+   <translation>Reparar todo ({count})…</translation>
+  </message>
+  <message>
+   <source>Repair all…</source>
+   <translation>Reparar todo…</translation>
   </message>
   <message>
    <source>Repair annotation</source>
    <translation>Reparar anotación</translation>
+  </message>
+  <message>
+   <source>Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is edited, not saved: you can undo it.</source>
+   <translation>¿Reparar {count} lugares en «{layer}» ({kinds})? Los polígonos de una clase que se tocan se unen. La capa se edita, no se guarda: se puede deshacer.</translation>
   </message>
   <message>
    <source>Repaired annotation</source>
@@ -3466,6 +3470,22 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
    <translation>Geometría no válida reparada: {features}, {polygons} polígonos.</translation>
+  </message>
+  <message>
+   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left.</source>
+   <translation>«{layer}» reparada: {changed} polígonos modificados, {added} añadidos, {removed} eliminados. Guarde los cambios de la capa para conservarlos o deshágalos (Ctrl+Z). Compruebe de nuevo la anotación para ver lo que queda.</translation>
+  </message>
+  <message>
+   <source>Repairing the annotation</source>
+   <translation>Reparando la anotación</translation>
+  </message>
+  <message>
+   <source>Repairing: {percent} %</source>
+   <translation>Reparando: {percent} %</translation>
+  </message>
+  <message>
+   <source>Repairs in the annotation what “Repair annotation” can repair; it can be undone</source>
+   <translation>Repara en la anotación lo que «Reparar anotación» puede reparar; se puede deshacer</translation>
   </message>
   <message>
    <source>Report</source>
@@ -3672,8 +3692,16 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Correspondencias de SemRef</translation>
   </message>
   <message>
+   <source>SemRef needs Python packages that this QGIS does not have yet: {packages}.</source>
+   <translation>SemRef necesita paquetes de Python que este QGIS aún no tiene: {packages}.</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef necesita el paquete de Python {packages}. Instálelo en Configuración ▸ Opciones ▸ SemRef, o escribiendo {commands}.</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
+   <translation>SemRef necesita el paquete de Python {packages}. Instálelo en Configuración ▸ Opciones ▸ SemRef.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -4000,20 +4028,12 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Acierto con ruido</translation>
   </message>
   <message>
-   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
-   <translation>Ese terreno, hasta donde llegan los polígonos, pasa a ser la clase «other». Solo donde se dibujó todo lo que es de una clase. Con una sola clase, como edificios, la correlación de mapas lo necesita.</translation>
-  </message>
-  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>Tablas y gráficos en un solo archivo para leer e imprimir.</translation>
   </message>
   <message>
    <source>Take the database along: “Export for onboard use”, with this route as area.</source>
    <translation>Lleve la base de datos consigo: «Exportar para uso a bordo», con esta ruta como zona.</translation>
-  </message>
-  <message>
-   <source>Taking photos</source>
-   <translation>Tomando fotos</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -4024,8 +4044,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Versiones probadas</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon.</source>
-   <translation>Campo de texto o numérico que indica la clase de cada polígono.</translation>
+   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <translation>Campo de texto o número con la clase de cada polígono. No hace falta si todos son de una clase.</translation>
   </message>
   <message>
    <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
@@ -4044,20 +4064,20 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El área de CLIP está vacía o fuera del mapa de la base de datos; elija otra o, para líneas y puntos, una DISTANCE mayor que {distance:g}.</translation>
   </message>
   <message>
-   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>El mejor lugar (logaritmo de las probabilidades {log_odds:.1f}) es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
+   <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>La mejor coincidencia ({score:.2f}) no es significativamente mejor que el azar: probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>El mejor lugar ({score:.2f}) coincide demasiado poco mejor que la imagen reflejada por azar ({mirror:.2f}): es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
-  </message>
-  <message>
-   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>El mejor lugar coincide con la imagen solo en {score:.2f}: es erróneo con una probabilidad de {risk:.2g}; se permite como mucho {allowed:.2g}.</translation>
+   <source>The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>El mejor lugar (log odds {log_odds:.1f}) tiene una probabilidad de error de {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
   </message>
   <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>La clase peor hallada es {name} ({iou}): más de ella en el entrenamiento es lo que más ayuda.</translation>
+  </message>
+  <message>
+   <source>The class of every polygon, such as “building”. If you enter one, the class field is not used.</source>
+   <translation>La clase de todos los polígonos, como «building». Si la escribe, no se usa el campo de clase.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4124,10 +4144,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
   <message>
-   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
-   <translation>Las bases de datos están tan separadas que un mapa de todas tendría {width} × {height} píxeles; use juntas las que sean vecinas.</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Las desviaciones del movimiento de la imagen {first} a la imagen {second} se contradicen.</translation>
   </message>
@@ -4168,10 +4184,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La extensión para «{layer}» no se ajusta a su SRC {crs}; elija otra.</translation>
   </message>
   <message>
-   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
-   <translation>El campo «{name}» de {path} no se puede usar; una clase es un texto o un número, una prioridad un número.</translation>
-  </message>
-  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>El archivo no puede dar longitud ni latitud: el mapa es demasiado grande para ello o contiene un polo.</translation>
   </message>
@@ -4210,6 +4222,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>La carpeta {folder} no existe; créela o elija otro lugar para {name}.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} of --state {path} does not exist; create it or choose another one.</source>
+   <translation>La carpeta {folder} de --state {path} no existe; créela o elija otra.</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4296,8 +4312,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La imagen muestra {count} hitos enteros</translation>
   </message>
   <message>
-   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
-   <translation>Las imágenes o su carpeta, si ya no están donde se localizaron.</translation>
+   <source>The images or their folder. Needed where they are not in the folder of the positions.</source>
+   <translation>Las imágenes o su carpeta. Hacen falta si no están en la carpeta de las posiciones.</translation>
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
@@ -4318,10 +4334,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>El mapa de etiquetas no trae nombres de clases; sus clases se nombran por sus valores.</translation>
-  </message>
-  <message>
-   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
-   <translation>El mapa de etiquetas tiene una sola clase y la correlación de mapas necesita dos. Si se dibujó todo lo de esta clase, active «El terreno sin polígono es otra cosa»: se encontrarán más imágenes.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
@@ -4356,6 +4368,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija píxeles más grandes o una extensión menor.</translation>
   </message>
   <message>
+   <source>The label map “{layer}” is older than the database now.</source>
+   <translation>El mapa de etiquetas «{layer}» es ahora más antiguo que la base de datos.</translation>
+  </message>
+  <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
    <translation>No se pueden llevar las etiquetas a la imagen: {reason}.</translation>
   </message>
@@ -4384,16 +4400,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Los hitos de todo el mapa: centro de gravedad, clase y área de cada región de sus clases.</translation>
   </message>
   <message>
-   <source>The landscape can’t be rasterized: {reason}.</source>
-   <translation>No se puede rasterizar el paisaje: {reason}.</translation>
-  </message>
-  <message>
    <source>The largest of each kind</source>
    <translation>Los mayores de cada tipo</translation>
   </message>
   <message>
-   <source>The layer {layer} can’t be created: {reason}.</source>
-   <translation>No se puede crear la capa {layer}: {reason}.</translation>
+   <source>The layer has a single class: ground without a polygon becomes class “other”.</source>
+   <translation>La capa tiene una sola clase: el terreno sin polígono pasa a la clase «other».</translation>
+  </message>
+  <message>
+   <source>The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.</source>
+   <translation>La capa {layer} no se puede editar; guárdela como GeoPackage y elíjalo como anotación.</translation>
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
@@ -4420,8 +4436,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La pérdida ya no es un número; entrene con una tasa de aprendizaje menor.</translation>
   </message>
   <message>
-   <source>The map has fewer than two classes, so that no place differs from another.</source>
-   <translation>El mapa tiene menos de dos clases, así que ningún lugar se distingue de otro.</translation>
+   <source>The map has one class everywhere, so that no place differs from another.</source>
+   <translation>El mapa tiene una sola clase en todas partes, de modo que ningún lugar se distingue de otro.</translation>
   </message>
   <message>
    <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
@@ -4452,6 +4468,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Los mapas no comparten nombres de clases: las clases se emparejan por sus valores.</translation>
   </message>
   <message>
+   <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>La coincidencia ({score:.2f}) no es significativamente mejor que la de la imagen reflejada ({mirror:.2f}): probabilidad de error {risk:.2g}; se permite {allowed:.2g} como máximo.</translation>
+  </message>
+  <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
    <translation>El área mínima es de {minimum_area:g} m²; debe ser mayor que 0.</translation>
   </message>
@@ -4480,6 +4500,14 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La red amplía con las esquinas alineadas: lo que queda fuera del centro de una tesela se muestra hasta algunos píxeles más lejos, y las fotos se toman por hasta un 1 % más grandes de lo que son.</translation>
   </message>
   <message>
+   <source>The network found {count} landmark ({classes})</source>
+   <translation>La red encontró {count} hito ({classes})</translation>
+  </message>
+  <message>
+   <source>The network found {count} landmarks ({classes})</source>
+   <translation>La red encontró {count} hitos ({classes})</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>La red considera que sus etiquetas son correctas con un {percent:.0f} % de media. Donde eso es mucho menos que en el terreno con el que se entrenó, no conoce este terreno; un número alto no prueba que lo conozca.</translation>
   </message>
@@ -4490,6 +4518,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>La red que hace etiquetas a partir de fotos; déjelo vacío para imágenes de etiquetas</translation>
+  </message>
+  <message>
+   <source>The network was trained on: {places}.</source>
+   <translation>La red se entrenó con: {places}.</translation>
   </message>
   <message>
    <source>The objects that agree with the map don't fix the position closely enough.</source>
@@ -4544,6 +4576,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
   </message>
   <message>
+   <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
+   <translation>Las posiciones nombran {path}, que no está en su propia carpeta; elija la imagen o su carpeta en Imágenes.</translation>
+  </message>
+  <message>
    <source>The precision is {precision:g}; it must be more than 0 map units.</source>
    <translation>La precisión es {precision:g}; debe ser mayor que 0 unidades del mapa.</translation>
   </message>
@@ -4592,8 +4628,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El resultado de «Comprobar anotación» o «Comparar mapas de etiquetas»</translation>
   </message>
   <message>
-   <source>The result would replace {path}; choose another name.</source>
-   <translation>El resultado reemplazaría {path}; elija otro nombre.</translation>
+   <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
+   <translation>Los resultados nombran una imagen que no está en su carpeta. Añádala, o su carpeta, a la lista de imágenes.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4602,10 +4638,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
    <translation>La ejecución en {folder} tenía otros valores de {settings}; indique los mismos o empiece de nuevo.</translation>
-  </message>
-  <message>
-   <source>The same number gives the same area; another one makes up another.</source>
-   <translation>El mismo número da la misma zona; otro inventa otra.</translation>
   </message>
   <message>
    <source>The same windows, turned about their centers.</source>
@@ -4648,6 +4680,18 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La imagen seleccionada; más, menos y 0 cambian el zoom</translation>
   </message>
   <message>
+   <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
+   <translation>El servidor de «{layer}» respondió con más de {most_mb} MB para una tesela; SemRef dejó de leerla.</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.</source>
+   <translation>El servidor de «{layer}» redirige a {address}; SemRef lee teselas solo por http y https.</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer.</source>
+   <translation>El servidor de «{layer}» tardó más de {most_s} s en una parte; inténtelo más tarde o elija otra capa.</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>La forma no es la de {source}, así que la imagen se toma tal cual.</translation>
   </message>
@@ -4666,10 +4710,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>El paso ({stride} px) es mayor que la ventana ({size} px), así que faltaría terreno entre las ventanas; elija un paso no mayor que el tamaño de ventana.</translation>
-  </message>
-  <message>
-   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
-   <translation>El paso {stride:g} es mayor que el tamaño de ventana {size:g}; elija uno menor.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -4764,12 +4804,16 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ningún hito que exportar; elija otra base de datos o un área mayor.</translation>
   </message>
   <message>
+   <source>There is no private folder for the secret that --state is authenticated with; set up a home folder for this user, or add --require-signature.</source>
+   <translation>No hay carpeta privada para el secreto con que se autentica --state; cree una carpeta personal para este usuario o añada --require-signature.</translation>
+  </message>
+  <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>En {folder} no hay ninguna ejecución que continuar.</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
-   <translation>No hay ningún planificador en {address} ({reason}); inicie uno o haga iniciar procesos en este equipo: --local 4, en QGIS local:4.</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
+   <translation>No hay ningún planificador en {address} ({reason}); inicie uno o haga que se inicien procesos en este equipo: local:4.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -4778,6 +4822,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>These images are one flight</source>
    <translation>Estas imágenes son un vuelo</translation>
+  </message>
+  <message>
+   <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
+   <translation>Esta copia de SemRef no tiene zona de ejemplo. Instale SemRef desde su archivo zip.</translation>
   </message>
   <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
@@ -4814,10 +4862,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Title</source>
    <translation>Título</translation>
-  </message>
-  <message>
-   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
-   <translation>Para aprender con otros píxeles que los de la imagen: los de las fotos que se van a localizar.</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -4884,10 +4928,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Entrenamiento</translation>
   </message>
   <message>
-   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>El entrenamiento termina en este tiempo; diez minutos son un comienzo, una hora da mejor resultado. 0: sin límite.</translation>
-  </message>
-  <message>
    <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
    <translation>El entrenamiento necesita un Python propio con torch: haga que SemRef cree uno en Configuración ▸ Opciones ▸ SemRef (unos 1,5 GB, más con soporte de tarjetas gráficas) o indique uno en PYTHON.</translation>
   </message>
@@ -4910,6 +4950,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
    <translation>Entrena una red de segmentación con una ortofoto y una anotación o un mapa de etiquetas del mismo terreno y la entrega como modelo (ONNX) para «Segmentar imagen» y «Localizar imágenes», con un informe.
 
 Se reserva terreno para decir lo buena que es la red. El entrenamiento se ejecuta en un Python propio con torch: SemRef crea uno en Configuración ▸ Opciones ▸ SemRef, o usted indica uno. Una ejecución cancelada se puede continuar: ejecútela otra vez con la misma salida.</translation>
+  </message>
+  <message>
+   <source>Treat ground without a polygon as class “other”</source>
+   <translation>Tratar el terreno sin polígono como clase «other»</translation>
   </message>
   <message>
    <source>Trial</source>
@@ -4980,8 +5024,8 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
 Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabrik y todo lo que tenga una columna por etiqueta o una columna de etiquetas. Qué etiqueta significa qué clase está en una tabla de reglas que puede sustituir por la suya.</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
-   <translation>Dos lugares coinciden casi igual de bien ({score:.2f} y {runner_up:.2f}): el mejor es erróneo con una probabilidad de {risk:.2g}; una posición aproximada podría distinguirlos.</translation>
+   <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
+   <translation>Dos lugares coinciden casi igual de bien ({score:.2f} y {runner_up:.2f}): probabilidad de error {risk:.2g} para el mejor. Indique una posición previa para elegir entre ellos.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -5000,8 +5044,8 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Deshaciendo la actualización</translation>
   </message>
   <message>
-   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
-   <translation>El terreno desconocido queda fuera del entrenamiento. Elija «otra cosa» solo donde se dibujó todo lo que es de una clase; la extensión aparta entonces el terreno donde no se dibujó nada.</translation>
+   <source>Unknown ground is left out of training. Choose class “other” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>El terreno desconocido no se usa en el entrenamiento. Elija la clase «other» solo si se dibujó todo lo de cada clase; la extensión excluye entonces el terreno donde no se dibujó nada. SemRef siempre lo hace con una capa de una sola clase, como edificios.</translation>
   </message>
   <message>
    <source>Unreadable</source>
@@ -5026,10 +5070,6 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
   <message>
    <source>Updating the database</source>
    <translation>Actualizando la base de datos</translation>
-  </message>
-  <message>
-   <source>Use databases as one</source>
-   <translation>Usar bases de datos como una</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5312,14 +5352,6 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
   </message>
   <message>
-   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
-
-The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
-   <translation>Escribe un pequeño archivo de texto que nombra varias bases de datos de referencia, por hoja o por fecha. Donde se lee una base de datos puede darse este archivo, y todas se usan como una; al actualizar una hoja solo cambia su archivo.
-
-Las bases de datos deben estar creadas por igual: en un SRC, con un tamaño de píxel, tabla de clases, tamaño de ventana, paso y área mínima, a partir de mapas cuyas esquinas estén separadas por píxeles enteros de la vista general. Donde dos muestran el mismo terreno, cuenta la creada o actualizada en último lugar. Las hojas deberían solaparse más de lo que miden sus hitos: lo que ninguna hoja tiene entero no forma parte de ninguna constelación.</translation>
-  </message>
-  <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
 
 Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
@@ -5332,44 +5364,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>Escribiendo y comprobando el modelo</translation>
   </message>
   <message>
-   <source>Writing the annotation</source>
-   <translation>Escribiendo la anotación</translation>
-  </message>
-  <message>
    <source>Writing the database</source>
    <translation>Escribiendo la base de datos</translation>
-  </message>
-  <message>
-   <source>Writing the orthophoto</source>
-   <translation>Escribiendo la ortofoto</translation>
   </message>
   <message>
    <source>Writing tiles</source>
    <translation>Escribiendo teselas</translation>
   </message>
   <message>
-   <source>Wrong</source>
-   <translation>Errónea</translation>
-  </message>
-  <message>
    <source>Wrong fixes (share)</source>
    <translation>Posiciones erróneas (proporción)</translation>
   </message>
   <message>
-   <source>Wrong once in</source>
-   <translation>Errónea una vez de cada</translation>
-  </message>
-  <message>
    <source>Zoom to hit</source>
    <translation>Zum al lugar</translation>
-  </message>
-  <message>
-   <source>a CRS that does not measure in meters ({crs})</source>
-   <translation>un SRC que no mide en metros ({crs})</translation>
-  </message>
-  <message>
-   <source>a style that may tell classes, and no class table is given</source>
-   <translation>un estilo que puede indicar clases, y no se da ninguna tabla de clases</translation>
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5442,6 +5450,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>background</source>
    <translation>fondo</translation>
+  </message>
+  <message>
+   <source>below 1 in {count:,.0f}</source>
+   <translation>menos de 1 de cada {count:,.0f}</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -5532,6 +5544,18 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>error</translation>
   </message>
   <message>
+   <source>error probability</source>
+   <translation>probabilidad de error</translation>
+  </message>
+  <message>
+   <source>error probability {value}</source>
+   <translation>probabilidad de error {value}</translation>
+  </message>
+  <message>
+   <source>error {probability}</source>
+   <translation>error {probability}</translation>
+  </message>
+  <message>
    <source>error, m</source>
    <translation>error, m</translation>
   </message>
@@ -5582,10 +5606,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>gap between neighbors</source>
    <translation>hueco entre vecinos</translation>
-  </message>
-  <message>
-   <source>geometry of the kind {kind}</source>
-   <translation>geometría del tipo {kind}</translation>
   </message>
   <message>
    <source>good</source>
@@ -5688,8 +5708,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>inventados</translation>
   </message>
   <message>
-   <source>is something else</source>
-   <translation>es otra cosa</translation>
+   <source>is class “other”</source>
+   <translation>es clase «other»</translation>
   </message>
   <message>
    <source>is unknown</source>
@@ -5768,10 +5788,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>distorsión corregida hasta un {value:.1f} % del ancho</translation>
   </message>
   <message>
-   <source>levels</source>
-   <translation>niveles</translation>
-  </message>
-  <message>
    <source>localizable</source>
    <translation>localizable</translation>
   </message>
@@ -5830,10 +5846,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>merged by pixels</source>
    <translation>unido por píxeles</translation>
-  </message>
-  <message>
-   <source>minimum area</source>
-   <translation>área mínima</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5902,10 +5914,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>nowhere</source>
    <translation>en ningún sitio</translation>
-  </message>
-  <message>
-   <source>number of landmarks a vector</source>
-   <translation>número de hitos por vector</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5992,10 +6000,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>tamaño de píxel {value:.3g} m</translation>
   </message>
   <message>
-   <source>polygons that are invalid, such as that of feature {fid}</source>
-   <translation>polígonos no válidos, como el del objeto {fid}</translation>
-  </message>
-  <message>
    <source>poor</source>
    <translation>mala</translation>
   </message>
@@ -6006,10 +6010,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>reason</source>
    <translation>motivo</translation>
-  </message>
-  <message>
-   <source>reduction of the overview</source>
-   <translation>reducción de la vista general</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -6110,10 +6110,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>stopped: the time was over</source>
    <translation>detenido: se acabó el tiempo</translation>
-  </message>
-  <message>
-   <source>stride</source>
-   <translation>paso</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6220,10 +6216,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>qué se espera</translation>
   </message>
   <message>
-   <source>window size</source>
-   <translation>tamaño de ventana</translation>
-  </message>
-  <message>
    <source>window {value}</source>
    <translation>ventana {value}</translation>
   </message>
@@ -6248,14 +6240,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>posiciones erróneas simuladas</translation>
   </message>
   <message>
-   <source>wrong once in</source>
-   <translation>errónea una vez de cada</translation>
-  </message>
-  <message>
-   <source>wrong once in {value:,.0f}</source>
-   <translation>errónea una vez en {value:,.0f}</translation>
-  </message>
-  <message>
    <source>x</source>
    <translation>x</translation>
   </message>
@@ -6278,6 +6262,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>{area:.2f} m² que dos reclamaban pertenecen a {name} (objeto espacial {id}), ya no al objeto espacial {other}.</translation>
+  </message>
+  <message>
+   <source>{area} m²</source>
+   <translation>{area} m²</translation>
   </message>
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
@@ -6308,10 +6296,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{count} imágenes para localizar.</translation>
   </message>
   <message>
-   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
-   <translation>{count} hitos continúan más allá del borde de su base de datos y no están enteros en ninguna, así que ninguna constelación los tiene; solape más las hojas donde sean demasiados.</translation>
-  </message>
-  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} hitos en el cuadrado centrado de {size} píxeles.</translation>
   </message>
@@ -6326,10 +6310,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{count} other places fit almost as well as the best one.</source>
    <translation>{count} lugares más encajan casi tan bien como el mejor.</translation>
-  </message>
-  <message>
-   <source>{count} photos in {folder}</source>
-   <translation>{count} fotos en {folder}</translation>
   </message>
   <message>
    <source>{count} pixels compared</source>
@@ -6354,10 +6334,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} no mide en metros; elija un SRC proyectado en metros como TARGET_CRS.</translation>
-  </message>
-  <message>
-   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
-   <translation>{databases} bases de datos tienen juntas {landmarks} hitos y {windows} ventanas.</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6400,12 +6376,20 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{device}, {rate:.3g} teselas por segundo.</translation>
   </message>
   <message>
+   <source>{first} {second}</source>
+   <translation>{first} {second}</translation>
+  </message>
+  <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Posición encontrada para {fixes} de {images} imágenes.</translation>
   </message>
   <message>
    <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
    <translation>{flights} vuelos simulados a lo largo de cada ruta, con una imagen cada {distance:.0f} m, según se sabe en vuelo. La primera posición cuenta donde {threshold} de los vuelos tenían la suya; los radios son medianas de los vuelos que tienen una posición.</translation>
+  </message>
+  <message>
+   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
+   <translation>{folder} no puede guardar lo entrenado ({reason}); libere espacio en el disco y reinicie el entrenamiento: continúa tras la última época guardada.</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6636,18 +6620,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{number} objetos</translation>
   </message>
   <message>
-   <source>{odds} wrong</source>
-   <translation>{odds} errónea</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give numbers separated by “;”.</source>
-   <translation>{option} es «{text}»; indique números separados por «;».</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
-   <translation>{option} es «{text}»; indique el valor menor y el mayor, por ejemplo 0,20.</translation>
-  </message>
-  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
   </message>
@@ -6668,10 +6640,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{own} por posición propia, {flight} por el vuelo</translation>
   </message>
   <message>
-   <source>{packages} is missing; without it nothing can be localized.</source>
-   <translation>Falta {packages}; sin él no se puede localizar nada.</translation>
-  </message>
-  <message>
    <source>{packages} is missing; without it the model can’t make labels of photos.</source>
    <translation>Falta {packages}; sin él, el modelo no puede etiquetar las fotos.</translation>
   </message>
@@ -6688,10 +6656,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{pairs} pares de vecinas: {pixels} vistos en sus píxeles, {table} indicados por la tabla, {log} por el registro, {none} desconocidos.</translation>
   </message>
   <message>
-   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
-   <translation>{part} está en {crs} y {other} en {other_crs}; las bases de datos que se usan como una tienen el mismo SRC.</translation>
-  </message>
-  <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
    <translation>{path} responde de otro modo que la red de la que se hizo, por {difference:.2g} en un logit.</translation>
   </message>
@@ -6706,10 +6670,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} can't be read as a route ({reason}).</source>
    <translation>{path} no se puede leer como ruta ({reason}).</translation>
-  </message>
-  <message>
-   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
-   <translation>{path} no se puede leer como polígonos ({reason}); elija otro archivo.</translation>
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
@@ -6800,14 +6760,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no tiene sistema de referencia de coordenadas; asigne uno métrico a la capa.</translation>
   </message>
   <message>
-   <source>{path} has no coordinate reference system; give it a metric one.</source>
-   <translation>{path} no tiene sistema de referencia de coordenadas; asígnele uno métrico.</translation>
-  </message>
-  <message>
-   <source>{path} has no field “{name}”; its fields are {names}.</source>
-   <translation>{path} no tiene el campo «{name}»; sus campos son {names}.</translation>
-  </message>
-  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} no tiene fotogramas que puedan leerse.</translation>
   </message>
@@ -6848,10 +6800,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} tiene píxeles de {pixel_x:g} × {pixel_y:g}; remuestréelo antes a píxeles cuadrados.</translation>
   </message>
   <message>
-   <source>{path} has the layers {layers}; name one of them.</source>
-   <translation>{path} tiene las capas {layers}; indique una de ellas.</translation>
-  </message>
-  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} tiene el valor {found}; un mapa de etiquetas contiene valores de clase de 0 a 255.</translation>
   </message>
@@ -6890,10 +6838,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} tiene {size} píxeles, la imagen {image_size}, y no ambas están georreferenciadas; dé a ambas un lugar en el terreno, o etiquetas del tamaño de la imagen.</translation>
-  </message>
-  <message>
-   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
-   <translation>{path} tiene {what}, que solo QGIS trata como es debido; rasterícelo allí, con SCHEDULER si es grande.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
@@ -6956,16 +6900,28 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} es un TIFF con paleta de {bits} bits por píxel; guárdelo con 8 o como PNG.</translation>
   </message>
   <message>
-   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
-   <translation>{path} es un conjunto de bases de datos, que solo se lee; dé la base de datos de él que se quiere, por ejemplo la hoja corregida.</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
   </message>
   <message>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
+   <translation>{path} ya se está entrenando; espere a ese entrenamiento, cancélelo o elija otro OUTPUT.</translation>
+  </message>
+  <message>
    <source>{path} is being written by another program; try again.</source>
    <translation>Otro programa está escribiendo en {path}; inténtelo de nuevo.</translation>
+  </message>
+  <message>
+   <source>{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; remove it.</source>
+   <translation>{path} está junto a {raster}, pero no contiene píxeles ni metadatos propios, de modo que GDAL abriría otros archivos; elimínelo.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
+   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; inícielo de nuevo sin la ejecución anterior.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; desactive RESUME para iniciarlo de nuevo.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -6998,10 +6954,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} está en {crs}, que no mide en metros; rasterice o reproyecte a un SRC proyectado en metros.</translation>
-  </message>
-  <message>
-   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
-   <translation>{path} está en {crs}, que no mide en metros; reproyecte a un SRC proyectado en metros.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
@@ -7088,10 +7040,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no es una base de datos de referencia de SemRef; elija una creada con «Crear base de datos de referencia».</translation>
   </message>
   <message>
-   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
-   <translation>{path} no es un conjunto de bases de datos ({reason}); elija otro archivo o vuelva a crearlo con «Usar bases de datos como una».</translation>
-  </message>
-  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} no es un modelo ONNX, o está dañado o cortado; cópielo o expórtelo de nuevo.</translation>
   </message>
@@ -7132,20 +7080,12 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>A {path} le faltan {lacking} de los {count} tensores del codificador, como {name}.</translation>
   </message>
   <message>
+   <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
+   <translation>{path} nombra otro archivo para sus vistas generales ({name}), que SemRef no abre; elimine {path}.aux.xml o cree de nuevo las vistas generales.</translation>
+  </message>
+  <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} no nombra ninguna de las imágenes, por ejemplo {image}; su columna image contiene sus nombres de archivo.</translation>
-  </message>
-  <message>
-   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
-   <translation>{path} nombra la base de datos {part}, que no existe; vuelva a ponerla o cree de nuevo el conjunto con «Usar bases de datos como una».</translation>
-  </message>
-  <message>
-   <source>{path} names {part} twice; make the set anew with each database once.</source>
-   <translation>{path} nombra {part} dos veces; cree de nuevo el conjunto con cada base de datos una sola vez.</translation>
-  </message>
-  <message>
-   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
-   <translation>{path} nombra {part}, que es a su vez un conjunto de bases de datos; cree de nuevo el conjunto solo con bases de datos.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7176,6 +7116,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} usa operadores ONNX de la versión {found} (opset), pero onnxruntime {version} solo los conoce hasta {known}; instale un onnxruntime más nuevo o exporte el modelo con un opset anterior.</translation>
   </message>
   <message>
+   <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
+   <translation>{path} se modificó después de la actualización a la que pertenece {before}, así que no se puede deshacer. Para retroceder más, abra {before} directamente.</translation>
+  </message>
+  <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
    <translation>Otro programa cambió {path} entretanto; inténtelo de nuevo.</translation>
   </message>
@@ -7190,6 +7134,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
+  </message>
+  <message>
+   <source>{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), or was changed since.</source>
+   <translation>{path} no se escribió con la clave de este vuelo (--require-signature; si no, el secreto de este usuario) o se modificó después.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
@@ -7242,10 +7190,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} no puede crear un entorno ({reason}); en Debian y Ubuntu instale python3-venv, en otros sistemas indique otro Python con torch.</translation>
-  </message>
-  <message>
-   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
-   <translation>A {python} le falta {package}; instale allí lo que nombra cluster/requirements.txt y GDAL, o use otro Python.</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>
@@ -7316,10 +7260,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{shown}; {needed}.</translation>
   </message>
   <message>
-   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
-   <translation>{source} empieza {columns:.10g} píxeles al lado de {other} y {rows:.10g} arriba o abajo; para usarse como una, ambos deben ser múltiplos enteros de {factor} píxeles ({length:g} m).</translation>
-  </message>
-  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} no conoce la clase {missing} de la base de datos, solo {names}; tome un modelo entrenado con las clases de la base de datos.</translation>
   </message>
@@ -7340,10 +7280,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{source} tiene una línea de más de {most} caracteres, que ninguna tabla de clases tiene; elija otro archivo.</translation>
   </message>
   <message>
-   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
-   <translation>{source} tiene otra tabla de clases que {other}; créelas con una misma tabla para usarlas como una.</translation>
-  </message>
-  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} tiene la versión de formato {version}, más nueva que la que lee este SemRef ({known}); actualice el complemento.</translation>
   </message>
@@ -7358,10 +7294,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} no tiene vista general, con la que se simulan los vuelos; constrúyala con una.</translation>
-  </message>
-  <message>
-   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
-   <translation>{source} tiene píxeles de {pixel_size:g} m y {other} de {known:g} m; las bases de datos que se usan como una tienen el mismo tamaño de píxel.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7420,14 +7352,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en la tabla de clases: {names}; tome los nombres con los que se entrenó.</translation>
   </message>
   <message>
-   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
-   <translation>{source} se creó con otro valor de «{setting}» ({value}) que {other} ({known}); créelas por igual para usarlas como una.</translation>
-  </message>
-  <message>
-   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
-   <translation>{source} se creó con SemRef {plugin_version}, que no guardaba límites de hitos, así que no puede usarse junto con otras; vuelva a crearla una vez.</translation>
-  </message>
-  <message>
    <source>{source}, line {line}</source>
    <translation>{source}, línea {line}</translation>
   </message>
@@ -7454,10 +7378,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{value} landmarks in the image</source>
    <translation>{value} hitos en la imagen</translation>
-  </message>
-  <message>
-   <source>{value} wrong</source>
-   <translation>{value} errónea</translation>
   </message>
   <message>
    <source>{version}, which was not tested</source>
@@ -7558,10 +7478,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>«{name}» no es una ruta evaluada: no tiene puntos o le faltan las columnas {missing}; indique lo que escribió «Evaluar ruta».</translation>
-  </message>
-  <message>
-   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
-   <translation>«{name}» no es ningún método; indique algunos de {known}, separados por «;».</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -12,10 +12,6 @@
    <translation>--camera-yaw vaut {yaw:g} ; ce doit être un angle d’au plus 360 degrés.</translation>
   </message>
   <message>
-   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
-   <translation>--extent vaut « {text} » ; indiquez gauche,bas,droite,haut en unités de la carte.</translation>
-  </message>
-  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin vaut {latitude:g} {longitude:g} ; il faut une latitude et une longitude en degrés.</translation>
   </message>
@@ -32,6 +28,14 @@
    <translation>--risk vaut {risk:g} ; ce doit être une probabilité de {least:g} à {most:g}.</translation>
   </message>
   <message>
+   <source>--state {path} is a file of another kind, which would be replaced; choose another name.</source>
+   <translation>--state {path} est un fichier d’un autre type, qui serait remplacé ; choisissez un autre nom.</translation>
+  </message>
+  <message>
+   <source>--state {path} is not a regular file; choose another name.</source>
+   <translation>--state {path} n’est pas un fichier ordinaire ; choisissez un autre nom.</translation>
+  </message>
+  <message>
    <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
    <translation>--sun vaut {sun:g} ; ce doit être une direction de 0 à 360 degrés.</translation>
   </message>
@@ -44,8 +48,8 @@
    <translation>1 entité</translation>
   </message>
   <message>
-   <source>1 in {count}</source>
-   <translation>1 sur {count}</translation>
+   <source>1 in {count:,.0f}</source>
+   <translation>1 sur {count:,.0f}</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -80,8 +84,8 @@
    <translation>Un CSV avec les colonnes image, dx_m, dy_m et dheading_deg : de combien la caméra s’est déplacée depuis la ligne précédente, vers la droite et vers le haut de cette image-là en mètres, et de combien elle a tourné dans le sens horaire en degrés ; en option sigma_m, sigma_heading_deg, scale et sigma_scale. Une ligne sans nombres dit que le mouvement n’est pas connu. Il l’emporte sur ce que disent les pixels.</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
-   <translation>Un GeoPackage créé par « Créer une base de données de référence », ou un jeu créé par « Utiliser des bases de données comme une seule ».</translation>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>Un GeoPackage fait par « Créer une base de données de référence ».</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -110,6 +114,10 @@
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>Une position trouvée est correcte si son écart ne dépasse pas la distance indiquée sous « Paramètres » ; celle du vecteur topologique, qui ne connaît que des fenêtres, si elle nomme la fenêtre la plus proche du centre de l’image. Les fausses acceptations sont des images en miroir de la carte pour lesquelles une position a été trouvée : elles ne peuvent jamais être correctes. CEP50 et CEP95 : la moitié et 95 % des positions correctes ont au plus cet écart. Cap et échelle : erreurs médianes des positions correctes.</translation>
+  </message>
+  <message>
+   <source>A folder of images can’t be used.</source>
+   <translation>Un dossier d’images ne peut pas être utilisé.</translation>
   </message>
   <message>
    <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
@@ -164,10 +172,6 @@
    <translation>Un dossier nouveau ou vide ; celui d’une exportation précédente est remplacé.</translation>
   </message>
   <message>
-   <source>A new or empty folder; one that holds files is left alone.</source>
-   <translation>Un dossier nouveau ou vide ; celui qui contient des fichiers n’est pas touché.</translation>
-  </message>
-  <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
    <translation>Une page avec l’IoU de chaque classe, la matrice de confusion, les courbes et des exemples côte à côte.</translation>
   </message>
@@ -206,10 +210,6 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>Un polygone parasite de {name} de {area:.2f} m² se trouve à côté de {other_name} (entité {id}).</translation>
-  </message>
-  <message>
-   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
-   <translation>Un fichier texte avec les chemins des bases de données à partir de son propre dossier, pour que le tout puisse être déplacé ensemble.</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -292,8 +292,16 @@
    <translation>Tous les fichiers (*)</translation>
   </message>
   <message>
+   <source>All kinds ({count})</source>
+   <translation>Tous les types ({count})</translation>
+  </message>
+  <message>
    <source>All places are done.</source>
    <translation>Tous les endroits sont traités.</translation>
+  </message>
+  <message>
+   <source>All polygons are</source>
+   <translation>Tous les polygones sont</translation>
   </message>
   <message>
    <source>All that the report shows, for scripts.</source>
@@ -398,6 +406,10 @@
   <message>
    <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
    <translation>N’importe quel raster avec ou sans géoréférence, ou n’importe quelle carte tuilée. Le rouge, le vert et le bleu sont reconnus par l’interprétation des couleurs ou la longueur d’onde, sinon ce sont les trois premières bandes ; une bande unique est prise comme gris. Les bandes de plus de 8 bits sont étirées du 2e au 98e centile.</translation>
+  </message>
+  <message>
+   <source>Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>S’applique dans l’étendue des polygones. À choisir si toutes les surfaces des classes ont été dessinées. SemRef le fait toujours pour une couche à une seule classe, comme des bâtiments.</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -524,10 +536,6 @@ Tous les réglages viennent de la base de données. Ce qui n’a pas changé gar
    <translation>Créer bases de données et cartes d’étiquettes avec de nombreux processus ou machines</translation>
   </message>
   <message>
-   <source>Building the sample’s reference database</source>
-   <translation>Création de la base de données de référence de l’exemple</translation>
-  </message>
-  <message>
    <source>Burning landmarks</source>
    <translation>Rastérisation des repères visuels</translation>
   </message>
@@ -566,10 +574,6 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>Selon la méthode qui a donné la position. Annoncées correctes : la confiance moyenne, qui devrait être la part des positions correctes ; erreur de calibration : leur écart, dixième par dixième de la confiance. Ellipses : positions correctes dont le vrai lieu est dans l’ellipse annoncée ; des ellipses honnêtes en contiennent 50, 95 et 99 %.</translation>
-  </message>
-  <message>
-   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
-   <translation>CLASS_FIELD est vide ; choisissez le champ qui donne la classe de chaque polygone.</translation>
   </message>
   <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
@@ -668,8 +672,8 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Vérification d’une annotation</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations, making the sample project</source>
-   <translation>Vérifier et réparer les annotations, créer le projet exemple</translation>
+   <source>Checking and repairing annotations</source>
+   <translation>Vérifier et réparer des annotations</translation>
   </message>
   <message>
    <source>Checking torch…</source>
@@ -712,8 +716,16 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
    <translation>Choisir un modèle de segmentation</translation>
   </message>
   <message>
+   <source>Choose the annotation and its class field below, under “Update the database”.</source>
+   <translation>Choisissez l’annotation et son champ de classe plus bas, sous « Mettre à jour la base de données ».</translation>
+  </message>
+  <message>
    <source>Choose the annotation that you mended</source>
    <translation>Choisissez l’annotation que vous avez corrigée</translation>
+  </message>
+  <message>
+   <source>Choose the class field of the polygons, or enter the one class that all of them are.</source>
+   <translation>Choisissez le champ de classe des polygones, ou saisissez la seule classe qu’ils ont tous.</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -928,12 +940,8 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>DATABASES en nomme {count} ; choisissez-en deux ou plus pour les utiliser comme une seule.</translation>
   </message>
   <message>
-   <source>Database set</source>
-   <translation>Jeu de bases de données</translation>
-  </message>
-  <message>
-   <source>Database sets (*.semrefset)</source>
-   <translation>Jeux de bases de données (*.semrefset)</translation>
+   <source>Dask on this machine: keeps other users out of its processes</source>
+   <translation>Dask sur cet ordinateur : tient les autres utilisateurs à l’écart de ses processus</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1168,10 +1176,6 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>EfficientNet-Lite0, qui connaît déjà des photos</translation>
   </message>
   <message>
-   <source>Else colors are taken for classes.</source>
-   <translation>Sinon, les couleurs sont prises pour des classes.</translation>
-  </message>
-  <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
    <translation>Vider le panneau et oublier tous les réglages de SemRef ? Fichiers, couches et paquets installés restent tels quels.</translation>
   </message>
@@ -1192,6 +1196,14 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Époques</translation>
   </message>
   <message>
+   <source>Epochs that fit on this computer: about {count}</source>
+   <translation>Époques possibles sur cet ordinateur : environ {count}</translation>
+  </message>
+  <message>
+   <source>Epochs that fit: about {count}. Choose a longer time or a coarser resolution.</source>
+   <translation>Époques possibles : environ {count}. Choisissez une durée plus longue ou une résolution plus grossière.</translation>
+  </message>
+  <message>
    <source>Error</source>
    <translation>Erreur</translation>
   </message>
@@ -1210,6 +1222,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Error over 95 % radius</source>
    <translation>Erreur sur rayon à 95 %</translation>
+  </message>
+  <message>
+   <source>Error probability</source>
+   <translation>Probabilité d’erreur</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -1384,8 +1400,8 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Nom de fichier de l’image</translation>
   </message>
   <message>
-   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
-   <translation>Nom du fichier, état, position avec son rayon, et sur combien de telles positions une est fausse</translation>
+   <source>File name, status, error probability, and position with its 95 % radius</source>
+   <translation>Nom du fichier, état, probabilité d’erreur et position avec son rayon à 95 %</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1492,10 +1508,6 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Dossier des images d’étiquettes</translation>
   </message>
   <message>
-   <source>Folder for the sample</source>
-   <translation>Dossier de l’exemple</translation>
-  </message>
-  <message>
    <source>Folder for the tiles</source>
    <translation>Dossier des tuiles</translation>
   </message>
@@ -1564,16 +1576,16 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Des polygones d’occupation du sol à une base de données de référence en une seule exécution : « Rastériser l’annotation », puis « Créer une base de données de référence ». Indiquez une table de classes ou nommez les classes de référence.</translation>
   </message>
   <message>
+   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>Du début jusqu’au modèle écrit, lecture et vérification comprises. Dix minutes sont un début, une heure fait mieux. 0 : sans limite.</translation>
+  </message>
+  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à gauche, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
   </message>
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à droite, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
-  </message>
-  <message>
-   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
-   <translation>GDAL de {python} a été fait pour un autre numpy que le {version} présent ; installez celui pour lequel il a été fait, comme l’indique docs/guide/cluster.md.</translation>
   </message>
   <message>
    <source>GPS elsewhere</source>
@@ -1590,10 +1602,6 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
   <message>
    <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
    <translation>GeoPackage produit par « Créer une base de données de référence » ou par cet algorithme.</translation>
-  </message>
-  <message>
-   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
-   <translation>Deux GeoPackages ou plus créés par « Créer une base de données de référence ». Ils restent où ils sont.</translation>
   </message>
   <message>
    <source>GeoTIFF</source>
@@ -1690,10 +1698,6 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Ground without a label</source>
    <translation>Terrain sans étiquette</translation>
-  </message>
-  <message>
-   <source>Ground without a polygon is something else</source>
-   <translation>Le terrain sans polygone est autre chose</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1880,10 +1884,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>En vol</translation>
   </message>
   <message>
-   <source>In how many fixes as sure as this one is wrong</source>
-   <translation>Sur combien de positions aussi sûres que celle-ci une est fausse</translation>
-  </message>
-  <message>
    <source>In the project</source>
    <translation>Dans le projet</translation>
   </message>
@@ -2060,10 +2060,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Repères visuels</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Les repères visuels concordent avec un lieu, mais les surfaces des classes n’y concordent qu’à {agreement:.2f} : au total, il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
-  </message>
-  <message>
    <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
    <translation>Les repères ne concordent avec la carte que d’un côté de l’image : elle montre peut-être deux lieux.</translation>
   </message>
@@ -2092,6 +2088,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Repères visuels inventés (%)</translation>
   </message>
   <message>
+   <source>Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Les repères visuels correspondent à un lieu, mais les surfaces des classes n’y correspondent qu’à {agreement:.2f} : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+  </message>
+  <message>
    <source>Landmarks misnamed (%)</source>
    <translation>Repères visuels mal nommés (%)</translation>
   </message>
@@ -2106,10 +2106,6 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>Landmarks that agree</source>
    <translation>Repères visuels concordants</translation>
-  </message>
-  <message>
-   <source>Landmarks that no database has whole</source>
-   <translation>Repères visuels qu’aucune base de données n’a en entier</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2216,6 +2212,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>N’affiche que les erreurs et les avertissements : ce qui est à corriger</translation>
   </message>
   <message>
+   <source>Lists the places of one kind only</source>
+   <translation>N’affiche que les endroits d’un type</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>Chargement du modèle</translation>
   </message>
@@ -2316,6 +2316,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Examen des voisins de même classe</translation>
   </message>
   <message>
+   <source>Looking at the images</source>
+   <translation>Examen des images</translation>
+  </message>
+  <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>Recherche du Python de QGIS…</translation>
   </message>
@@ -2388,10 +2392,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Créer une feuille de route</translation>
   </message>
   <message>
-   <source>Make sample area</source>
-   <translation>Créer une zone d’exemple</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2400,28 +2400,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 Là où des polygones se superposent, la priorité la plus élevée reste au-dessus, sinon le polygone le plus petit, sinon la valeur de classe la plus basse. Chaque polygone garde les attributs de l’entité qui en couvre la plus grande partie. Réparer une couche réparée ne change rien.</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
-
-The model that ships with SemRef can read these photos.</source>
-   <translation>Invente un morceau de pays de 4 × 3 km pour essayer SemRef : ses polygones d’occupation du sol (landcover.shp), leur table de classes (classes.csv), une orthophoto, des photos prises n’importe où au-dessus, avec le lieu réel de chaque prise de vue (photos.csv), et les photos d’un vol, avec leurs lieux et leurs heures (flight.csv).
-
-Le modèle livré avec SemRef sait lire ces photos.</translation>
-  </message>
-  <message>
    <source>Making an environment for training…</source>
    <translation>Création d’un environnement d’entraînement…</translation>
   </message>
   <message>
-   <source>Making the sample area</source>
-   <translation>Création de la zone d’exemple</translation>
-  </message>
-  <message>
    <source>Making the sample project</source>
    <translation>Création du projet d’exemple</translation>
-  </message>
-  <message>
-   <source>Making up the landscape</source>
-   <translation>Invention du paysage</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2768,12 +2752,12 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Ordonnée où il est vu</translation>
   </message>
   <message>
-   <source>Not good for</source>
-   <translation>Ne convient pas pour</translation>
+   <source>Not available, with the Python package that each needs: {devices}.</source>
+   <translation>Non disponibles, avec le paquet Python nécessaire à chacun : {devices}.</translation>
   </message>
   <message>
-   <source>Not there, with the Python package that brings it: {devices}.</source>
-   <translation>Absents, avec le paquet Python qui les apporte : {devices}.</translation>
+   <source>Not good for</source>
+   <translation>Ne convient pas pour</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2834,10 +2818,6 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Number of landmarks</source>
    <translation>Nombre de repères visuels</translation>
-  </message>
-  <message>
-   <source>Number of photos</source>
-   <translation>Nombre de photos</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -2972,6 +2952,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Un polygone par image avec position : le terrain qu’elle montre.</translation>
   </message>
   <message>
+   <source>Only if all are of one class, such as “building”</source>
+   <translation>Seulement s’ils sont tous d’une classe, comme « building »</translation>
+  </message>
+  <message>
    <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
    <translation>Seul l’état d’un vol est conservé : ajoutez --flight ou enlevez --state.</translation>
   </message>
@@ -3034,6 +3018,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
   <message>
    <source>Other feature</source>
    <translation>Autre entité</translation>
+  </message>
+  <message>
+   <source>Otherwise colors are taken for classes.</source>
+   <translation>Sinon, les couleurs sont prises pour des classes.</translation>
   </message>
   <message>
    <source>Out of reach in time</source>
@@ -3124,6 +3112,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Pixels sur lesquels il a été entraîné</translation>
   </message>
   <message>
+   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>Pixels sur lesquels le réseau apprend, si ce ne sont pas ceux de l’image : les plus petits bâtiments devraient avoir environ 14 pixels de large. Des pixels plus grossiers s’entraînent plus vite.</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>Endroit précédent</translation>
   </message>
@@ -3144,8 +3136,8 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Les lieux sont testés par des réseaux entraînés sans eux.</translation>
   </message>
   <message>
-   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
-   <translation>Les endroits à corriger apparaissent ici : « Vérifier l’annotation » et « Comparer des cartes d’étiquettes » les trouvent.</translation>
+   <source>Places to repair appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>Les endroits à réparer apparaissent ici : « Vérifier l’annotation » et « Comparer des cartes d’étiquettes » les trouvent.</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -3240,6 +3232,10 @@ Le modèle livré avec SemRef sait lire ces photos.</translation>
    <translation>Probabilités</translation>
   </message>
   <message>
+   <source>Probability that the position is wrong</source>
+   <translation>Probabilité que la position soit fausse</translation>
+  </message>
+  <message>
    <source>Probability to be right</source>
    <translation>Probabilité d’être juste</translation>
   </message>
@@ -3320,12 +3316,16 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>ROUTE se trouve hors de la carte de la base de données ; choisissez un autre itinéraire ou une autre base.</translation>
   </message>
   <message>
+   <source>Radius (m)</source>
+   <translation>Rayon (m)</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>Rayon autour d’elle (unités de carte)</translation>
   </message>
   <message>
-   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
-   <translation>Rayon qui contient la vraie position pour 95 % des positions trouvées, en mètres</translation>
+   <source>Radius in meters that contains the true position in 95 % of fixes</source>
+   <translation>Rayon en mètres qui contient la vraie position dans 95 % des positions trouvées</translation>
   </message>
   <message>
    <source>Ragged edges (map units)</source>
@@ -3348,16 +3348,16 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Rastériser l’annotation</translation>
   </message>
   <message>
+   <source>Rasterize it again…</source>
+   <translation>La rastériser à nouveau…</translation>
+  </message>
+  <message>
    <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
    <translation>Rastérise l’annotation sur la carte de la base de données et met celle-ci à jour sur place ; l’ancien fichier est conservé</translation>
   </message>
   <message>
    <source>Rasterizing the correction</source>
    <translation>Rastérisation de la correction</translation>
-  </message>
-  <message>
-   <source>Rasterizing the sample area</source>
-   <translation>Rastérisation de la zone d’exemple</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -3368,16 +3368,12 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Lecture de la base de données</translation>
   </message>
   <message>
-   <source>Reading the databases</source>
-   <translation>Lecture des bases de données</translation>
+   <source>Reading the folder…</source>
+   <translation>Lecture du dossier…</translation>
   </message>
   <message>
    <source>Reading the label map</source>
    <translation>Lecture de la carte d’étiquettes</translation>
-  </message>
-  <message>
-   <source>Reading the times of images</source>
-   <translation>Lecture des heures des images</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3412,12 +3408,8 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Base de données de référence : {name}</translation>
   </message>
   <message>
-   <source>Reference databases</source>
-   <translation>Bases de données de référence</translation>
-  </message>
-  <message>
-   <source>Reference databases (*.gpkg *.semrefset)</source>
-   <translation>Bases de données de référence (*.gpkg *.semrefset)</translation>
+   <source>Reference databases (*.gpkg)</source>
+   <translation>Bases de données de référence (*.gpkg)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -3452,12 +3444,24 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Suppression d’anciens résultats</translation>
   </message>
   <message>
-   <source>Rendering it as a photo</source>
-   <translation>Rendu sous forme de photo</translation>
+   <source>Repair all</source>
+   <translation>Tout réparer</translation>
+  </message>
+  <message>
+   <source>Repair all ({count})…</source>
+   <translation>Tout réparer ({count})…</translation>
+  </message>
+  <message>
+   <source>Repair all…</source>
+   <translation>Tout réparer…</translation>
   </message>
   <message>
    <source>Repair annotation</source>
    <translation>Réparer l’annotation</translation>
+  </message>
+  <message>
+   <source>Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is edited, not saved: you can undo it.</source>
+   <translation>Réparer {count} endroits de « {layer} » ({kinds}) ? Les polygones d’une même classe qui se touchent n’en font plus qu’un. La couche est modifiée, pas enregistrée : vous pouvez annuler.</translation>
   </message>
   <message>
    <source>Repaired annotation</source>
@@ -3466,6 +3470,22 @@ Les couches sont dessinées avec leur style du projet.</translation>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
    <translation>Géométrie non valide réparée : {features}, {polygons} polygones.</translation>
+  </message>
+  <message>
+   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left.</source>
+   <translation>« {layer} » réparée : {changed} polygones modifiés, {added} ajoutés, {removed} supprimés. Enregistrez les modifications de la couche pour les garder, ou annulez-les (Ctrl+Z). Vérifiez à nouveau l’annotation pour voir ce qui reste.</translation>
+  </message>
+  <message>
+   <source>Repairing the annotation</source>
+   <translation>Réparation de l’annotation</translation>
+  </message>
+  <message>
+   <source>Repairing: {percent} %</source>
+   <translation>Réparation : {percent} %</translation>
+  </message>
+  <message>
+   <source>Repairs in the annotation what “Repair annotation” can repair; it can be undone</source>
+   <translation>Répare dans l’annotation ce que « Réparer l’annotation » peut réparer ; cela peut être annulé</translation>
   </message>
   <message>
    <source>Report</source>
@@ -3672,8 +3692,16 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Correspondances SemRef</translation>
   </message>
   <message>
+   <source>SemRef needs Python packages that this QGIS does not have yet: {packages}.</source>
+   <translation>SemRef a besoin de paquets Python que ce QGIS n’a pas encore : {packages}.</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef a besoin du paquet Python {packages}. Installez-le sous Préférences ▸ Options ▸ SemRef, ou en tapant {commands}.</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
+   <translation>SemRef a besoin du paquet Python {packages}. Installez-le sous Préférences ▸ Options ▸ SemRef.</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -4000,20 +4028,12 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Réussite sous l’effet du bruit</translation>
   </message>
   <message>
-   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
-   <translation>Ce terrain, dans l’emprise des polygones, devient la classe « other ». Seulement là où tout ce qui relève d’une classe a été dessiné. Avec une seule classe, comme les bâtiments, la corrélation de cartes en a besoin.</translation>
-  </message>
-  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>Tableaux et graphiques dans un seul fichier à lire et à imprimer.</translation>
   </message>
   <message>
    <source>Take the database along: “Export for onboard use”, with this route as area.</source>
    <translation>Emportez la base de données : « Exporter pour l’usage à bord », avec cette route comme zone.</translation>
-  </message>
-  <message>
-   <source>Taking photos</source>
-   <translation>Prise des photos</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -4024,8 +4044,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Versions testées</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon.</source>
-   <translation>Champ de texte ou numérique qui indique la classe de chaque polygone.</translation>
+   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <translation>Champ de texte ou de nombre avec la classe de chaque polygone. Inutile s’ils sont tous d’une même classe.</translation>
   </message>
   <message>
    <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
@@ -4044,20 +4064,20 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La zone de CLIP est vide ou se trouve hors de la carte de la base de données ; choisissez-en une autre ou, pour des lignes et des points, une DISTANCE plus grande que {distance:g}.</translation>
   </message>
   <message>
-   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Le meilleur lieu (logarithme des chances {log_odds:.1f}) est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+   <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>La meilleure correspondance ({score:.2f}) n’est pas nettement meilleure que le hasard : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Le meilleur lieu ({score:.2f}) concorde trop peu mieux que l’image en miroir par hasard ({mirror:.2f}) : il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
-  </message>
-  <message>
-   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>Le meilleur lieu ne concorde avec l’image qu’à {score:.2f} : il est faux avec une probabilité de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+   <source>The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>Le meilleur lieu (log-cotes {log_odds:.1f}) a une probabilité d’erreur de {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
   </message>
   <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>La classe la moins bien trouvée est {name} ({iou}) : en mettre davantage dans l’entraînement aide le plus.</translation>
+  </message>
+  <message>
+   <source>The class of every polygon, such as “building”. If you enter one, the class field is not used.</source>
+   <translation>La classe de tous les polygones, comme « building ». Si vous la saisissez, le champ de classe n’est pas utilisé.</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4124,10 +4144,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
   <message>
-   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
-   <translation>Les bases de données sont si éloignées qu’une carte de toutes aurait {width} × {height} pixels ; utilisez ensemble celles qui sont voisines.</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>Les écarts du mouvement de l’image {first} à l’image {second} se contredisent.</translation>
   </message>
@@ -4168,10 +4184,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’emprise pour « {layer} » ne convient pas à son SCR {crs} ; choisissez-en une autre.</translation>
   </message>
   <message>
-   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
-   <translation>Le champ « {name} » de {path} n’est pas utilisable ; une classe est un texte ou un nombre, une priorité un nombre.</translation>
-  </message>
-  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>Le fichier ne peut donner ni longitude ni latitude : la carte est trop grande pour cela, ou contient un pôle.</translation>
   </message>
@@ -4210,6 +4222,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>Le dossier {folder} n’existe pas ; créez-le ou choisissez un autre emplacement pour {name}.</translation>
+  </message>
+  <message>
+   <source>The folder {folder} of --state {path} does not exist; create it or choose another one.</source>
+   <translation>Le dossier {folder} de --state {path} n’existe pas ; créez-le ou choisissez-en un autre.</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4296,8 +4312,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’image montre {count} repères visuels entiers</translation>
   </message>
   <message>
-   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
-   <translation>Les images ou leur dossier, si elles ne sont plus là où elles ont été localisées.</translation>
+   <source>The images or their folder. Needed where they are not in the folder of the positions.</source>
+   <translation>Les images ou leur dossier. Nécessaires si elles ne sont pas dans le dossier des positions.</translation>
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
@@ -4318,10 +4334,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>La carte d’étiquettes n’apporte pas de noms de classes ; ses classes sont nommées par leurs valeurs.</translation>
-  </message>
-  <message>
-   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
-   <translation>La carte d’étiquettes n’a qu’une classe, et la corrélation de cartes en demande deux. Si tout ce qui est de cette classe a été dessiné, activez « Le terrain sans polygone est autre chose » : davantage d’images seront trouvées.</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
@@ -4356,6 +4368,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez des pixels plus grands ou une emprise plus petite.</translation>
   </message>
   <message>
+   <source>The label map “{layer}” is older than the database now.</source>
+   <translation>La carte d’étiquettes « {layer} » est maintenant plus ancienne que la base de données.</translation>
+  </message>
+  <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
    <translation>Les étiquettes ne peuvent pas être placées sur l’image : {reason}.</translation>
   </message>
@@ -4384,16 +4400,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les repères visuels de toute la carte : centre de gravité, classe et surface de chaque région de leurs classes.</translation>
   </message>
   <message>
-   <source>The landscape can’t be rasterized: {reason}.</source>
-   <translation>Le paysage ne peut pas être rastérisé : {reason}.</translation>
-  </message>
-  <message>
    <source>The largest of each kind</source>
    <translation>Les plus grands de chaque type</translation>
   </message>
   <message>
-   <source>The layer {layer} can’t be created: {reason}.</source>
-   <translation>La couche {layer} ne peut pas être créée : {reason}.</translation>
+   <source>The layer has a single class: ground without a polygon becomes class “other”.</source>
+   <translation>La couche a une seule classe : le terrain sans polygone devient la classe « other ».</translation>
+  </message>
+  <message>
+   <source>The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.</source>
+   <translation>La couche {layer} ne peut pas être modifiée ; enregistrez-la comme GeoPackage et choisissez-le comme annotation.</translation>
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
@@ -4420,8 +4436,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La perte n’est plus un nombre ; entraînez avec un taux d’apprentissage plus petit.</translation>
   </message>
   <message>
-   <source>The map has fewer than two classes, so that no place differs from another.</source>
-   <translation>La carte a moins de deux classes, si bien qu’aucun lieu ne se distingue d’un autre.</translation>
+   <source>The map has one class everywhere, so that no place differs from another.</source>
+   <translation>La carte n’a partout qu’une classe, si bien qu’aucun lieu ne diffère d’un autre.</translation>
   </message>
   <message>
    <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
@@ -4452,6 +4468,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les cartes n’ont aucun nom de classe en commun : les classes sont associées par leurs valeurs.</translation>
   </message>
   <message>
+   <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>La correspondance ({score:.2f}) n’est pas nettement meilleure que celle de l’image en miroir ({mirror:.2f}) : probabilité d’erreur {risk:.2g} ; {allowed:.2g} au plus est admis.</translation>
+  </message>
+  <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
    <translation>La surface minimale est de {minimum_area:g} m² ; elle doit être supérieure à 0.</translation>
   </message>
@@ -4480,6 +4500,14 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le réseau agrandit avec les coins alignés : ce qui est loin du milieu d’une tuile est montré jusqu’à quelques pixels plus loin, et les photos passent pour jusqu’à 1 % plus grandes qu’elles ne sont.</translation>
   </message>
   <message>
+   <source>The network found {count} landmark ({classes})</source>
+   <translation>Le réseau a trouvé {count} repère visuel ({classes})</translation>
+  </message>
+  <message>
+   <source>The network found {count} landmarks ({classes})</source>
+   <translation>Le réseau a trouvé {count} repères visuels ({classes})</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>Le réseau estime ses étiquettes justes à {percent:.0f} % en moyenne. Là où c’est bien moins que sur le terrain de son entraînement, il ne connaît pas ce terrain ; un nombre élevé ne prouve pas qu’il le connaît.</translation>
   </message>
@@ -4490,6 +4518,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>Le réseau qui fait des étiquettes à partir de photos ; laisser vide pour des images d’étiquettes</translation>
+  </message>
+  <message>
+   <source>The network was trained on: {places}.</source>
+   <translation>Le réseau a été entraîné sur : {places}.</translation>
   </message>
   <message>
    <source>The objects that agree with the map don't fix the position closely enough.</source>
@@ -4544,6 +4576,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
   </message>
   <message>
+   <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
+   <translation>Les positions nomment {path}, qui n’est pas dans leur propre dossier ; choisissez l’image ou son dossier sous Images.</translation>
+  </message>
+  <message>
    <source>The precision is {precision:g}; it must be more than 0 map units.</source>
    <translation>La précision est de {precision:g} ; elle doit être supérieure à 0 unité de carte.</translation>
   </message>
@@ -4592,8 +4628,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Le résultat de « Vérifier l’annotation » ou de « Comparer des cartes d’étiquettes »</translation>
   </message>
   <message>
-   <source>The result would replace {path}; choose another name.</source>
-   <translation>Le résultat remplacerait {path} ; choisissez un autre nom.</translation>
+   <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
+   <translation>Les résultats nomment une image qui n’est pas dans leur dossier. Ajoutez-la, ou son dossier, à la liste des images.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4602,10 +4638,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
    <translation>L’exécution dans {folder} avait d’autres valeurs de {settings} ; redonnez les mêmes ou recommencez à zéro.</translation>
-  </message>
-  <message>
-   <source>The same number gives the same area; another one makes up another.</source>
-   <translation>Le même nombre donne la même zone, un autre en invente une autre.</translation>
   </message>
   <message>
    <source>The same windows, turned about their centers.</source>
@@ -4648,6 +4680,18 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’image sélectionnée ; plus, moins et 0 zooment</translation>
   </message>
   <message>
+   <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
+   <translation>Le serveur de « {layer} » a répondu par plus de {most_mb} Mo pour une tuile ; SemRef a arrêté de la lire.</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.</source>
+   <translation>Le serveur de « {layer} » redirige vers {address} ; SemRef lit les tuiles par http et https seulement.</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer.</source>
+   <translation>Le serveur de « {layer} » a mis plus de {most_s} s pour une partie ; réessayez plus tard ou choisissez une autre couche.</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>La forme n’est pas celle de {source}, l’image est donc prise telle quelle.</translation>
   </message>
@@ -4666,10 +4710,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>Le pas ({stride} px) est plus grand que la fenêtre ({size} px), si bien que du terrain manquerait entre les fenêtres ; choisissez un pas au plus égal à la taille de fenêtre.</translation>
-  </message>
-  <message>
-   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
-   <translation>Le pas {stride:g} est plus grand que la taille de fenêtre {size:g} ; choisissez-en un plus petit.</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -4764,12 +4804,16 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a aucun repère visuel à exporter ; choisissez une autre base de données ou une zone plus grande.</translation>
   </message>
   <message>
+   <source>There is no private folder for the secret that --state is authenticated with; set up a home folder for this user, or add --require-signature.</source>
+   <translation>Il n’y a pas de dossier privé pour le secret qui authentifie --state ; créez un dossier personnel pour cet utilisateur, ou ajoutez --require-signature.</translation>
+  </message>
+  <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>Il n’y a dans {folder} aucune exécution à poursuivre.</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
-   <translation>Aucun ordonnanceur à {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cette machine : --local 4, dans QGIS local:4.</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
+   <translation>Il n’y a pas d’ordonnanceur à {address} ({reason}) ; démarrez-en un, ou faites démarrer des processus sur cet ordinateur : local:4.</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -4778,6 +4822,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>These images are one flight</source>
    <translation>Ces images sont un seul vol</translation>
+  </message>
+  <message>
+   <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
+   <translation>Cette copie de SemRef n’a pas de zone d’exemple. Installez SemRef à partir de son fichier zip.</translation>
   </message>
   <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
@@ -4814,10 +4862,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Title</source>
    <translation>Titre</translation>
-  </message>
-  <message>
-   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
-   <translation>Pour apprendre avec d’autres pixels que ceux de l’image : ceux des photos à localiser.</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -4884,10 +4928,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Entraînement</translation>
   </message>
   <message>
-   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>L’entraînement se termine dans ce délai ; dix minutes sont un début, une heure vaut mieux. 0 : sans limite.</translation>
-  </message>
-  <message>
    <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
    <translation>L’entraînement a besoin d’un Python à lui, avec torch : faites-en créer un par SemRef sous Préférences ▸ Options ▸ SemRef (environ 1,5 Go, davantage avec la prise en charge des cartes graphiques), ou indiquez-en un dans PYTHON.</translation>
   </message>
@@ -4910,6 +4950,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
    <translation>Entraîne un réseau de segmentation sur une orthophoto et une annotation ou une carte d’étiquettes du même terrain, et le donne comme modèle (ONNX) pour « Segmenter une image » et « Localiser des images », avec un rapport.
 
 Du terrain est mis de côté pour dire ce que vaut le réseau. L’entraînement tourne dans un Python à lui, avec torch : SemRef en crée un sous Préférences ▸ Options ▸ SemRef, ou vous en indiquez un. Une exécution annulée peut être poursuivie : relancez-la avec la même sortie.</translation>
+  </message>
+  <message>
+   <source>Treat ground without a polygon as class “other”</source>
+   <translation>Traiter le terrain sans polygone comme la classe « other »</translation>
   </message>
   <message>
    <source>Trial</source>
@@ -4980,8 +5024,8 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
 Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles de Geofabrik et tout ce qui a une colonne par attribut ou une colonne d’attributs. La classe de chaque attribut figure dans une table de règles que vous pouvez remplacer par la vôtre.</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
-   <translation>Deux lieux concordent presque aussi bien ({score:.2f} et {runner_up:.2f}) : le meilleur est faux avec une probabilité de {risk:.2g} ; une position approximative pourrait les départager.</translation>
+   <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
+   <translation>Deux lieux correspondent presque aussi bien ({score:.2f} et {runner_up:.2f}) : probabilité d’erreur {risk:.2g} pour le meilleur. Indiquez une position approximative pour choisir entre eux.</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -5000,8 +5044,8 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Annulation de la mise à jour</translation>
   </message>
   <message>
-   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
-   <translation>Le terrain inconnu est laissé de côté. Ne choisissez « autre chose » que là où tout ce qui est d’une classe a été dessiné ; l’emprise écarte alors le terrain où rien n’a été dessiné.</translation>
+   <source>Unknown ground is left out of training. Choose class “other” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>Le terrain inconnu n’entre pas dans l’entraînement. Ne choisissez la classe « other » que si tout ce qui est d’une classe a été dessiné ; l’étendue écarte alors le terrain où rien n’a été dessiné. SemRef le fait toujours pour une couche à une seule classe, comme des bâtiments.</translation>
   </message>
   <message>
    <source>Unreadable</source>
@@ -5026,10 +5070,6 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
   <message>
    <source>Updating the database</source>
    <translation>Mise à jour de la base de données</translation>
-  </message>
-  <message>
-   <source>Use databases as one</source>
-   <translation>Utiliser des bases de données comme une seule</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5312,14 +5352,6 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
   </message>
   <message>
-   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
-
-The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
-   <translation>Écrit un petit fichier texte qui nomme plusieurs bases de données de référence, par feuille ou par date. Partout où une base est lue, ce fichier peut être donné, et toutes servent comme une seule ; mettre à jour une feuille ne change que son fichier.
-
-Les bases doivent être créées de la même façon : dans un même SCR, avec une même taille de pixel, table des classes, taille de fenêtre, pas et surface minimale, à partir de cartes dont les coins sont séparés par des pixels entiers de la vue d’ensemble. Là où deux montrent le même terrain, c’est la dernière créée ou mise à jour qui compte. Les feuilles devraient se recouvrir de plus que la longueur de leurs repères visuels : ce qu’aucune feuille n’a en entier ne fait partie d’aucune constellation.</translation>
-  </message>
-  <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
 
 Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
@@ -5332,44 +5364,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>Écriture et vérification du modèle</translation>
   </message>
   <message>
-   <source>Writing the annotation</source>
-   <translation>Écriture de l’annotation</translation>
-  </message>
-  <message>
    <source>Writing the database</source>
    <translation>Écriture de la base de données</translation>
-  </message>
-  <message>
-   <source>Writing the orthophoto</source>
-   <translation>Écriture de l’orthophoto</translation>
   </message>
   <message>
    <source>Writing tiles</source>
    <translation>Écriture des tuiles</translation>
   </message>
   <message>
-   <source>Wrong</source>
-   <translation>Fausse</translation>
-  </message>
-  <message>
    <source>Wrong fixes (share)</source>
    <translation>Positions fausses (part)</translation>
   </message>
   <message>
-   <source>Wrong once in</source>
-   <translation>Fausse une fois sur</translation>
-  </message>
-  <message>
    <source>Zoom to hit</source>
    <translation>Zoom sur le lieu</translation>
-  </message>
-  <message>
-   <source>a CRS that does not measure in meters ({crs})</source>
-   <translation>un SCR qui ne mesure pas en mètres ({crs})</translation>
-  </message>
-  <message>
-   <source>a style that may tell classes, and no class table is given</source>
-   <translation>un style qui peut indiquer des classes, et aucune table de classes n’est donnée</translation>
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5442,6 +5450,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>background</source>
    <translation>arrière-plan</translation>
+  </message>
+  <message>
+   <source>below 1 in {count:,.0f}</source>
+   <translation>&lt; 1 sur {count:,.0f}</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -5532,6 +5544,18 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>erreur</translation>
   </message>
   <message>
+   <source>error probability</source>
+   <translation>probabilité d’erreur</translation>
+  </message>
+  <message>
+   <source>error probability {value}</source>
+   <translation>probabilité d’erreur {value}</translation>
+  </message>
+  <message>
+   <source>error {probability}</source>
+   <translation>erreur {probability}</translation>
+  </message>
+  <message>
    <source>error, m</source>
    <translation>erreur, m</translation>
   </message>
@@ -5582,10 +5606,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>gap between neighbors</source>
    <translation>lacune entre voisins</translation>
-  </message>
-  <message>
-   <source>geometry of the kind {kind}</source>
-   <translation>une géométrie du type {kind}</translation>
   </message>
   <message>
    <source>good</source>
@@ -5688,8 +5708,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>inventés</translation>
   </message>
   <message>
-   <source>is something else</source>
-   <translation>est autre chose</translation>
+   <source>is class “other”</source>
+   <translation>est la classe « other »</translation>
   </message>
   <message>
    <source>is unknown</source>
@@ -5768,10 +5788,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>distorsion redressée jusqu’à {value:.1f} % de la largeur</translation>
   </message>
   <message>
-   <source>levels</source>
-   <translation>niveaux</translation>
-  </message>
-  <message>
    <source>localizable</source>
    <translation>localisable</translation>
   </message>
@@ -5830,10 +5846,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>merged by pixels</source>
    <translation>réuni par les pixels</translation>
-  </message>
-  <message>
-   <source>minimum area</source>
-   <translation>surface minimale</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5902,10 +5914,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>nowhere</source>
    <translation>nulle part</translation>
-  </message>
-  <message>
-   <source>number of landmarks a vector</source>
-   <translation>nombre de repères visuels par vecteur</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5992,10 +6000,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>taille de pixel {value:.3g} m</translation>
   </message>
   <message>
-   <source>polygons that are invalid, such as that of feature {fid}</source>
-   <translation>des polygones invalides, comme celui de l’entité {fid}</translation>
-  </message>
-  <message>
    <source>poor</source>
    <translation>mauvais</translation>
   </message>
@@ -6006,10 +6010,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>reason</source>
    <translation>raison</translation>
-  </message>
-  <message>
-   <source>reduction of the overview</source>
-   <translation>réduction de la vue d’ensemble</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -6110,10 +6110,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>stopped: the time was over</source>
    <translation>arrêté : le temps était écoulé</translation>
-  </message>
-  <message>
-   <source>stride</source>
-   <translation>pas</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6220,10 +6216,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>ce qui est attendu</translation>
   </message>
   <message>
-   <source>window size</source>
-   <translation>taille de fenêtre</translation>
-  </message>
-  <message>
    <source>window {value}</source>
    <translation>fenêtre {value}</translation>
   </message>
@@ -6248,14 +6240,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>fausses positions simulées</translation>
   </message>
   <message>
-   <source>wrong once in</source>
-   <translation>fausse une fois sur</translation>
-  </message>
-  <message>
-   <source>wrong once in {value:,.0f}</source>
-   <translation>fausse une fois sur {value:,.0f}</translation>
-  </message>
-  <message>
    <source>x</source>
    <translation>x</translation>
   </message>
@@ -6278,6 +6262,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>{area:.2f} m² que deux entités revendiquaient appartiennent à {name} (entité {id}), et non plus à l’entité {other}.</translation>
+  </message>
+  <message>
+   <source>{area} m²</source>
+   <translation>{area} m²</translation>
   </message>
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
@@ -6308,10 +6296,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{count} images à localiser.</translation>
   </message>
   <message>
-   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
-   <translation>{count} repères visuels se prolongent au-delà du bord de leur base de données et ne sont entiers dans aucune, donc aucune constellation ne les a ; faites se recouvrir davantage les feuilles si c’est trop.</translation>
-  </message>
-  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{count} repères visuels dans le carré centré de {size} pixels.</translation>
   </message>
@@ -6326,10 +6310,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{count} other places fit almost as well as the best one.</source>
    <translation>{count} autres lieux conviennent presque aussi bien que le meilleur.</translation>
-  </message>
-  <message>
-   <source>{count} photos in {folder}</source>
-   <translation>{count} photos dans {folder}</translation>
   </message>
   <message>
    <source>{count} pixels compared</source>
@@ -6354,10 +6334,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} ne mesure pas en mètres ; choisissez un SCR projeté en mètres comme TARGET_CRS.</translation>
-  </message>
-  <message>
-   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
-   <translation>{databases} bases de données ont ensemble {landmarks} repères visuels et {windows} fenêtres.</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6400,12 +6376,20 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{device}, {rate:.3g} tuiles par seconde.</translation>
   </message>
   <message>
+   <source>{first} {second}</source>
+   <translation>{first} {second}</translation>
+  </message>
+  <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>Position trouvée pour {fixes} images sur {images}.</translation>
   </message>
   <message>
    <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
    <translation>{flights} vols simulés le long de chaque route, avec une image tous les {distance:.0f} m, tels que connus en vol. La première position compte là où {threshold} des vols avaient la leur ; les rayons sont des médianes des vols qui ont une position.</translation>
+  </message>
+  <message>
+   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
+   <translation>{folder} ne peut pas recevoir ce qui a été entraîné ({reason}) ; libérez de la place sur le disque, puis relancez l’entraînement : il reprend après la dernière époque enregistrée.</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6636,18 +6620,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{number} entités</translation>
   </message>
   <message>
-   <source>{odds} wrong</source>
-   <translation>{odds} fausse</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give numbers separated by “;”.</source>
-   <translation>{option} est « {text} » ; indiquez des nombres séparés par « ; ».</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
-   <translation>{option} vaut « {text} » ; indiquez la plus petite et la plus grande valeur, par exemple 0,20.</translation>
-  </message>
-  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
   </message>
@@ -6668,10 +6640,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{own} par leur propre position, {flight} par le vol</translation>
   </message>
   <message>
-   <source>{packages} is missing; without it nothing can be localized.</source>
-   <translation>{packages} est absent ; sans lui, rien ne peut être localisé.</translation>
-  </message>
-  <message>
    <source>{packages} is missing; without it the model can’t make labels of photos.</source>
    <translation>{packages} manque ; sans lui, le modèle ne peut pas étiqueter les photos.</translation>
   </message>
@@ -6688,10 +6656,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{pairs} paires de voisines : {pixels} vues dans leurs pixels, {table} données par la table, {log} par le journal, {none} inconnues.</translation>
   </message>
   <message>
-   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
-   <translation>{part} est en {crs} et {other} en {other_crs} ; les bases de données utilisées comme une seule ont le même SCR.</translation>
-  </message>
-  <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
    <translation>{path} répond autrement que le réseau dont il est issu, de {difference:.2g} dans un logit.</translation>
   </message>
@@ -6706,10 +6670,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} can't be read as a route ({reason}).</source>
    <translation>{path} ne peut pas être lu comme itinéraire ({reason}).</translation>
-  </message>
-  <message>
-   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
-   <translation>{path} ne peut pas être lu comme polygones ({reason}) ; choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
@@ -6800,14 +6760,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’a pas de système de coordonnées de référence ; attribuez-en un métrique à la couche.</translation>
   </message>
   <message>
-   <source>{path} has no coordinate reference system; give it a metric one.</source>
-   <translation>{path} n’a pas de système de coordonnées de référence ; donnez-lui-en un métrique.</translation>
-  </message>
-  <message>
-   <source>{path} has no field “{name}”; its fields are {names}.</source>
-   <translation>{path} n’a pas de champ « {name} » ; ses champs sont {names}.</translation>
-  </message>
-  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} n’a aucune image lisible.</translation>
   </message>
@@ -6848,10 +6800,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} a des pixels de {pixel_x:g} × {pixel_y:g} ; rééchantillonnez-la d’abord en pixels carrés.</translation>
   </message>
   <message>
-   <source>{path} has the layers {layers}; name one of them.</source>
-   <translation>{path} a les couches {layers} ; nommez l’une d’elles.</translation>
-  </message>
-  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} a la valeur {found} ; une carte d’étiquettes contient des valeurs de classe de 0 à 255.</translation>
   </message>
@@ -6890,10 +6838,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} a {size} pixels, l’image {image_size}, et les deux ne sont pas géoréférencées ; donnez aux deux une place sur le terrain, ou des étiquettes de la taille de l’image.</translation>
-  </message>
-  <message>
-   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
-   <translation>{path} a {what}, que seul QGIS traite comme il faut ; rastérisez-le là, avec SCHEDULER s’il est grand.</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
@@ -6956,16 +6900,28 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est un TIFF à palette de {bits} bits par pixel ; enregistrez-le avec 8, ou en PNG.</translation>
   </message>
   <message>
-   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
-   <translation>{path} est un jeu de bases de données, qui n’est que lu ; donnez la base voulue de ce jeu, par exemple la feuille corrigée.</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
   </message>
   <message>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
+   <translation>{path} est déjà en cours d’entraînement ; attendez sa fin, annulez-le ou choisissez un autre OUTPUT.</translation>
+  </message>
+  <message>
    <source>{path} is being written by another program; try again.</source>
    <translation>{path} est en cours d’écriture par un autre programme ; réessayez.</translation>
+  </message>
+  <message>
+   <source>{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; remove it.</source>
+   <translation>{path} est à côté de {raster}, mais ne contient ni pixels ni métadonnées propres, si bien que GDAL ouvrirait d’autres fichiers ; supprimez-le.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
+   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; recommencez-le sans l’exécution précédente.</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; désactivez RESUME pour le recommencer.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -6998,10 +6954,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} est en {crs}, qui ne mesure pas en mètres ; rastérisez ou reprojetez dans un SCR projeté en mètres.</translation>
-  </message>
-  <message>
-   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
-   <translation>{path} est en {crs}, qui ne mesure pas en mètres ; reprojetez dans un SCR projeté en mètres.</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
@@ -7088,10 +7040,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’est pas une base de données de référence SemRef ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
   </message>
   <message>
-   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
-   <translation>{path} n’est pas un jeu de bases de données ({reason}) ; choisissez un autre fichier ou recréez-le par « Utiliser des bases de données comme une seule ».</translation>
-  </message>
-  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} n’est pas un modèle ONNX, ou il est endommagé ou tronqué ; copiez-le ou exportez-le de nouveau.</translation>
   </message>
@@ -7132,20 +7080,12 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>Il manque à {path} {lacking} des {count} tenseurs de l’encodeur, comme {name}.</translation>
   </message>
   <message>
+   <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
+   <translation>{path} nomme un autre fichier pour ses aperçus ({name}), que SemRef n’ouvre pas ; supprimez {path}.aux.xml ou recréez les aperçus.</translation>
+  </message>
+  <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} ne nomme aucune des images, par exemple {image} ; sa colonne image contient leurs noms de fichier.</translation>
-  </message>
-  <message>
-   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
-   <translation>{path} nomme la base de données {part}, qui n’existe pas ; remettez-la ou recréez le jeu par « Utiliser des bases de données comme une seule ».</translation>
-  </message>
-  <message>
-   <source>{path} names {part} twice; make the set anew with each database once.</source>
-   <translation>{path} nomme {part} deux fois ; recréez le jeu avec chaque base de données une seule fois.</translation>
-  </message>
-  <message>
-   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
-   <translation>{path} nomme {part}, qui est lui-même un jeu de bases de données ; recréez le jeu avec des bases de données seulement.</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7176,6 +7116,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} utilise des opérateurs ONNX de version {found} (opset), mais onnxruntime {version} ne les connaît que jusqu’à {known} ; installez un onnxruntime plus récent ou exportez le modèle avec un opset plus ancien.</translation>
   </message>
   <message>
+   <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
+   <translation>{path} a été modifié après la mise à jour à laquelle {before} appartient, si bien qu’elle ne peut pas être annulée. Pour revenir plus loin, ouvrez {before} lui-même.</translation>
+  </message>
+  <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
    <translation>{path} a été modifié entre-temps par un autre programme ; réessayez.</translation>
   </message>
@@ -7190,6 +7134,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
+  </message>
+  <message>
+   <source>{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), or was changed since.</source>
+   <translation>{path} n’a pas été écrit avec la clé de ce vol (--require-signature, sinon le secret de cet utilisateur), ou a été modifié depuis.</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
@@ -7242,10 +7190,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} ne peut pas créer d’environnement ({reason}) ; sous Debian et Ubuntu, installez python3-venv, ailleurs indiquez un autre Python avec torch.</translation>
-  </message>
-  <message>
-   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
-   <translation>{package} manque à {python} ; installez-y ce que nomme cluster/requirements.txt et GDAL, ou utilisez un autre Python.</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>
@@ -7316,10 +7260,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{shown} ; {needed}.</translation>
   </message>
   <message>
-   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
-   <translation>{source} commence {columns:.10g} pixels à côté de {other} et {rows:.10g} au-dessus ou en dessous ; pour servir comme une seule, les deux doivent être des multiples entiers de {factor} pixels ({length:g} m).</translation>
-  </message>
-  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} ne connaît pas la classe {missing} de la base de données, seulement {names} ; prenez un modèle entraîné sur les classes de la base.</translation>
   </message>
@@ -7340,10 +7280,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{source} a une ligne de plus de {most} caractères, ce qu’aucune table de classes n’a ; choisissez un autre fichier.</translation>
   </message>
   <message>
-   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
-   <translation>{source} a une autre table des classes que {other} ; créez-les avec une même table pour les utiliser comme une seule.</translation>
-  </message>
-  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} a la version de format {version}, plus récente que ce que lit ce SemRef ({known}) ; mettez l’extension à jour.</translation>
   </message>
@@ -7358,10 +7294,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} n’a pas d’aperçu, avec lequel les vols sont simulés ; construisez-la avec un aperçu.</translation>
-  </message>
-  <message>
-   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
-   <translation>{source} a des pixels de {pixel_size:g} m et {other} de {known:g} m ; les bases de données utilisées comme une seule ont la même taille de pixel.</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7420,14 +7352,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans la table des classes : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
   </message>
   <message>
-   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
-   <translation>{source} a été créée avec une autre valeur de « {setting} » ({value}) que {other} ({known}) ; créez-les de la même façon pour les utiliser comme une seule.</translation>
-  </message>
-  <message>
-   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
-   <translation>{source} a été créée par SemRef {plugin_version}, qui n’enregistrait pas de limites des repères visuels, et ne peut donc pas servir avec d’autres ; recréez-la une fois.</translation>
-  </message>
-  <message>
    <source>{source}, line {line}</source>
    <translation>{source}, ligne {line}</translation>
   </message>
@@ -7454,10 +7378,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{value} landmarks in the image</source>
    <translation>{value} repères visuels dans l’image</translation>
-  </message>
-  <message>
-   <source>{value} wrong</source>
-   <translation>{value} fausse</translation>
   </message>
   <message>
    <source>{version}, which was not tested</source>
@@ -7558,10 +7478,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>« {name} » n’est pas une route évaluée : elle n’a pas de points, ou les colonnes {missing} manquent ; donnez ce que « Évaluer une route » a écrit.</translation>
-  </message>
-  <message>
-   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
-   <translation>« {name} » n’est pas une méthode ; indiquez-en parmi {known}, séparées par « ; ».</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -12,10 +12,6 @@
    <translation>--camera-yaw 为 {yaw:g}；必须是不超过 360 度的角度。</translation>
   </message>
   <message>
-   <source>--extent is “{text}”; give left,bottom,right,top in map units.</source>
-   <translation>--extent 为“{text}”；请以地图单位给出左,下,右,上。</translation>
-  </message>
-  <message>
    <source>--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.</source>
    <translation>--mavlink-origin 为 {latitude:g} {longitude:g}；必须是以度为单位的纬度和经度。</translation>
   </message>
@@ -32,6 +28,14 @@
    <translation>--risk 为 {risk:g}；它必须是 {least:g} 到 {most:g} 之间的概率。</translation>
   </message>
   <message>
+   <source>--state {path} is a file of another kind, which would be replaced; choose another name.</source>
+   <translation>--state {path} 是另一种文件，会被替换；请选择其他名称。</translation>
+  </message>
+  <message>
+   <source>--state {path} is not a regular file; choose another name.</source>
+   <translation>--state {path} 不是普通文件；请选择其他名称。</translation>
+  </message>
+  <message>
    <source>--sun is {sun:g}; it must be a direction from 0 to 360 degrees.</source>
    <translation>--sun 是 {sun:g}；它必须是 0 到 360 度之间的方向。</translation>
   </message>
@@ -44,8 +48,8 @@
    <translation>1 个要素</translation>
   </message>
   <message>
-   <source>1 in {count}</source>
-   <translation>{count} 次中 1 次</translation>
+   <source>1 in {count:,.0f}</source>
+   <translation>{count:,.0f} 分之一</translation>
   </message>
   <message>
    <source>2 % of the ground’s edge</source>
@@ -80,8 +84,8 @@
    <translation>包含 image、dx_m、dy_m 和 dheading_deg 列的 CSV：自上一行以来相机移动的距离（米，向右和朝向那幅影像的顶部）以及顺时针转动的角度（度）；可选 sigma_m、sigma_heading_deg、scale 和 sigma_scale。没有数字的行表示运动未知。它优先于像素所示。</translation>
   </message>
   <message>
-   <source>A GeoPackage made by “Build reference database”, or a set of them made by “Use databases as one”.</source>
-   <translation>由“构建参考数据库”生成的 GeoPackage，或由“将多个数据库合用”生成的数据库集。</translation>
+   <source>A GeoPackage made by “Build reference database”.</source>
+   <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
   </message>
   <message>
    <source>A PDF to print and to file.</source>
@@ -110,6 +114,10 @@
   <message>
    <source>A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, when it names the window nearest to the image’s center. False accepts are mirrored images of the map that were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so far off. Heading and scale: median errors of right fixes.</source>
    <translation>定位结果的误差不超过“设置”中的距离即为正确；拓扑向量法只能识别窗口，识别出离影像中心最近的窗口即为正确。误接受是指镜像的地图影像得到了定位结果：它们不可能正确。CEP50 和 CEP95：一半和 95% 的正确定位结果的误差不超过该值。航向和比例：正确定位结果的误差中值。</translation>
+  </message>
+  <message>
+   <source>A folder of images can’t be used.</source>
+   <translation>无法使用某个影像文件夹。</translation>
   </message>
   <message>
    <source>A gap of {area:.2f} m² lies between neighbors; its longest border is with {other_name}.</source>
@@ -164,10 +172,6 @@
    <translation>新文件夹或空文件夹；之前导出的文件夹会被替换。</translation>
   </message>
   <message>
-   <source>A new or empty folder; one that holds files is left alone.</source>
-   <translation>新文件夹或空文件夹；已有文件的文件夹不会被改动。</translation>
-  </message>
-  <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
    <translation>包含各类别 IoU、混淆矩阵、曲线和并排示例的页面。</translation>
   </message>
@@ -206,10 +210,6 @@
   <message>
    <source>A sliver of {name} of {area:.2f} m² lies beside {other_name} (feature {id}).</source>
    <translation>{name} 的一处 {area:.2f} m² 的碎片紧邻 {other_name}（要素 {id}）。</translation>
-  </message>
-  <message>
-   <source>A text file with the paths of the databases from its own folder on, so that all can move together.</source>
-   <translation>一个文本文件，其中数据库路径相对于它自己的文件夹，因此可以一起移动。</translation>
   </message>
   <message>
    <source>A track is told when the probability that it is wrong is at most this: 0.0001 is once in 10,000. A smaller risk needs more images.</source>
@@ -292,8 +292,16 @@
    <translation>所有文件 (*)</translation>
   </message>
   <message>
+   <source>All kinds ({count})</source>
+   <translation>所有种类（{count}）</translation>
+  </message>
+  <message>
    <source>All places are done.</source>
    <translation>所有位置均已处理。</translation>
+  </message>
+  <message>
+   <source>All polygons are</source>
+   <translation>所有多边形均为</translation>
   </message>
   <message>
    <source>All that the report shows, for scripts.</source>
@@ -398,6 +406,10 @@
   <message>
    <source>Any raster with or without georeference, or any map of tiles. Red, green and blue are found by color interpretation or wavelength, else they are the first three bands; a single band is taken as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile.</source>
    <translation>任何栅格（有无地理参考均可）或任何瓦片地图。红、绿、蓝按颜色解释或波长识别，否则取前三个波段；单波段视为灰度。超过 8 位的波段按第 2 至第 98 百分位拉伸。</translation>
+  </message>
+  <message>
+   <source>Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>适用于多边形的范围之内。仅当各类别的所有区域都已绘制时选择。对于只有一个类别（例如建筑物）的图层，SemRef 总是这样处理。</translation>
   </message>
   <message>
    <source>Approximate heading (°)</source>
@@ -524,10 +536,6 @@ All settings come from the database. What did not change keeps its row and its f
    <translation>用多个进程或多台机器生成数据库和标签图</translation>
   </message>
   <message>
-   <source>Building the sample’s reference database</source>
-   <translation>正在构建示例的参考数据库</translation>
-  </message>
-  <message>
    <source>Burning landmarks</source>
    <translation>正在烧录地标</translation>
   </message>
@@ -566,10 +574,6 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>按给出定位的方法。声称正确：平均置信度，应等于正确定位的比例；校准误差：两者的差距，按置信度每十分之一统计。椭圆：真实位置落在所报椭圆内的正确定位；诚实的椭圆应包含 50、95 和 99 %。</translation>
-  </message>
-  <message>
-   <source>CLASS_FIELD is empty; choose the field that tells the class of each polygon.</source>
-   <translation>CLASS_FIELD 为空；请选择说明每个多边形类别的字段。</translation>
   </message>
   <message>
    <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
@@ -668,8 +672,8 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>标注检查报告</translation>
   </message>
   <message>
-   <source>Checking and repairing annotations, making the sample project</source>
-   <translation>检查和修复标注，制作示例工程</translation>
+   <source>Checking and repairing annotations</source>
+   <translation>检查和修复标注</translation>
   </message>
   <message>
    <source>Checking torch…</source>
@@ -712,8 +716,16 @@ Classes come from the class table, else from the layer’s categorized style, el
    <translation>选择分割模型</translation>
   </message>
   <message>
+   <source>Choose the annotation and its class field below, under “Update the database”.</source>
+   <translation>请在下方“更新数据库”中选择标注及其类别字段。</translation>
+  </message>
+  <message>
    <source>Choose the annotation that you mended</source>
    <translation>选择您修正过的标注</translation>
+  </message>
+  <message>
+   <source>Choose the class field of the polygons, or enter the one class that all of them are.</source>
+   <translation>请选择多边形的类别字段，或输入所有多边形共有的唯一类别。</translation>
   </message>
   <message>
    <source>Choose the folder of your models</source>
@@ -928,12 +940,8 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>DATABASES 中有 {count} 个；请选择两个或更多以便合用。</translation>
   </message>
   <message>
-   <source>Database set</source>
-   <translation>数据库集</translation>
-  </message>
-  <message>
-   <source>Database sets (*.semrefset)</source>
-   <translation>数据库集 (*.semrefset)</translation>
+   <source>Dask on this machine: keeps other users out of its processes</source>
+   <translation>本机上的 Dask：阻止其他用户访问其进程</translation>
   </message>
   <message>
    <source>Databases at hand</source>
@@ -1168,10 +1176,6 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>EfficientNet-Lite0（已见过照片）</translation>
   </message>
   <message>
-   <source>Else colors are taken for classes.</source>
-   <translation>否则颜色会被当作类别。</translation>
-  </message>
-  <message>
    <source>Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are.</source>
    <translation>清空面板并清除 SemRef 的所有设置吗？文件、图层和已安装的软件包保持不变。</translation>
   </message>
@@ -1192,6 +1196,14 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>训练轮数</translation>
   </message>
   <message>
+   <source>Epochs that fit on this computer: about {count}</source>
+   <translation>本机可完成的轮数：约 {count}</translation>
+  </message>
+  <message>
+   <source>Epochs that fit: about {count}. Choose a longer time or a coarser resolution.</source>
+   <translation>可完成的轮数：约 {count}。请选择更长的时间或更粗的分辨率。</translation>
+  </message>
+  <message>
    <source>Error</source>
    <translation>错误</translation>
   </message>
@@ -1210,6 +1222,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Error over 95 % radius</source>
    <translation>误差与 95 % 半径之比</translation>
+  </message>
+  <message>
+   <source>Error probability</source>
+   <translation>错误概率</translation>
   </message>
   <message>
    <source>Errors</source>
@@ -1384,8 +1400,8 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>影像的文件名</translation>
   </message>
   <message>
-   <source>File name, status, position with its radius, and in how many such fixes one is wrong</source>
-   <translation>文件名、状态、位置及半径，以及多少次此类定位中有一次是错的</translation>
+   <source>File name, status, error probability, and position with its 95 % radius</source>
+   <translation>文件名、状态、错误概率，以及位置及其 95 % 半径</translation>
   </message>
   <message>
    <source>Fill from nomenclature</source>
@@ -1492,10 +1508,6 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>标签图像文件夹</translation>
   </message>
   <message>
-   <source>Folder for the sample</source>
-   <translation>存放示例的文件夹</translation>
-  </message>
-  <message>
    <source>Folder for the tiles</source>
    <translation>存放图块的文件夹</translation>
   </message>
@@ -1564,16 +1576,16 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>一次运行即可从土地覆盖多边形得到参考数据库：先“栅格化标注”，再“构建参考数据库”。请给出类别表，或指定参考类别。</translation>
   </message>
   <message>
+   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
+   <translation>从开始到写出模型，包括读取和检查。十分钟可作开端，一小时更好。0：不限。</translation>
+  </message>
+  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>{start:.0f} 至 {end:.0f} m：向左平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
   </message>
   <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the right success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>{start:.0f} 至 {end:.0f} m：向右平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
-  </message>
-  <message>
-   <source>GDAL of {python} was made for another numpy than the {version} that is there; install the one that it was made for, which docs/guide/cluster.md tells how to.</source>
-   <translation>{python} 的 GDAL 是为另一版本的 numpy 构建的，而现有的是 {version}；请安装其对应的版本，方法见 docs/guide/cluster.md。</translation>
   </message>
   <message>
    <source>GPS elsewhere</source>
@@ -1590,10 +1602,6 @@ Every image gives one point; without a fix it has no geometry and its reason say
   <message>
    <source>GeoPackage made by “Build reference database” or by this algorithm.</source>
    <translation>由“构建参考数据库”或本算法生成的 GeoPackage。</translation>
-  </message>
-  <message>
-   <source>GeoPackages made by “Build reference database”, two or more. They stay where they are.</source>
-   <translation>两个或更多由“构建参考数据库”生成的 GeoPackage。它们留在原处。</translation>
   </message>
   <message>
    <source>GeoTIFF</source>
@@ -1690,10 +1698,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Ground without a label</source>
    <translation>没有标签的地面</translation>
-  </message>
-  <message>
-   <source>Ground without a polygon is something else</source>
-   <translation>没有多边形的地面是其他地物</translation>
   </message>
   <message>
    <source>HSV ranges</source>
@@ -1880,10 +1884,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>飞行中</translation>
   </message>
   <message>
-   <source>In how many fixes as sure as this one is wrong</source>
-   <translation>与此同样可靠的定位中，多少次里有一次是错的</translation>
-  </message>
-  <message>
    <source>In the project</source>
    <translation>工程中</translation>
   </message>
@@ -2060,10 +2060,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>地标</translation>
   </message>
   <message>
-   <source>Landmarks agree with one place, but class areas only by {agreement:.2f} there: together it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>地标与某一地点相符，但那里的类别面积只有 {agreement:.2f} 的一致度：综合起来它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
-  </message>
-  <message>
    <source>Landmarks agree with the map on one side of the image only: it may show two places.</source>
    <translation>只有影像的一侧有地标与地图相符：它可能显示了两个地点。</translation>
   </message>
@@ -2092,6 +2088,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>虚增的地标（%）</translation>
   </message>
   <message>
+   <source>Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>地标与一个地点相符，但该处类别面积的相符度仅为 {agreement:.2f}：错误概率 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
    <source>Landmarks misnamed (%)</source>
    <translation>类别错误的地标（%）</translation>
   </message>
@@ -2106,10 +2106,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>Landmarks that agree</source>
    <translation>吻合的地标</translation>
-  </message>
-  <message>
-   <source>Landmarks that no database has whole</source>
-   <translation>没有任何数据库完整包含的地标</translation>
   </message>
   <message>
    <source>Largest 95 % radius</source>
@@ -2216,6 +2212,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>只列出错误和警告，即需要修正之处</translation>
   </message>
   <message>
+   <source>Lists the places of one kind only</source>
+   <translation>只列出一种地点</translation>
+  </message>
+  <message>
    <source>Loading the model</source>
    <translation>正在加载模型</translation>
   </message>
@@ -2316,6 +2316,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>正在检查同类别的相邻要素</translation>
   </message>
   <message>
+   <source>Looking at the images</source>
+   <translation>正在查看影像</translation>
+  </message>
+  <message>
    <source>Looking for QGIS’s Python…</source>
    <translation>正在查找 QGIS 的 Python…</translation>
   </message>
@@ -2388,10 +2392,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>生成航线图页</translation>
   </message>
   <message>
-   <source>Make sample area</source>
-   <translation>生成示例区域</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2400,28 +2400,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
 多边形重叠时，优先级较高者在上，否则较小的多边形在上，再否则类别值较小者在上。每个多边形保留覆盖其最大部分的要素的属性。对修复过的图层再次修复不会有任何改变。</translation>
   </message>
   <message>
-   <source>Makes up a piece of land of 4 × 3 km to try SemRef on: its land-cover polygons (landcover.shp), their class table (classes.csv), an orthophoto, photos taken anywhere above it, with where they were really taken (photos.csv), and the photos of one flight, with that and their times (flight.csv).
-
-The model that ships with SemRef can read these photos.</source>
-   <translation>虚构一块 4 × 3 km 的土地，用来试用 SemRef：土地覆盖多边形（landcover.shp）、类别表（classes.csv）、一幅正射影像、在其上空任意位置拍摄的照片和真实拍摄位置（photos.csv），以及一次飞行的照片及其位置和时间（flight.csv）。
-
-随 SemRef 提供的模型可以读取这些照片。</translation>
-  </message>
-  <message>
    <source>Making an environment for training…</source>
    <translation>正在创建训练环境…</translation>
   </message>
   <message>
-   <source>Making the sample area</source>
-   <translation>正在生成示例区域</translation>
-  </message>
-  <message>
    <source>Making the sample project</source>
    <translation>正在生成示例工程</translation>
-  </message>
-  <message>
-   <source>Making up the landscape</source>
-   <translation>正在虚构地貌</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2768,12 +2752,12 @@ The model that ships with SemRef can read these photos.</source>
    <translation>观测处北坐标</translation>
   </message>
   <message>
-   <source>Not good for</source>
-   <translation>不适用于</translation>
+   <source>Not available, with the Python package that each needs: {devices}.</source>
+   <translation>不可用的设备及其各自所需的 Python 包：{devices}。</translation>
   </message>
   <message>
-   <source>Not there, with the Python package that brings it: {devices}.</source>
-   <translation>没有，括号内为提供它的 Python 软件包：{devices}。</translation>
+   <source>Not good for</source>
+   <translation>不适用于</translation>
   </message>
   <message>
    <source>Nothing in the two images tells a common motion; they may show different ground.</source>
@@ -2834,10 +2818,6 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Number of landmarks</source>
    <translation>地标数</translation>
-  </message>
-  <message>
-   <source>Number of photos</source>
-   <translation>照片数</translation>
   </message>
   <message>
    <source>Number of polygons with a class</source>
@@ -2972,6 +2952,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>每幅有位置的影像一个多边形：它所显示的地面。</translation>
   </message>
   <message>
+   <source>Only if all are of one class, such as “building”</source>
+   <translation>仅当全部属于同一类别时，例如“building”</translation>
+  </message>
+  <message>
    <source>Only of a flight is a state kept: add --flight, or leave --state out.</source>
    <translation>只有航次才保存状态：请加上 --flight，或去掉 --state。</translation>
   </message>
@@ -3034,6 +3018,10 @@ The model that ships with SemRef can read these photos.</source>
   <message>
    <source>Other feature</source>
    <translation>另一要素</translation>
+  </message>
+  <message>
+   <source>Otherwise colors are taken for classes.</source>
+   <translation>否则颜色会被当作类别。</translation>
   </message>
   <message>
    <source>Out of reach in time</source>
@@ -3124,6 +3112,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>训练时的像素大小</translation>
   </message>
   <message>
+   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>网络学习所用的像素（如果不是影像本身的像素）：最小的建筑物应约有 14 个像素宽。像素越粗，训练越快。</translation>
+  </message>
+  <message>
    <source>Place before</source>
    <translation>上一处</translation>
   </message>
@@ -3144,8 +3136,8 @@ The model that ships with SemRef can read these photos.</source>
    <translation>各地点均由训练时未使用该地点的网络来检验。</translation>
   </message>
   <message>
-   <source>Places to mend appear here: “Check annotation” and “Compare label maps” find them.</source>
-   <translation>待修正的位置显示在此处：由“检查标注”和“比较标签图”找出。</translation>
+   <source>Places to repair appear here: “Check annotation” and “Compare label maps” find them.</source>
+   <translation>需要修复的地点显示在此处：由“检查标注”和“比较标签图”找出。</translation>
   </message>
   <message>
    <source>Placing the flight</source>
@@ -3240,6 +3232,10 @@ The model that ships with SemRef can read these photos.</source>
    <translation>概率</translation>
   </message>
   <message>
+   <source>Probability that the position is wrong</source>
+   <translation>位置错误的概率</translation>
+  </message>
+  <message>
    <source>Probability to be right</source>
    <translation>正确概率</translation>
   </message>
@@ -3320,12 +3316,16 @@ Layers are drawn as they are styled in the project.</source>
    <translation>ROUTE 位于数据库的地图之外；请选择其他航线或数据库。</translation>
   </message>
   <message>
+   <source>Radius (m)</source>
+   <translation>半径（m）</translation>
+  </message>
+  <message>
    <source>Radius around it (map units)</source>
    <translation>周围半径（地图单位）</translation>
   </message>
   <message>
-   <source>Radius that holds the true position in 95 % of fixes, in meters</source>
-   <translation>95% 的定位结果中包含真实位置的半径，以米为单位</translation>
+   <source>Radius in meters that contains the true position in 95 % of fixes</source>
+   <translation>在 95 % 的定位中包含真实位置的半径（米）</translation>
   </message>
   <message>
    <source>Ragged edges (map units)</source>
@@ -3348,16 +3348,16 @@ Layers are drawn as they are styled in the project.</source>
    <translation>栅格化标注</translation>
   </message>
   <message>
+   <source>Rasterize it again…</source>
+   <translation>重新栅格化…</translation>
+  </message>
+  <message>
    <source>Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept</source>
    <translation>将标注栅格化到数据库的地图上并就地更新数据库；保留旧文件</translation>
   </message>
   <message>
    <source>Rasterizing the correction</source>
    <translation>正在栅格化更正内容</translation>
-  </message>
-  <message>
-   <source>Rasterizing the sample area</source>
-   <translation>正在栅格化示例区域</translation>
   </message>
   <message>
    <source>Reading an image</source>
@@ -3368,16 +3368,12 @@ Layers are drawn as they are styled in the project.</source>
    <translation>正在读取数据库</translation>
   </message>
   <message>
-   <source>Reading the databases</source>
-   <translation>正在读取各数据库</translation>
+   <source>Reading the folder…</source>
+   <translation>正在读取文件夹…</translation>
   </message>
   <message>
    <source>Reading the label map</source>
    <translation>正在读取标签图</translation>
-  </message>
-  <message>
-   <source>Reading the times of images</source>
-   <translation>正在读取影像时间</translation>
   </message>
   <message>
    <source>Reading…</source>
@@ -3412,12 +3408,8 @@ Layers are drawn as they are styled in the project.</source>
    <translation>参考数据库：{name}</translation>
   </message>
   <message>
-   <source>Reference databases</source>
-   <translation>参考数据库（多个）</translation>
-  </message>
-  <message>
-   <source>Reference databases (*.gpkg *.semrefset)</source>
-   <translation>参考数据库 (*.gpkg *.semrefset)</translation>
+   <source>Reference databases (*.gpkg)</source>
+   <translation>参考数据库 (*.gpkg)</translation>
   </message>
   <message>
    <source>Relative deviation of the scale</source>
@@ -3452,12 +3444,24 @@ Layers are drawn as they are styled in the project.</source>
    <translation>正在删除旧结果</translation>
   </message>
   <message>
-   <source>Rendering it as a photo</source>
-   <translation>正在渲染为照片</translation>
+   <source>Repair all</source>
+   <translation>全部修复</translation>
+  </message>
+  <message>
+   <source>Repair all ({count})…</source>
+   <translation>全部修复（{count}）…</translation>
+  </message>
+  <message>
+   <source>Repair all…</source>
+   <translation>全部修复…</translation>
   </message>
   <message>
    <source>Repair annotation</source>
    <translation>修复标注</translation>
+  </message>
+  <message>
+   <source>Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is edited, not saved: you can undo it.</source>
+   <translation>修复“{layer}”中的 {count} 处（{kinds}）？同一类别相接的多边形会合并。图层只被编辑而未保存：可以撤销。</translation>
   </message>
   <message>
    <source>Repaired annotation</source>
@@ -3466,6 +3470,22 @@ Layers are drawn as they are styled in the project.</source>
   <message>
    <source>Repaired invalid geometry: {features}, {polygons} polygons.</source>
    <translation>已修复无效几何：{features}，{polygons} 个多边形。</translation>
+  </message>
+  <message>
+   <source>Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left.</source>
+   <translation>已修复“{layer}”：更改 {changed} 个多边形，新增 {added} 个，删除 {removed} 个。请保存图层的编辑以保留结果，或撤销（Ctrl+Z）。再次检查标注即可看到剩余问题。</translation>
+  </message>
+  <message>
+   <source>Repairing the annotation</source>
+   <translation>正在修复标注</translation>
+  </message>
+  <message>
+   <source>Repairing: {percent} %</source>
+   <translation>正在修复：{percent} %</translation>
+  </message>
+  <message>
+   <source>Repairs in the annotation what “Repair annotation” can repair; it can be undone</source>
+   <translation>修复标注中“修复标注”能够修复的内容；可以撤销</translation>
   </message>
   <message>
    <source>Report</source>
@@ -3672,8 +3692,16 @@ Layers are drawn as they are styled in the project.</source>
    <translation>SemRef 匹配</translation>
   </message>
   <message>
+   <source>SemRef needs Python packages that this QGIS does not have yet: {packages}.</source>
+   <translation>SemRef 需要此 QGIS 尚未安装的 Python 包：{packages}。</translation>
+  </message>
+  <message>
    <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing {commands}.</source>
    <translation>SemRef 需要 Python 软件包 {packages}。请在 设置 ▸ 选项 ▸ SemRef 中安装，或输入 {commands}。</translation>
+  </message>
+  <message>
+   <source>SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.</source>
+   <translation>SemRef 需要 Python 包 {packages}。请在 设置 ▸ 选项 ▸ SemRef 中安装。</translation>
   </message>
   <message>
    <source>SemRef positions</source>
@@ -4000,20 +4028,12 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>噪声下的成功率</translation>
   </message>
   <message>
-   <source>Such ground, within the extent of the polygons, becomes the class “other”. Only where everything that is of a class was drawn. With a single class, such as buildings, map correlation needs it.</source>
-   <translation>在多边形的范围内，这样的地面成为类别“other”。仅在每个类别的地物都已全部绘制时使用。只有一个类别（例如建筑物）时，地图相关需要它。</translation>
-  </message>
-  <message>
    <source>Tables and charts in one file to read and print.</source>
    <translation>表格和图表，汇总在一个可供阅读和打印的文件中。</translation>
   </message>
   <message>
    <source>Take the database along: “Export for onboard use”, with this route as area.</source>
    <translation>随机携带数据库：“导出机载文件”，以此航线为区域。</translation>
-  </message>
-  <message>
-   <source>Taking photos</source>
-   <translation>正在拍摄照片</translation>
   </message>
   <message>
    <source>Target CRS</source>
@@ -4024,8 +4044,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>已测试的版本</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon.</source>
-   <translation>给出每个多边形类别的文本或数值字段。</translation>
+   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <translation>包含每个多边形类别的文本或数字字段。如果全部属于同一类别则不需要。</translation>
   </message>
   <message>
    <source>The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were taken; give the log of this flight, or a camera table with times.</source>
@@ -4044,20 +4064,20 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>CLIP 的区域为空或位于数据库的地图之外；请选择其他区域；对于线和点，请选择大于 {distance:g} 的 DISTANCE。</translation>
   </message>
   <message>
-   <source>The best place (log odds {log_odds:.1f}) is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>最佳地点（对数几率 {log_odds:.1f}）出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+   <source>The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>最佳匹配（{score:.2f}）并不明显优于随机：错误概率 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
   <message>
-   <source>The best place ({score:.2f}) agrees too little better than the mirrored image does by chance ({mirror:.2f}): it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>最佳地点（{score:.2f}）的一致度比镜像影像的偶然一致度（{mirror:.2f}）高得不够：它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
-  </message>
-  <message>
-   <source>The best place agrees with the image only by {score:.2f}: it is wrong with a probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
-   <translation>最佳地点与影像的一致度只有 {score:.2f}：它出错的概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+   <source>The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>最佳地点（对数几率 {log_odds:.1f}）的错误概率为 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
   </message>
   <message>
    <source>The class found worst is {name} ({iou}): more of it in the training helps most.</source>
    <translation>识别最差的类别是 {name}（{iou}）：训练中增加它最有帮助。</translation>
+  </message>
+  <message>
+   <source>The class of every polygon, such as “building”. If you enter one, the class field is not used.</source>
+   <translation>所有多边形的类别，例如“building”。如果输入，则不使用类别字段。</translation>
   </message>
   <message>
    <source>The class table has the {column} {repeated} more than once.</source>
@@ -4124,10 +4144,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
   <message>
-   <source>The databases lie so far apart that a map of all would have {width} × {height} pixels; use those together that are neighbors.</source>
-   <translation>这些数据库相距太远，覆盖全部的地图将有 {width} × {height} 个像元；请只合用相邻的数据库。</translation>
-  </message>
-  <message>
    <source>The deviations of the motion from image {first} to image {second} are none.</source>
    <translation>从图像 {first} 到图像 {second} 的运动偏差相互矛盾。</translation>
   </message>
@@ -4168,10 +4184,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>“{layer}”的范围与其坐标参考系 {crs} 不符；请另选。</translation>
   </message>
   <message>
-   <source>The field “{name}” of {path} can't be used; a class is a text or a number, a priority a number.</source>
-   <translation>{path} 的字段“{name}”无法使用；类别应为文本或数字，优先级应为数字。</translation>
-  </message>
-  <message>
    <source>The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.</source>
    <translation>该文件无法给出经纬度：地图过大，或包含极点。</translation>
   </message>
@@ -4210,6 +4222,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The folder {folder} does not exist; create it or choose another place for {name}.</source>
    <translation>文件夹 {folder} 不存在；请创建该文件夹，或为 {name} 选择其他位置。</translation>
+  </message>
+  <message>
+   <source>The folder {folder} of --state {path} does not exist; create it or choose another one.</source>
+   <translation>--state {path} 的文件夹 {folder} 不存在；请创建它或选择其他文件夹。</translation>
   </message>
   <message>
    <source>The folder {path} holds no image ({endings}).</source>
@@ -4296,8 +4312,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>影像显示 {count} 个完整地标</translation>
   </message>
   <message>
-   <source>The images or their folder, where they don’t lie any more where they were localized.</source>
-   <translation>影像或其文件夹，若它们已不在定位时的位置。</translation>
+   <source>The images or their folder. Needed where they are not in the folder of the positions.</source>
+   <translation>影像或其文件夹。如果影像不在位置图层的文件夹中则需要。</translation>
   </message>
   <message>
    <source>The key {path} can't be read: {reason}.</source>
@@ -4318,10 +4334,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The label map brings no class names; its classes are named by their values.</source>
    <translation>标签图不带类别名称；其类别以值命名。</translation>
-  </message>
-  <message>
-   <source>The label map has one class alone, and map correlation needs two. If everything of this class was drawn, switch “Ground without a polygon is something else” on: more images will be found.</source>
-   <translation>标签图只有一个类别，而地图相关需要两个。如果该类别的地物已全部绘制，请打开“没有多边形的地面是其他地物”：会找到更多图像。</translation>
   </message>
   <message>
    <source>The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with the database's pixel size or build a new database.</source>
@@ -4356,6 +4368,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>标签图将有 {width} × {height} 像素；请选择更大的像素或更小的范围。</translation>
   </message>
   <message>
+   <source>The label map “{layer}” is older than the database now.</source>
+   <translation>标签图“{layer}”现在比数据库旧。</translation>
+  </message>
+  <message>
    <source>The labels can’t be brought onto the image: {reason}.</source>
    <translation>无法将标签对应到影像上：{reason}。</translation>
   </message>
@@ -4384,16 +4400,16 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>整幅地图的地标：其类别中每个区域的重心、类别和面积。</translation>
   </message>
   <message>
-   <source>The landscape can’t be rasterized: {reason}.</source>
-   <translation>无法将景观栅格化：{reason}。</translation>
-  </message>
-  <message>
    <source>The largest of each kind</source>
    <translation>各种类中最大的问题</translation>
   </message>
   <message>
-   <source>The layer {layer} can’t be created: {reason}.</source>
-   <translation>无法创建图层 {layer}：{reason}。</translation>
+   <source>The layer has a single class: ground without a polygon becomes class “other”.</source>
+   <translation>该图层只有一个类别：没有多边形的地面成为类别“other”。</translation>
+  </message>
+  <message>
+   <source>The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.</source>
+   <translation>图层 {layer} 无法编辑；请将其另存为 GeoPackage，并选其作为标注。</translation>
   </message>
   <message>
    <source>The layer {name} can't be written: {reason}.</source>
@@ -4420,8 +4436,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>损失不再是数值；请使用更小的学习率训练。</translation>
   </message>
   <message>
-   <source>The map has fewer than two classes, so that no place differs from another.</source>
-   <translation>地图的类别少于两个，因此各地点无法区分。</translation>
+   <source>The map has one class everywhere, so that no place differs from another.</source>
+   <translation>整幅地图只有一个类别，因此各地点之间没有区别。</translation>
   </message>
   <message>
    <source>The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference classes or a smaller minimum area.</source>
@@ -4452,6 +4468,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>两图没有相同的类别名称：类别按值匹配。</translation>
   </message>
   <message>
+   <source>The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error probability {risk:.2g}; at most {allowed:.2g} is allowed.</source>
+   <translation>匹配度（{score:.2f}）并不明显优于镜像影像（{mirror:.2f}）：错误概率 {risk:.2g}；最多允许 {allowed:.2g}。</translation>
+  </message>
+  <message>
    <source>The minimum area is {minimum_area:g} m²; it must be more than 0.</source>
    <translation>最小面积为 {minimum_area:g} m²；必须大于 0。</translation>
   </message>
@@ -4480,6 +4500,14 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>该网络在放大时对齐角点：偏离瓦片中心的内容会显示得再偏远几个像素，照片会被当作比实际最多大 1 %。</translation>
   </message>
   <message>
+   <source>The network found {count} landmark ({classes})</source>
+   <translation>网络找到 {count} 个地标（{classes}）</translation>
+  </message>
+  <message>
+   <source>The network found {count} landmarks ({classes})</source>
+   <translation>网络找到 {count} 个地标（{classes}）</translation>
+  </message>
+  <message>
    <source>The network takes its labels to be right with {percent:.0f} % on average. Where that is much less than on the ground it was trained on, it does not know this ground; a high number is no proof that it does.</source>
    <translation>网络认为其标签正确的平均概率为 {percent:.0f} %。若明显低于训练所用地面上的值，说明网络不认识这片地面；数值高并不能证明它认识。</translation>
   </message>
@@ -4490,6 +4518,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The network that makes labels of photos; leave empty for label images</source>
    <translation>由照片生成标签的网络；输入为标签影像时请留空</translation>
+  </message>
+  <message>
+   <source>The network was trained on: {places}.</source>
+   <translation>该网络的训练区域：{places}。</translation>
   </message>
   <message>
    <source>The objects that agree with the map don't fix the position closely enough.</source>
@@ -4544,6 +4576,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
   </message>
   <message>
+   <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
+   <translation>位置图层指向 {path}，但它不在自己的文件夹中；请在“影像”中选择该影像或其文件夹。</translation>
+  </message>
+  <message>
    <source>The precision is {precision:g}; it must be more than 0 map units.</source>
    <translation>精度为 {precision:g}；必须大于 0 地图单位。</translation>
   </message>
@@ -4592,8 +4628,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>“检查标注”或“比较标签图”的结果</translation>
   </message>
   <message>
-   <source>The result would replace {path}; choose another name.</source>
-   <translation>结果会覆盖 {path}；请另选名称。</translation>
+   <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
+   <translation>结果指向一幅不在其文件夹中的影像。请将该影像或其文件夹添加到影像列表。</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4602,10 +4638,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The run in {folder} had another {settings}; give the same again, or begin anew.</source>
    <translation>{folder} 中的运行使用了不同的 {settings}；请使用相同的值，或重新开始。</translation>
-  </message>
-  <message>
-   <source>The same number gives the same area; another one makes up another.</source>
-   <translation>相同的数得到相同的区域，不同的数得到不同的区域。</translation>
   </message>
   <message>
    <source>The same windows, turned about their centers.</source>
@@ -4648,6 +4680,18 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>所选影像；按加号、减号和 0 缩放</translation>
   </message>
   <message>
+   <source>The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.</source>
+   <translation>“{layer}”的服务器对一个瓦片返回了超过 {most_mb} MB 的数据；SemRef 已停止读取。</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.</source>
+   <translation>“{layer}”的服务器重定向到 {address}；SemRef 仅通过 http 和 https 读取瓦片。</translation>
+  </message>
+  <message>
+   <source>The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another layer.</source>
+   <translation>“{layer}”的服务器处理一部分超过了 {most_s} 秒；请稍后重试或选择其他图层。</translation>
+  </message>
+  <message>
    <source>The shape is not that of {source}, so the image is taken as it is.</source>
    <translation>影像的形状与 {source} 不符，因此影像按原样处理。</translation>
   </message>
@@ -4666,10 +4710,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would be missed; make the stride at most the window size.</source>
    <translation>步长（{stride} px）大于窗口（{size} px），窗口之间的地面会被遗漏；步长请不要超过窗口大小。</translation>
-  </message>
-  <message>
-   <source>The stride {stride:g} is larger than the window size {size:g}; choose a smaller one.</source>
-   <translation>步长 {stride:g} 大于窗口大小 {size:g}；请选择较小的步长。</translation>
   </message>
   <message>
    <source>The tile {path} can't be read.</source>
@@ -4764,12 +4804,16 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>没有可导出的地标；请选择其他数据库或更大的区域。</translation>
   </message>
   <message>
+   <source>There is no private folder for the secret that --state is authenticated with; set up a home folder for this user, or add --require-signature.</source>
+   <translation>没有可存放用于验证 --state 的密钥的私有文件夹；请为该用户设置主目录，或添加 --require-signature。</translation>
+  </message>
+  <message>
    <source>There is no run to resume in {folder}.</source>
    <translation>{folder} 中没有可继续的运行。</translation>
   </message>
   <message>
-   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: --local 4, in QGIS local:4.</source>
-   <translation>{address} 处没有调度器（{reason}）；请启动一个，或在本机启动进程：--local 4，在 QGIS 中为 local:4。</translation>
+   <source>There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.</source>
+   <translation>{address} 处没有调度器（{reason}）；请启动一个，或在本机启动进程：local:4。</translation>
   </message>
   <message>
    <source>These are photos: choose a model.</source>
@@ -4778,6 +4822,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>These images are one flight</source>
    <translation>这些影像属于同一次飞行</translation>
+  </message>
+  <message>
+   <source>This copy of SemRef has no sample area. Install SemRef from its zip file.</source>
+   <translation>此 SemRef 副本没有示例区域。请从 zip 文件安装 SemRef。</translation>
   </message>
   <message>
    <source>This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.</source>
@@ -4814,10 +4862,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Title</source>
    <translation>标题</translation>
-  </message>
-  <message>
-   <source>To learn at other pixels than the image’s: those of the photos that are to be localized.</source>
-   <translation>用于以不同于影像的像元学习：采用待定位照片的像元。</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -4884,10 +4928,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>训练</translation>
   </message>
   <message>
-   <source>Training is done within this time; ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>训练在此时间内完成；十分钟可作开始，一小时效果更好。0：不限。</translation>
-  </message>
-  <message>
    <source>Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef (about 1.5 GB, more with support for graphics cards), or name one in PYTHON.</source>
    <translation>训练需要带有 torch 的独立 Python：请在“设置 ▸ 选项 ▸ SemRef”中让 SemRef 创建一个（约 1.5 GB，支持显卡时更大），或在 PYTHON 中指定一个。</translation>
   </message>
@@ -4910,6 +4950,10 @@ Ground is set aside to tell how good the network is. Training runs in a Python o
    <translation>使用正射影像和同一地面的标注或标签图训练分割网络，并以模型（ONNX）的形式提供给“分割影像”和“定位影像”使用，同时给出报告。
 
 预留部分地面以说明网络的好坏。训练在带有 torch 的独立 Python 中进行：SemRef 可在“设置 ▸ 选项 ▸ SemRef”中创建，也可由您指定。被取消的运行可以继续：使用相同的输出再次运行即可。</translation>
+  </message>
+  <message>
+   <source>Treat ground without a polygon as class “other”</source>
+   <translation>将没有多边形的地面视为类别“other”</translation>
   </message>
   <message>
    <source>Trial</source>
@@ -4980,8 +5024,8 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
 可用的输入：提取文件（.osm、.osm.pbf）、QuickOSM 图层、Geofabrik 的 shapefile，以及任何每个标签一列或有一列标签的图层。哪个标签对应哪个类别由一张规则表决定，您可以换成自己的。</translation>
   </message>
   <message>
-   <source>Two places agree almost equally well ({score:.2f} and {runner_up:.2f}): the better one is wrong with a probability of {risk:.2g}; a prior position could tell them apart.</source>
-   <translation>两个地点几乎同样相符（{score:.2f} 和 {runner_up:.2f}）：较好的那个出错的概率为 {risk:.2g}；给出大致位置可以区分它们。</translation>
+   <source>Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the better one. Set a prior position to choose between them.</source>
+   <translation>两个地点的匹配度几乎相同（{score:.2f} 和 {runner_up:.2f}）：较好者的错误概率为 {risk:.2g}。请设置先验位置以作选择。</translation>
   </message>
   <message>
    <source>Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area.</source>
@@ -5000,8 +5044,8 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>正在撤销更新</translation>
   </message>
   <message>
-   <source>Unknown ground is left out of training. Choose “something else” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn.</source>
-   <translation>未知地面不参与训练。仅当属于各类别的内容已全部绘出时才选择“其他”；此时用范围排除未绘制的地面。</translation>
+   <source>Unknown ground is left out of training. Choose class “other” only where everything that is of a class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it for a layer with a single class, such as buildings.</source>
+   <translation>未知地面不参与训练。仅当各类别的所有对象都已绘制时才选择类别“other”；此时可用范围排除未绘制的地面。对于只有一个类别（例如建筑物）的图层，SemRef 总是这样处理。</translation>
   </message>
   <message>
    <source>Unreadable</source>
@@ -5026,10 +5070,6 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
   <message>
    <source>Updating the database</source>
    <translation>正在更新数据库</translation>
-  </message>
-  <message>
-   <source>Use databases as one</source>
-   <translation>将多个数据库合用</translation>
   </message>
   <message>
    <source>Use this model</source>
@@ -5312,14 +5352,6 @@ Positions, areas and vectors are rounded; the log says how much. An older onboar
 位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
   </message>
   <message>
-   <source>Writes a small text file that names several reference databases, by sheet or by date. Wherever a database is read, this file can be given, and all are used as one; updating a sheet changes its file alone.
-
-The databases must be built alike: in one CRS, with one pixel size, class table, window size, stride and minimum area, from maps whose corners are whole pixels of the overview apart. Where two show the same ground, the one that was built or updated last tells it. Sheets should overlap by more than their landmarks are long: what no sheet has whole is no part of a constellation.</source>
-   <translation>写出一个列出若干参考数据库（按图幅或按日期）的小文本文件。凡是读取数据库之处都可以给出此文件，所有数据库合用如一；更新一幅图只改变它自己的文件。
-
-这些数据库必须以相同方式构建：同一坐标参照系、像元大小、类别表、窗口大小、步长和最小面积，且所用地图的角点相距概览图的整数个像元。两者显示同一地面时，以最后构建或更新的为准。图幅的重叠应大于其地标的长度：没有任何图幅完整包含的地标不属于任何星座。</translation>
-  </message>
-  <message>
    <source>Writes the class table of an annotation layer: a value, a color and a role for each class that it has.
 
 Colors are those of the layer’s categorized style, else of the nomenclature, else what the class is known by: water is blue, forest green. Look through the file before it is used: it can be edited wherever a class table is asked for, or in any spreadsheet.</source>
@@ -5332,44 +5364,20 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>正在写入并检查模型</translation>
   </message>
   <message>
-   <source>Writing the annotation</source>
-   <translation>正在写入标注</translation>
-  </message>
-  <message>
    <source>Writing the database</source>
    <translation>正在写入数据库</translation>
-  </message>
-  <message>
-   <source>Writing the orthophoto</source>
-   <translation>正在写入正射影像</translation>
   </message>
   <message>
    <source>Writing tiles</source>
    <translation>正在写入图块</translation>
   </message>
   <message>
-   <source>Wrong</source>
-   <translation>错误率</translation>
-  </message>
-  <message>
    <source>Wrong fixes (share)</source>
    <translation>错误定位（占比）</translation>
   </message>
   <message>
-   <source>Wrong once in</source>
-   <translation>出错概率为一比</translation>
-  </message>
-  <message>
    <source>Zoom to hit</source>
    <translation>缩放到命中位置</translation>
-  </message>
-  <message>
-   <source>a CRS that does not measure in meters ({crs})</source>
-   <translation>不以米为单位的坐标参照系（{crs}）</translation>
-  </message>
-  <message>
-   <source>a style that may tell classes, and no class table is given</source>
-   <translation>可能说明类别的样式，且未给出类别表</translation>
   </message>
   <message>
    <source>about {hours:.1f} h left</source>
@@ -5442,6 +5450,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>background</source>
    <translation>背景</translation>
+  </message>
+  <message>
+   <source>below 1 in {count:,.0f}</source>
+   <translation>低于 {count:,.0f} 分之一</translation>
   </message>
   <message>
    <source>below the minimum area</source>
@@ -5532,6 +5544,18 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>误差</translation>
   </message>
   <message>
+   <source>error probability</source>
+   <translation>错误概率</translation>
+  </message>
+  <message>
+   <source>error probability {value}</source>
+   <translation>错误概率 {value}</translation>
+  </message>
+  <message>
+   <source>error {probability}</source>
+   <translation>错误率 {probability}</translation>
+  </message>
+  <message>
    <source>error, m</source>
    <translation>误差，m</translation>
   </message>
@@ -5582,10 +5606,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>gap between neighbors</source>
    <translation>相邻间空隙</translation>
-  </message>
-  <message>
-   <source>geometry of the kind {kind}</source>
-   <translation>{kind} 类型的几何</translation>
   </message>
   <message>
    <source>good</source>
@@ -5688,8 +5708,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>虚增</translation>
   </message>
   <message>
-   <source>is something else</source>
-   <translation>是其他</translation>
+   <source>is class “other”</source>
+   <translation>属于类别“other”</translation>
   </message>
   <message>
    <source>is unknown</source>
@@ -5768,10 +5788,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>镜头畸变已校正，最多为宽度的 {value:.1f} %</translation>
   </message>
   <message>
-   <source>levels</source>
-   <translation>级别</translation>
-  </message>
-  <message>
    <source>localizable</source>
    <translation>可定位</translation>
   </message>
@@ -5830,10 +5846,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>merged by pixels</source>
    <translation>像素化后合并</translation>
-  </message>
-  <message>
-   <source>minimum area</source>
-   <translation>最小面积</translation>
   </message>
   <message>
    <source>mirrored image</source>
@@ -5902,10 +5914,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>nowhere</source>
    <translation>无</translation>
-  </message>
-  <message>
-   <source>number of landmarks a vector</source>
-   <translation>每个向量的地标数</translation>
   </message>
   <message>
    <source>of each image by itself: {method}</source>
@@ -5992,10 +6000,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>像元大小 {value:.3g} m</translation>
   </message>
   <message>
-   <source>polygons that are invalid, such as that of feature {fid}</source>
-   <translation>无效多边形，例如要素 {fid} 的多边形</translation>
-  </message>
-  <message>
    <source>poor</source>
    <translation>差</translation>
   </message>
@@ -6006,10 +6010,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>reason</source>
    <translation>原因</translation>
-  </message>
-  <message>
-   <source>reduction of the overview</source>
-   <translation>概览图缩小倍数</translation>
   </message>
   <message>
    <source>reliably</source>
@@ -6110,10 +6110,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>stopped: the time was over</source>
    <translation>已停止：时间已到</translation>
-  </message>
-  <message>
-   <source>stride</source>
-   <translation>步长</translation>
   </message>
   <message>
    <source>the 95 % radius grows to {radius:.0f} m</source>
@@ -6220,10 +6216,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>预期情况</translation>
   </message>
   <message>
-   <source>window size</source>
-   <translation>窗口大小</translation>
-  </message>
-  <message>
    <source>window {value}</source>
    <translation>窗口 {value}</translation>
   </message>
@@ -6248,14 +6240,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>模拟的错误定位</translation>
   </message>
   <message>
-   <source>wrong once in</source>
-   <translation>错误率：每</translation>
-  </message>
-  <message>
-   <source>wrong once in {value:,.0f}</source>
-   <translation>每 {value:,.0f} 次错一次</translation>
-  </message>
-  <message>
    <source>x</source>
    <translation>x</translation>
   </message>
@@ -6278,6 +6262,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{area:.2f} m² that two claimed belong to {name} (feature {id}), no longer to feature {other}.</source>
    <translation>两个要素同时占有的 {area:.2f} m² 归 {name}（要素 {id}），不再属于要素 {other}。</translation>
+  </message>
+  <message>
+   <source>{area} m²</source>
+   <translation>{area} m²</translation>
   </message>
   <message>
    <source>{before} features became {after} polygons; {changes} changes</source>
@@ -6308,10 +6296,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>待定位影像 {count} 幅。</translation>
   </message>
   <message>
-   <source>{count} landmarks go on beyond the edge of their database and are whole in none, so no constellation has them; let sheets overlap more where that is too many.</source>
-   <translation>{count} 个地标延伸出其数据库的边缘，且在任何数据库中都不完整，因此不属于任何星座；若数量过多，请加大图幅重叠。</translation>
-  </message>
-  <message>
    <source>{count} landmarks in the centered square of {size} pixels.</source>
    <translation>{size} 像元的居中正方形内有 {count} 个地标。</translation>
   </message>
@@ -6326,10 +6310,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{count} other places fit almost as well as the best one.</source>
    <translation>另有 {count} 个地点与最佳地点几乎同样相符。</translation>
-  </message>
-  <message>
-   <source>{count} photos in {folder}</source>
-   <translation>{count} 张照片位于 {folder}</translation>
   </message>
   <message>
    <source>{count} pixels compared</source>
@@ -6354,10 +6334,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.</source>
    <translation>{crs} 不以米为单位；请选择以米为单位的投影坐标参照系作为 TARGET_CRS。</translation>
-  </message>
-  <message>
-   <source>{databases} databases together have {landmarks} landmarks and {windows} windows.</source>
-   <translation>{databases} 个数据库共有 {landmarks} 个地标和 {windows} 个窗口。</translation>
   </message>
   <message>
    <source>{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.</source>
@@ -6400,12 +6376,20 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{device}，每秒 {rate:.3g} 个瓦片。</translation>
   </message>
   <message>
+   <source>{first} {second}</source>
+   <translation>{first}{second}</translation>
+  </message>
+  <message>
    <source>{fixes} of {images} images have a fix.</source>
    <translation>{images} 幅影像中有 {fixes} 幅得到定位结果。</translation>
   </message>
   <message>
    <source>{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have a position.</source>
    <translation>沿每条航线模拟 {flights} 次飞行,每 {distance:.0f} m 一幅图像,按飞行中所知。第一个位置取 {threshold} 的飞行已得到位置之处;半径为有位置的飞行的中位数。</translation>
+  </message>
+  <message>
+   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
+   <translation>{folder} 无法保存训练结果（{reason}）；请释放磁盘空间后重新开始训练：将从最后保存的一轮继续。</translation>
   </message>
   <message>
    <source>{folder} can’t be read; choose another folder.</source>
@@ -6636,18 +6620,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{number} 个要素</translation>
   </message>
   <message>
-   <source>{odds} wrong</source>
-   <translation>{odds}错误</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give numbers separated by “;”.</source>
-   <translation>{option} 为“{text}”；请给出以“;”分隔的数字。</translation>
-  </message>
-  <message>
-   <source>{option} is “{text}”; give the smallest and the largest value, such as 0,20.</source>
-   <translation>{option} 为“{text}”；请给出最小值和最大值，例如 0,20。</translation>
-  </message>
-  <message>
    <source>{option} needs the Python package {package}; install it: pip install {package}.</source>
    <translation>{option} 需要 Python 包 {package}；请安装：pip install {package}。</translation>
   </message>
@@ -6668,10 +6640,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{own} 幅由自身定位，{flight} 幅由航次定位</translation>
   </message>
   <message>
-   <source>{packages} is missing; without it nothing can be localized.</source>
-   <translation>缺少 {packages}；没有它就无法定位。</translation>
-  </message>
-  <message>
    <source>{packages} is missing; without it the model can’t make labels of photos.</source>
    <translation>缺少 {packages}；没有它，模型无法为照片生成标签。</translation>
   </message>
@@ -6688,10 +6656,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{pairs} 对相邻影像：{pixels} 对由像素看出，{table} 对由表给出，{log} 对由日志给出，{none} 对未知。</translation>
   </message>
   <message>
-   <source>{part} is in {crs} and {other} in {other_crs}; databases that are used as one have the same CRS.</source>
-   <translation>{part} 使用 {crs}，{other} 使用 {other_crs}；合用的数据库必须有相同的坐标参照系。</translation>
-  </message>
-  <message>
    <source>{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.</source>
    <translation>{path} 的回答与生成它的网络不同，某个 logit 相差 {difference:.2g}。</translation>
   </message>
@@ -6706,10 +6670,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} can't be read as a route ({reason}).</source>
    <translation>{path} 无法作为航线读取（{reason}）。</translation>
-  </message>
-  <message>
-   <source>{path} can't be read as polygons ({reason}); choose another file.</source>
-   <translation>无法将 {path} 读取为多边形（{reason}）；请选择其他文件。</translation>
   </message>
   <message>
    <source>{path} can't be read: {reason}.</source>
@@ -6800,14 +6760,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 没有坐标参照系；请为该图层指定以米为单位的坐标参照系。</translation>
   </message>
   <message>
-   <source>{path} has no coordinate reference system; give it a metric one.</source>
-   <translation>{path} 没有坐标参考系；请为其指定一个以米为单位的坐标参考系。</translation>
-  </message>
-  <message>
-   <source>{path} has no field “{name}”; its fields are {names}.</source>
-   <translation>{path} 没有字段“{name}”；其字段为 {names}。</translation>
-  </message>
-  <message>
    <source>{path} has no frames that can be read.</source>
    <translation>{path} 没有可读取的帧。</translation>
   </message>
@@ -6848,10 +6800,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 的像元为 {pixel_x:g} × {pixel_y:g}；请先重采样为正方形像元。</translation>
   </message>
   <message>
-   <source>{path} has the layers {layers}; name one of them.</source>
-   <translation>{path} 含有图层 {layers}；请指定其中一个。</translation>
-  </message>
-  <message>
    <source>{path} has the value {found}; a label map holds class values from 0 to 255.</source>
    <translation>{path} 的值为 {found}；标签图的类别值为 0 到 255。</translation>
   </message>
@@ -6890,10 +6838,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place on the ground, or labels of the image’s size.</source>
    <translation>{path} 有 {size} 像元，影像有 {image_size} 像元，且并非两者都有地理参照；请为两者指定地面位置，或使用与影像大小相同的标签。</translation>
-  </message>
-  <message>
-   <source>{path} has {what}, which QGIS alone takes as it should be; rasterize it there, with SCHEDULER if it is large.</source>
-   <translation>{path} 含有{what}，只有 QGIS 能正确处理；请在 QGIS 中栅格化，数据量大时使用 SCHEDULER。</translation>
   </message>
   <message>
    <source>{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it to what one photo shows.</source>
@@ -6956,16 +6900,28 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 是每像元 {bits} 位的调色板 TIFF；请保存为 8 位或 PNG。</translation>
   </message>
   <message>
-   <source>{path} is a set of databases, which is read only; give the database in it that is meant, for example the sheet that was corrected.</source>
-   <translation>{path} 是数据库集，只供读取；请给出其中所指的数据库，例如已修正的图幅。</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
   </message>
   <message>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
+   <translation>{path} 正在训练中；请等待其完成、取消它，或选择其他 OUTPUT。</translation>
+  </message>
+  <message>
    <source>{path} is being written by another program; try again.</source>
    <translation>{path} 正被另一个程序写入；请重试。</translation>
+  </message>
+  <message>
+   <source>{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other files; remove it.</source>
+   <translation>{path} 位于 {raster} 旁边，但不含自己的像素或元数据，GDAL 会因此打开其他文件；请将其删除。</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
+   <translation>{path} 已损坏（{reason}），无法继续此训练；请不使用先前的运行重新开始。</translation>
+  </message>
+  <message>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} 已损坏（{reason}），无法继续此训练；请关闭 RESUME 以重新开始。</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -6998,10 +6954,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.</source>
    <translation>{path} 使用 {crs}，不以米为单位；请栅格化或重投影到以米为单位的投影坐标参照系。</translation>
-  </message>
-  <message>
-   <source>{path} is in {crs}, which does not measure in meters; warp it to a projected CRS in meters.</source>
-   <translation>{path} 采用 {crs}，其单位不是米；请变换到以米为单位的投影坐标系。</translation>
   </message>
   <message>
    <source>{path} is larger than {most_mb} MB, which no table or log that is read here is.</source>
@@ -7088,10 +7040,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不是 SemRef 参考数据库；请选择由“构建参考数据库”生成的数据库。</translation>
   </message>
   <message>
-   <source>{path} is not a set of databases ({reason}); choose another file or make it anew by “Use databases as one”.</source>
-   <translation>{path} 不是数据库集（{reason}）；请选择其他文件，或用“将多个数据库合用”重新生成。</translation>
-  </message>
-  <message>
    <source>{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.</source>
    <translation>{path} 不是 ONNX 模型，或已损坏、不完整；请重新复制或导出。</translation>
   </message>
@@ -7132,20 +7080,12 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 缺少编码器 {count} 个张量中的 {lacking} 个，例如 {name}。</translation>
   </message>
   <message>
+   <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
+   <translation>{path} 为其金字塔指定了另一个文件（{name}），SemRef 不会打开它；请删除 {path}.aux.xml，或重新构建金字塔。</translation>
+  </message>
+  <message>
    <source>{path} names none of the images, for example {image}; its column image holds their file names.</source>
    <translation>{path} 没有列出任何一幅影像，例如 {image}；其 image 列应为影像的文件名。</translation>
-  </message>
-  <message>
-   <source>{path} names the database {part}, which is not there; put it back or make the set anew by “Use databases as one”.</source>
-   <translation>{path} 列出的数据库 {part} 不存在；请放回它，或用“将多个数据库合用”重新生成数据库集。</translation>
-  </message>
-  <message>
-   <source>{path} names {part} twice; make the set anew with each database once.</source>
-   <translation>{path} 列出了两次 {part}；请重新生成数据库集，每个数据库只列一次。</translation>
-  </message>
-  <message>
-   <source>{path} names {part}, which is a set of databases itself; make the set anew of databases alone.</source>
-   <translation>{path} 列出的 {part} 本身是数据库集；请只用数据库重新生成数据库集。</translation>
   </message>
   <message>
    <source>{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × {most}: export it with a smaller or free size.</source>
@@ -7176,6 +7116,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 使用版本 {found} 的 ONNX 算子（opset），但 onnxruntime {version} 最高支持 {known}；请安装更新的 onnxruntime，或以较旧的 opset 导出模型。</translation>
   </message>
   <message>
+   <source>{path} was changed after the update that {before} belongs to, so that update can't be undone. To go back further, open {before} itself.</source>
+   <translation>{path} 在 {before} 所属的更新之后又被更改，因此无法撤销该更新。若要恢复到更早的状态，请直接打开 {before}。</translation>
+  </message>
+  <message>
    <source>{path} was changed by another program meanwhile; try again.</source>
    <translation>{path} 在此期间被另一个程序更改；请重试。</translation>
   </message>
@@ -7190,6 +7134,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} 不是用密钥 {key} 签名的，或之后被更改；请从导出处重新获取。</translation>
+  </message>
+  <message>
+   <source>{path} was not written with the key of this flight (--require-signature, otherwise the secret of this user), or was changed since.</source>
+   <translation>{path} 不是用本次飞行的密钥写入的（--require-signature，否则为该用户的密钥），或在此后被更改。</translation>
   </message>
   <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
@@ -7242,10 +7190,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name another Python with torch.</source>
    <translation>{python} 无法创建环境（{reason}）；在 Debian 和 Ubuntu 上请安装 python3-venv，其他系统请指定另一个带 torch 的 Python。</translation>
-  </message>
-  <message>
-   <source>{python} has no {package}; install what cluster/requirements.txt names and GDAL there, or use another Python.</source>
-   <translation>{python} 缺少 {package}；请在其中安装 cluster/requirements.txt 所列的包和 GDAL，或使用另一个 Python。</translation>
   </message>
   <message>
    <source>{python} is no Python that can train; choose another one.</source>
@@ -7316,10 +7260,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{shown}；{needed}。</translation>
   </message>
   <message>
-   <source>{source} begins {columns:.10g} pixels to the side of {other} and {rows:.10g} up or down; to be used as one both must be whole multiples of {factor} pixels ({length:g} m).</source>
-   <translation>{source} 的起点在水平方向偏离 {other} {columns:.10g} 个像元，在垂直方向偏离 {rows:.10g} 个；要合用，二者都必须是 {factor} 个像元（{length:g} 米）的整数倍。</translation>
-  </message>
-  <message>
    <source>{source} does not know the database's class {missing}, only {names}; take a model that was trained on the database's classes.</source>
    <translation>{source} 不识别数据库的类别 {missing}，只识别 {names}；请使用以数据库类别训练的模型。</translation>
   </message>
@@ -7340,10 +7280,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{source} 有一行超过 {most} 个字符，类别表不会如此；请选择其他文件。</translation>
   </message>
   <message>
-   <source>{source} has another class table than {other}; build them with one class table to use them as one.</source>
-   <translation>{source} 的类别表与 {other} 不同；要合用，请用同一类别表构建。</translation>
-  </message>
-  <message>
    <source>{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.</source>
    <translation>{source} 的格式版本为 {version}，高于本 SemRef 可读取的版本（{known}）；请更新插件。</translation>
   </message>
@@ -7358,10 +7294,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{source} has no overview, by which flights are simulated; build it with one.</source>
    <translation>{source} 没有用于模拟飞行的概览;请重新构建并包含概览。</translation>
-  </message>
-  <message>
-   <source>{source} has pixels of {pixel_size:g} m and {other} of {known:g} m; databases that are used as one have the same pixel size.</source>
-   <translation>{source} 的像元为 {pixel_size:g} 米，{other} 的为 {known:g} 米；合用的数据库必须有相同的像元大小。</translation>
   </message>
   <message>
    <source>{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.</source>
@@ -7420,14 +7352,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{source} 区分 {channels} 个类别，但类别表中有 {count} 个类别名称：{names}；请采用训练时的名称。</translation>
   </message>
   <message>
-   <source>{source} was built with another {setting} ({value}) than {other} ({known}); build them alike to use them as one.</source>
-   <translation>{source} 构建时的“{setting}”（{value}）与 {other}（{known}）不同；要合用，请以相同方式构建。</translation>
-  </message>
-  <message>
-   <source>{source} was made by SemRef {plugin_version}, which kept no bounds of landmarks, so it can't be used together with others; build it anew once.</source>
-   <translation>{source} 由 SemRef {plugin_version} 生成，当时不保存地标范围，因此不能与其他数据库合用；请重新构建一次。</translation>
-  </message>
-  <message>
    <source>{source}, line {line}</source>
    <translation>{source} 第 {line} 行</translation>
   </message>
@@ -7454,10 +7378,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{value} landmarks in the image</source>
    <translation>影像中有 {value} 个地标</translation>
-  </message>
-  <message>
-   <source>{value} wrong</source>
-   <translation>{value}错误</translation>
   </message>
   <message>
    <source>{version}, which was not tested</source>
@@ -7558,10 +7478,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
    <translation>“{name}”不是已评价的航线：没有点，或缺少列 {missing}；请给出“评价航线”的输出。</translation>
-  </message>
-  <message>
-   <source>“{name}” is no method; give some of {known}, separated by “;”.</source>
-   <translation>“{name}”不是方法；请从 {known} 中选择，用“;”分隔。</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>
