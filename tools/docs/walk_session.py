@@ -24,7 +24,7 @@ from qgis.core import QgsProject, QgsSettings
 from qgis.PyQt.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from qgis.PyQt.QtGui import QDragEnterEvent, QDropEvent
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QLineEdit, QTextEdit
+from qgis.PyQt.QtWidgets import QAction, QApplication, QDialogButtonBox, QDoubleSpinBox, QLineEdit, QTextEdit
 
 JOB = json.loads(Path(os.environ["SEMREF_WALK"]).read_text(encoding="utf-8"))
 sys.path.append(JOB["tools"])
@@ -53,13 +53,6 @@ class Hand:
         widget.selectAll()
         QTest.keyClicks(widget, text)
         QTest.keyClick(widget, Qt.Key.Key_Tab)
-        settle(0.1)
-
-    def choose_next(self, box) -> None:
-        """The choice below the one that a list shows."""
-        self.clicks += 1
-        box.setFocus()
-        QTest.keyClick(box, Qt.Key.Key_Down)
         settle(0.1)
 
     def tick(self, box) -> None:
@@ -148,9 +141,7 @@ class Walk:
             dialog.setGeometry(0, 0, *DIALOG_PX)
             fields = dialog.mainWidget().wrappers
             self.seen["training_begins_with"] = given(fields, "INPUT", "CLASS_FIELD", "PRIORITY_FIELD", "CLASS_TABLE")
-            if self.job["buildings_alone"]:
-                self.hand.choose_next(field(fields, "UNLABELED"))
-            self.hand.write(field(fields, "MINUTES"), str(self.job["minutes"]))
+            self.hand.write(field(fields, "MINUTES").findChild(QDoubleSpinBox), str(self.job["minutes"]))
             self.hand.write(line(fields, "OUTPUT"), str(model))
             self.session.take("own_network_train", dialog)
             results = self.run(dialog)
