@@ -26,10 +26,12 @@ from benchmarks.results import ROOT, Table, rate
 from semref.core.correlation.decision import lead
 from semref.core.evaluation.summary import percentile
 from semref.core.evaluation.trial import RIGHT_SHARE, Trial, judge
-from semref.core.geometry.error_settings import NETWORK_SPREAD, ClassBias
+from semref.core.geometry.error_settings import NETWORK_SPREAD, UNBIASED, ClassBias, KnownBiases
 from semref.core.geometry.leveling import Attitude, focal_length_from_view, leveling
+from semref.core.labels.class_shares import SeenLabels
 from semref.core.localization import Method, Prior
-from semref.core.localizer.leveled import localize_leveled
+from semref.core.localizer.search import Search
+from semref.core.pipeline import localize_with
 from semref.core.simulation.noise import DISPLACED_M, MODEST, STRONG, USUAL, LabelNoise
 from semref.core.simulation.views import View
 
@@ -186,31 +188,27 @@ class Source:
     def record(self, number: int) -> dict[str, Any]:
         """Draws, spoils, locates and judges one image."""
         rng = np.random.default_rng([zlib.crc32(self.row.name.encode()), number])
-        image, biases = self.image(rng, number)
-        localizer = self.known.localizer
-        if self.photos is None:
-            localizer.heed_biases(*biases)
-        trial = self._tried(image, rng)
+        trial = self._tried(self.image(rng, number), rng)
         return told_of(trial, self.row)
 
-    def image(self, rng: np.random.Generator, number: int) -> tuple[Image, tuple]:
-        """An image, and what the localizer is told of its labels."""
+    def image(self, rng: np.random.Generator, number: int) -> Image:
+        """An image, with what the localizer is told of its labels."""
         row, ground = self.row, self.ground
         if self.photos is not None:
-            return self.photos.image(rng, number), ()
+            return self.photos.image(rng, number)
         if row.foreign and row.foreign not in ("other half", "mirrored"):
-            return foreign.KINDS[row.foreign](self, rng, number), ()
+            return foreign.KINDS[row.foreign](self, rng, number)
         wanted = replace(self.wanted, is_mirrored=row.foreign == "mirrored")
         image = ground.draw(wanted, rng, is_of_map=row.foreign != "other half")
         noise, biases = self.noise(image.view, rng)
         before = ground.spoiled_values
         ground.spoiled_values = BUILDINGS if row.noise in OF_NETWORKS else before
         try:
-            return ground.spoiled(image, noise, rng), biases
+            return replace(ground.spoiled(image, noise, rng), biases=biases)
         finally:
             ground.spoiled_values = before
 
-    def noise(self, view: View, rng: np.random.Generator) -> tuple[LabelNoise, tuple]:
+    def noise(self, view: View, rng: np.random.Generator) -> tuple[LabelNoise, KnownBiases]:
         """The noise of one image in its pixels, and what the localizer is told of it."""
         row, pixel = self.row, view.pixel_size
         noise = NOISES[row.noise]
@@ -218,13 +216,13 @@ class Source:
             noise = noise.in_pixels(pixel * 1280.0 / self.ground.database.parameters.window_size)
         if row.jitter >= 0:
             noise = replace(noise, jitter=row.jitter)
-        shared, biases = LabelNoise(displaced=DISPLACED_M if row.displaced else 0.0), ()
+        shared, biases = LabelNoise(displaced=DISPLACED_M if row.displaced else 0.0), UNBIASED
         if row.shift_m:
             angle = rng.uniform(0, 2 * np.pi)
             right, down = row.shift_m * np.cos(angle), row.shift_m * np.sin(angle)
             shared = replace(shared, class_shifts=((BUILDINGS[0], right, down),))
             bias = ClassBias(BUILDINGS[0], right=right, down=down, spread=STATED_SPREAD_M)
-            biases = ((bias,), 0.0) if row.stated else ((), NETWORK_SPREAD)
+            biases = KnownBiases((bias,)) if row.stated else KnownBiases(class_spread=NETWORK_SPREAD)
         if row.leaning:
             shared = replace(shared, leaning=row.leaning, leaning_classes=BUILDINGS)
         # What is shared is as large on the ground in every image.
@@ -241,7 +239,8 @@ class Source:
         way = leveling(attitude_of(view, rng.normal(0, self.row.level_error_deg, 2)), focal, view.shape_hw)
         scales = localizer.settings.constellation.scales
         prior = prior or Prior(pixel_size_range=localizer.pixel_sizes(view.shape_hw, scales))
-        found = localize_leveled(localizer, image.labels_hw, self.method, prior, way)
+        seen = SeenLabels(image.labels_hw, image.shares, biases=image.biases)
+        found = localize_with(localizer, Search(self.method), seen, prior, way).localization
         return judge(image.query, self.method, found, within, image.landmarks)
 
     def prior(self, view: View, rng: np.random.Generator) -> Prior | None:

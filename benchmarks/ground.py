@@ -12,6 +12,7 @@ import numpy as np
 from semref.core.assessment.cells import ground_cells
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
 from semref.core.evaluation.trial import Query, Trial, judge
+from semref.core.geometry.error_settings import UNBIASED, KnownBiases
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_shares import ClassShares
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
@@ -61,13 +62,14 @@ class Wanted:
 class Image:
     """A simulated image: its truth, its (H, W) labels, the whole landmarks it showed before any noise.
 
-    ``shares``: of a photo, how sure its network is.
+    ``shares``: of a photo, how sure its network is; ``biases``: what is known of how the labels are shifted.
     """
 
     query: Query
     labels_hw: np.ndarray
     landmarks: int = 0
     shares: ClassShares | None = None
+    biases: KnownBiases = UNBIASED
 
     @property
     def view(self) -> View:
@@ -185,7 +187,8 @@ class Ground:
     ) -> Trial:
         """A label image in, what came of it out."""
         started = time.process_time()
-        found: Localization = self.localizer.localize(image.labels_hw, method, prior, shares=image.shares)
+        known = {"shares": image.shares, "biases": image.biases}
+        found: Localization = self.localizer.localize(image.labels_hw, method, prior, **known)
         seconds = time.process_time() - started
         return judge(image.query, method, found, right_within, image.landmarks, seconds)
 

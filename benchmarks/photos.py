@@ -61,8 +61,7 @@ class Photos:
         table = self.ground.database.class_table
         if self.model is not None:
             self._values = self.model.classes.values_in(table, "The model")
-            known = known_biases(self.model.class_bias, table)
-            self.ground.localizer.heed_biases(known.class_biases, known.class_spread)
+            self._biases = known_biases(self.model.class_bias, table)
 
     def image(self, rng: np.random.Generator, number: int) -> Image:
         """A crop, labeled by the network, or as the annotation has it."""
@@ -72,7 +71,7 @@ class Photos:
         if self.model is None:
             return image
         found = self.seen(shown(self.ground, self.picture, image.view))
-        return replace(image, labels_hw=found.labels_hw, shares=found.shares)
+        return replace(image, labels_hw=found.labels_hw, shares=found.shares, biases=self._biases)
 
     def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
         """What *Localize images* sees in a photo."""
@@ -156,7 +155,7 @@ class SamplePhotos(Photos):
         taken = photo.shoot(self.picture, picture, seed)
         jpeg = cv2.imencode(".jpg", taken[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])[1]
         found = self.seen(np.ascontiguousarray(cv2.imdecode(jpeg, cv2.IMREAD_COLOR)[:, :, ::-1]))
-        return Image(Query(picture.view(len(taken))), found.labels_hw, shares=found.shares)
+        return Image(Query(picture.view(len(taken))), found.labels_hw, shares=found.shares, biases=self._biases)
 
 
 @lru_cache(maxsize=1)

@@ -14,10 +14,11 @@ from ..core.errors import DatabaseError, SemRefError
 from ..core.evaluation.evaluation import Evaluation
 from ..core.labels.class_shares import SeenLabels
 from ..core.labels.class_table import ClassTable
+from ..core.labels.image_source import Photo
 from ..core.localizer.localizer import Localizer
 from ..core.localizer.search import AskedImage, FoundImage, ImagesJob
 from ..core.localizer.settings import LOCALIZER
-from ..core.segmentation.class_bias import KnownBiases, known_biases
+from ..core.pipeline import localize_labels
 from ..storage.database.reader import read_database, read_overview
 from ..storage.file_states import fingerprint
 from ..storage.label_images import LabelImageReader, opened_photo
@@ -48,18 +49,16 @@ def _image(content: bytes, asked: AskedImage) -> FoundImage:
     """One bad image must not stop the others."""
     opened = _images(content)
     try:
-        seen, known = opened.read(asked)
-        opened.localizer.heed_biases(known.class_biases, known.class_spread)
-        found = opened.job.search.localized(opened.localizer, seen, asked.camera)
+        found = localize_labels(opened.localizer, opened.job.search, opened.read(asked), asked.camera)
     except SemRefError as error:
         return FoundImage(fault=error.sentence)
-    return FoundImage(found, None, seen.labels_hw.shape)
+    return FoundImage(found.localization, None, found.shape_hw)
 
 
 class _Images(NamedTuple):
     job: ImagesJob
     localizer: Localizer
-    read: Callable[[AskedImage], tuple[SeenLabels, KnownBiases]]
+    read: Callable[[AskedImage], SeenLabels]
 
 
 @lru_cache(1)
@@ -71,23 +70,21 @@ def _images(content: bytes) -> _Images:
     return _Images(job, localizer, read)
 
 
-def _label_images(table: ClassTable) -> Callable[[AskedImage], tuple[SeenLabels, KnownBiases]]:
+def _label_images(table: ClassTable) -> Callable[[AskedImage], SeenLabels]:
     reader = LabelImageReader(table)
-    return lambda asked: (reader.seen(asked.path), reader.biases(asked.path))
+    return lambda asked: reader(asked.path)
 
 
-def _photos(path: str, table: ClassTable) -> Callable[[AskedImage], tuple[SeenLabels, KnownBiases]]:
+def _photos(path: str, table: ClassTable) -> Callable[[AskedImage], SeenLabels]:
     # onnxruntime is needed for photos only.
     from ..core.segmentation.model import SegmentationModel
-    from ..core.segmentation.photo_labels import PhotoLabels
+    from ..core.segmentation.photo_labels import PhotoReader
 
     # One thread on the processor: all workers give the same.
-    model = SegmentationModel(path, 1, device="cpu")
-    values, known = model.classes.values_in(table, path), known_biases(model.class_bias, table)
+    reader = PhotoReader(SegmentationModel(path, 1, device="cpu"), table)
 
-    def read(asked: AskedImage) -> tuple[SeenLabels, KnownBiases]:
-        photo = opened_photo(asked.path)
-        return PhotoLabels(model, photo, values, asked.pixel_size_m, asked.camera).seen(), known
+    def read(asked: AskedImage) -> SeenLabels:
+        return reader.read(asked.path, Photo(opened_photo(asked.path), asked.pixel_size_m), asked.camera)
 
     return read
 

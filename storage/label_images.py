@@ -11,7 +11,7 @@ from ..core.labels.class_shares import SeenLabels
 from ..core.labels.class_table import UNLABELED, ClassTable
 from ..core.labels.color_labels import decode_colors
 from ..core.labels.image_files import MAXIMUM_IMAGE_PIXELS
-from ..core.segmentation.class_bias import KEY, KnownBiases, known_biases, read_class_bias
+from ..core.segmentation.class_bias import KEY, known_biases, read_class_bias
 from .gdal_errors import gdal_failure
 from .images import GdalImage
 from .label_map_file import CLASS_BIAS_ITEM
@@ -22,7 +22,7 @@ _SAMPLED_PX, _MOST_LABEL_COLORS = 128, 256
 
 
 class LabelImageReader:
-    """Reads label images: ``label_images(path)`` gives (H, W) uint8 labels in the classes of a table."""
+    """Reads label images in the classes of a table, as ``pipeline.LabelReader``."""
 
     stated_biases = ""
     pace = None
@@ -35,24 +35,12 @@ class LabelImageReader:
         """
         self._table = table
 
-    def __call__(self, path: str) -> np.ndarray:
-        """Labels of an image. Raises SemRefError."""
-        return read_label_image(path, self._table)
-
-    def seen(self, path: str, camera: Camera | None = None) -> SeenLabels:
-        """Labels of an image, which tell no scores. Raises SemRefError."""
-        return SeenLabels(self(path))
-
-    def seen_with_pixels(self, path: str, camera: Camera | None = None) -> tuple[SeenLabels, None]:
-        """The same; there are no other pixels."""
-        return self.seen(path), None
-
-    def biases(self, path: str) -> KnownBiases:
-        """How the labels of an image are shifted: as the network says that made it, if one did."""
-        stated = stated_biases(path)
+    def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
+        """Labels of an image, shifted as the network says that made it, if one did; there are no other pixels."""
+        labels_hw, stated = read_label_image(path, self._table), stated_biases(path)
         if stated is None:
-            return KnownBiases()
-        return known_biases(read_class_bias({KEY: stated}, None, path), self._table)
+            return SeenLabels(labels_hw)
+        return SeenLabels(labels_hw, biases=known_biases(read_class_bias({KEY: stated}, None, path), self._table))
 
 
 def opened_photo(path: str) -> GdalImage:

@@ -17,7 +17,6 @@ import numpy as np
 from ..constellation.matching import center_noise
 from ..database.model import ReferenceDatabase
 from ..evaluation.trial import Query, Trial
-from ..geometry.error_settings import NETWORK_SPREAD
 from ..localization import Status
 from ..localizer.localizer import Localizer
 from ..simulation.conditions import Conditions
@@ -115,10 +114,7 @@ class Assessment:
             ParameterError: for a footprint that is none.
             DatabaseError: for a database without landmarks.
         """
-        if conditions.class_shift > 0:
-            # As of a network that states no bias.
-            localizer.heed_biases(class_spread=NETWORK_SPREAD)
-        self.simulator = ImageSimulator(localizer, database, footprint)
+        self.simulator = ImageSimulator(localizer, database, footprint, conditions.biases)
         self.conditions = conditions
         self.footprint = footprint
         self.correlation = correlation

@@ -192,7 +192,7 @@ class FlownRoutes:
         if labels.any():
             labels = spoil_labels(labels, noise, rng, values, donor)
         sizes = view.pixel_size / SIZE_KNOWN, view.pixel_size * SIZE_KNOWN
-        return FlightImage("simulated", labels, prior=Prior(pixel_size_range=sizes))
+        return FlightImage("simulated", labels, prior=Prior(pixel_size_range=sizes), biases=self._conditions.biases)
 
 
 def link_between(number: int, pair: tuple[View, View], drift: float, bias: complex, rng: np.random.Generator) -> Link:

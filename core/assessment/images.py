@@ -17,6 +17,7 @@ from ..constellation.solver import localize as solve
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, ParameterError
 from ..evaluation.trial import Query, Trial, judge
+from ..geometry.error_settings import UNBIASED, KnownBiases
 from ..labels.sources import ArrayLabels
 from ..landmarks.landmarks import Landmarks
 from ..localization import Localization, Method, Prior, Status
@@ -44,13 +45,20 @@ as landmarks are hardly ever squares."""
 class ImageSimulator:
     """Makes images of one footprint from a database alone and localizes them. Same generator, same image."""
 
-    def __init__(self, localizer: Localizer, database: ReferenceDatabase, footprint: float) -> None:
+    def __init__(
+        self,
+        localizer: Localizer,
+        database: ReferenceDatabase,
+        footprint: float,
+        biases: KnownBiases = UNBIASED,
+    ) -> None:
         """Takes the landmarks of a database as they are seen in images of one size.
 
         Args:
             localizer: of the database
             database: with an overview where map correlation is wanted
             footprint: edge of the ground that an image shows, map units
+            biases: what is known of how labels are shifted
 
         Raises:
             ParameterError: for a footprint that is none.
@@ -60,7 +68,7 @@ class ImageSimulator:
             raise ParameterError("assessment.footprint", footprint=footprint)
         if not len(database.references):
             raise DatabaseError("assessment.no_landmark", source=database.source)
-        self._localizer = localizer
+        self._localizer, self._biases = localizer, biases
         self._database = database
         self.footprint = footprint
         parameters, settings = database.parameters, localizer.settings.constellation
@@ -134,7 +142,8 @@ class ImageSimulator:
         else:
             size = self.size_px, self.size_px
             localizer = self._localizer
-            found = solve(landmarks, size, localizer.index, self._prior, self._smallest_px, errors=localizer.errors)
+            errors = localizer.errors.with_biases(self._biases)
+            found = solve(landmarks, size, localizer.index, self._prior, self._smallest_px, errors=errors)
         return judge(query, Method.CONSTELLATION, found, landmarks=count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:
@@ -150,7 +159,7 @@ class ImageSimulator:
         # Boundaries move alike over as many map units as pixels of a label map of one map unit.
         noise = replace(query.noise.in_pixels(pixel), jitter_length=max(JITTER_LENGTH_PX / pixel, 2.0))
         labels = spoil_labels(labels, noise, rng, database.class_table.reference_values, donor)
-        found = self._localizer.localize_by_map_correlation(labels)
+        found = self._localizer.localize_by_map_correlation(labels, biases=self._biases)
         return judge(query, Method.MAP_CORRELATION, found, landmarks=len(self.whole_landmarks(query.view)[0]))
 
     def _coarse_view(self, view: View, pixel: float) -> View:

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
-from ..geometry.error_settings import NETWORK_SPREAD
+from ..geometry.error_settings import NETWORK_SPREAD, KnownBiases
 from ..geometry.frame import MapFrame
 from ..labels.sources import LabelSource
 from ..localization import Localization, Method
@@ -155,9 +155,8 @@ class Evaluation:
         self._seed = seed
         self._right_within = right_within
         self.localizer = Localizer(database)
-        if ranges.shifted[1] > 0:
-            # As of a network that states no bias.
-            self.localizer.heed_biases(class_spread=NETWORK_SPREAD)
+        # As of a network that states no bias.
+        self._biases = KnownBiases(class_spread=NETWORK_SPREAD if ranges.shifted[1] > 0 else 0.0)
         self._frame = frame.of_shape(source.shape_hw)
         self._edge = float(database.windows.sizes.min()) if len(database.windows) else 0.0
         self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), LARGEST_IMAGE_PX)
@@ -211,7 +210,8 @@ class Evaluation:
     def run(self, query: WindowQuery, methods: Sequence[Method]) -> list[Trial]:
         """The query tried with each of ``methods``, in their order."""
         labels = self.image(query)
-        return [self._judge(query, method, self.localizer.localize(labels, method)) for method in methods]
+        found = [self.localizer.localize(labels, method, biases=self._biases) for method in methods]
+        return [self._judge(query, method, one) for method, one in zip(methods, found)]
 
     def _usable_windows(self, minimum_references: int) -> np.ndarray:
         windows = self._database.windows

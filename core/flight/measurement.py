@@ -11,6 +11,7 @@ from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
 from ..correlation.exactness import known_pose, noise_factor
 from ..correlation.places import edge_m, finest_pose, image_evidence, missing_information, reduced_image
 from ..correlation.refine import ScoredPose, score_at
+from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import PoseCovariance
 from ..localization import Localization, Prior
 from ..localizer.localizer import Localizer
@@ -67,14 +68,14 @@ def of_own(own: Localization | None, pyramid: MapPyramid) -> Measurement | None:
 
 
 def by_areas(
-    labels_hw: np.ndarray, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
+    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
     """Moved to where class areas agree near an expected place; None where they don't, or where they can't tell where.
 
     Where several places are about as likely their mean is told, with a covariance that reaches all of them.
 
     Args:
-        labels_hw: (H, W) uint8 labels.
+        image: Of the flight.
         localizer: Of the database.
         state: (4,) expected.
         covariance: (4, 4) of that.
@@ -83,29 +84,29 @@ def by_areas(
     pyramid = localizer.pyramid
     if not pyramid.space.channels:
         return None
-    image = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
-    if missing_information(reduced_image(image, pyramid.settings.coarse_edge), pyramid):
+    evidence = image_evidence(np.ascontiguousarray(image.labels_hw), pyramid)
+    if missing_information(reduced_image(evidence, pyramid.settings.coarse_edge), pyramid):
         return None
-    likely = places_near(image, pyramid, state, covariance, settings)
+    likely = places_near(evidence, pyramid, state, covariance, settings)
+    errors = localizer.errors.with_biases(image.biases)
     found = []
     for pose, share in likely:
-        one = _measured_at(image, localizer, pose, settings) if share >= LEAST_SHARE else None
+        one = _measured_at(evidence, pyramid, pose, errors, settings) if share >= LEAST_SHARE else None
         if one is not None:
             found.append((one, share))
     if not found:
         return None
     whole = mixed(found)
-    loosest_m = settings.loosest * edge_m(image, float(np.exp(whole.state[3])))
+    loosest_m = settings.loosest * edge_m(evidence, float(np.exp(whole.state[3])))
     if np.trace(whole.covariance[:2, :2]) / 2 > loosest_m**2:
         return None
     return whole if distance(whole, state, covariance) <= settings.gate else None
 
 
 def _measured_at(
-    image: EvidenceLevel, localizer: Localizer, pose: ScoredPose, settings: FlightSettings
+    image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, errors: SharedErrors, settings: FlightSettings
 ) -> Measurement | None:
     """A place as exactly as class areas tell it; None where they don't tell all of the pose."""
-    pyramid, errors = localizer.pyramid, localizer.errors
     pose, spread = finest_pose(reduced_image(image, FINEST_EDGE), pyramid, pose)
     score = score_at(reduced_image(image, pyramid.settings.decision_edge), pyramid, pose, pyramid.quiet)
     if score < settings.least_score or not np.isfinite(spread).all():
@@ -143,12 +144,12 @@ def mixed(found: Sequence[tuple[Measurement, float]]) -> Measurement:
 
 
 def by_landmarks(
-    labels_hw: np.ndarray, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
+    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
     """The constellation's fix near an expected place; None where there is none.
 
     Args:
-        labels_hw: (H, W) uint8 labels.
+        image: Of the flight.
         localizer: Of the database.
         state: (4,) expected.
         covariance: (4, 4) of that.
@@ -156,7 +157,7 @@ def by_landmarks(
     """
     deviations = np.sqrt(np.diag(covariance))
     size = float(np.exp(state[3]))
-    radius = settings.gate * float(deviations[:2].max()) + 0.01 * float(np.sqrt(labels_hw.size)) * size
+    radius = settings.gate * float(deviations[:2].max()) + 0.01 * float(np.sqrt(image.labels_hw.size)) * size
     ratio = float(np.exp(settings.gate * deviations[3] + 0.02))
     prior = Prior(
         place_of(state, localizer.pyramid.frame.origin).position,
@@ -165,7 +166,7 @@ def by_landmarks(
         float(min(np.degrees(settings.gate * deviations[2]) + 2.0, 180.0)),
         (size / ratio, size * ratio),
     )
-    found = localizer.localize_by_constellation(labels_hw, prior)
+    found = localizer.localize_by_constellation(image.labels_hw, prior, image.biases)
     measured = of_own(found, localizer.pyramid)
     if measured is None or distance(measured, state, covariance) > settings.gate:
         return None
@@ -195,11 +196,11 @@ def measured_near(
     own = of_own(image.own, localizer.pyramid)
     if own is not None and distance(own, state, covariance) <= settings.gate:
         return own
-    found = by_areas(image.labels_hw, localizer, state, covariance, settings)
+    found = by_areas(image, localizer, state, covariance, settings)
     if found is not None:
-        near = by_landmarks(image.labels_hw, localizer, found.state, found.covariance, settings)
+        near = by_landmarks(image, localizer, found.state, found.covariance, settings)
         return near or found
-    return by_landmarks(image.labels_hw, localizer, state, covariance, settings)
+    return by_landmarks(image, localizer, state, covariance, settings)
 
 
 def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:

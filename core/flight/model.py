@@ -11,6 +11,7 @@ from enum import Enum
 import numpy as np
 
 from ..errors import ParameterError
+from ..geometry.error_settings import UNBIASED, KnownBiases
 from ..geometry.footprint import image_corners
 from ..geometry.pose import PoseCovariance
 from ..localization import Localization, Method, Place, Prior, Status
@@ -38,6 +39,7 @@ class FlightImage:
         own: What was found for the image alone; None where nobody looked.
         time_s: When it was taken, seconds from any fixed moment; None where unknown.
         prior: What is known of it alone: heading with its range, range of pixel sizes, position with its radius.
+        biases: How its labels are shifted.
     """
 
     name: str
@@ -45,6 +47,7 @@ class FlightImage:
     own: Localization | None = None
     time_s: float | None = None
     prior: Prior = Prior()
+    biases: KnownBiases = UNBIASED
 
     def __post_init__(self) -> None:
         """Checks the labels.

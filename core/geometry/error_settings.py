@@ -97,6 +97,23 @@ class ClassBias:
 
 
 @dataclass(frozen=True)
+class KnownBiases:
+    """What is known of how a network, or whatever else made labels, shifts a database's classes.
+
+    Attributes:
+        class_biases: Those that are stated.
+        class_spread: Of the other classes, meters, as ``SharedErrors`` says.
+    """
+
+    class_biases: tuple[ClassBias, ...] = ()
+    class_spread: float = 0.0
+
+
+UNBIASED = KnownBiases()
+"""Of labels that nothing shifts."""
+
+
+@dataclass(frozen=True)
 class SharedErrors:
     """What is known beforehand of a map and of labels.
 
@@ -116,6 +133,14 @@ class SharedErrors:
     settings: ErrorSettings = field(default=ERRORS)
     class_spread: float = 0.0
     sun_deg: float | None = None
+
+    def with_biases(self, biases: KnownBiases) -> SharedErrors:
+        """Return the same with what is known of the labels of an image.
+
+        Args:
+            biases: Of whatever made the labels.
+        """
+        return replace(self, class_biases=biases.class_biases, class_spread=biases.class_spread)
 
     def bias_of(self, value: int) -> ClassBias:
         """What is known of a class's bias under the image's sun; none where nothing is."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..geometry.error_settings import UNBIASED, KnownBiases
 from .class_table import UNLABELED
 
 FULL = 255
@@ -45,8 +46,13 @@ class SeenLabels:
         labels_hw: (H, W) uint8 labels.
         shares: Of a photo whose network tells how sure it is.
         trained_on: Places that the network of a photo was trained on, empty where unknown; None for label images.
+        biases: How the network shifts classes.
+        pixels: (H, W, 3) uint8 of the photo, red first, and (H, W) bool, where it has data, None everywhere; None
+            where nobody needs them.
     """
 
     labels_hw: np.ndarray
     shares: ClassShares | None = None
     trained_on: tuple[str, ...] | None = None
+    biases: KnownBiases = UNBIASED
+    pixels: tuple[np.ndarray, np.ndarray | None] | None = None

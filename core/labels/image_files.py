@@ -11,7 +11,6 @@ import stat
 import struct
 import zlib
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -19,7 +18,7 @@ import numpy as np
 from ..errors import ImageError, LabelMapError, SemRefError
 from .class_table import ClassTable
 from .color_labels import decode_colors
-from .image_source import ArrayImage
+from .image_source import ArrayImage, Photo
 from .tiff import BITS, EXTRA_SAMPLES, HEIGHT, ORDERS, PHOTOMETRIC, WIDTH, TiffTags, pixel_size_m
 
 IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
@@ -82,19 +81,6 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     labels_hw = image.astype(np.uint8)
     # Gray of fewer than 8 bits was stretched to 0 … 255.
     return labels_hw if levels is None else labels_hw // (255 // levels)
-
-
-@dataclass(frozen=True)
-class Photo:
-    """A photo as its file has it.
-
-    Attributes:
-        image: Its pixels.
-        pixel_size_m: Ground meters along a row and along a column of a pixel; None where the file does not say.
-    """
-
-    image: ArrayImage
-    pixel_size_m: tuple[float, float] | None
 
 
 def read_photo(path: str) -> Photo:

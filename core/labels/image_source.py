@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -44,6 +45,19 @@ class ArrayImage:
         """Views of a piece of the image, and of where it has data."""
         piece = slice(row, row + height), slice(column, column + width)
         return self._image_hw3[piece], None if self._has_data_hw is None else self._has_data_hw[piece]
+
+
+@dataclass(frozen=True)
+class Photo:
+    """A photo as its file has it.
+
+    Attributes:
+        image: Its pixels.
+        pixel_size_m: Ground meters along a row and along a column of a pixel; None where the file does not say.
+    """
+
+    image: ImageSource
+    pixel_size_m: tuple[float, float] | None
 
 
 class ImagePart:

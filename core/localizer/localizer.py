@@ -18,7 +18,7 @@ from ..correlation.solver import agreement_at, part_against
 from ..correlation.solver import localize as correlate
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, LabelMapError
-from ..geometry.error_settings import ClassBias, SharedErrors
+from ..geometry.error_settings import UNBIASED, KnownBiases, SharedErrors
 from ..geometry.footprint import image_corners
 from ..labels.class_shares import ClassShares
 from ..landmarks.landmarks import Landmarks, extract_landmarks
@@ -109,15 +109,6 @@ class Localizer:
             index = np.flatnonzero(windows.described & (windows.sizes == size))
             self._levels.append((float(size), index, windows.vectors[index]))
 
-    def heed_biases(self, class_biases: tuple[ClassBias, ...] = (), class_spread: float = 0.0) -> None:
-        """What is known of the labels of the images that come next, as ``SharedErrors`` says.
-
-        Args:
-            class_biases: How far from where they are classes are seen by what makes the labels; taken off.
-            class_spread: Of classes that have none of these.
-        """
-        self.errors = replace(self.errors, class_biases=class_biases, class_spread=class_spread)
-
     @property
     def landmark_classes(self) -> tuple[str, ...]:
         """Names of the classes whose areas are landmarks."""
@@ -200,12 +191,15 @@ class Localizer:
             self._index = of(database.references, database.parameters.pixel_size, settings)
         return self._index
 
-    def localize_by_constellation(self, labels_hw: np.ndarray, prior: Prior | None = None) -> Localization:
+    def localize_by_constellation(
+        self, labels_hw: np.ndarray, prior: Prior | None = None, biases: KnownBiases = UNBIASED
+    ) -> Localization:
         """Landmarks as stars (docs/method.md#constellation); position, heading and pixel size of any image.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
+            biases: How the labels are shifted.
 
         Raises:
             LabelMapError: The image has no pixels.
@@ -215,7 +209,8 @@ class Localizer:
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.scales)
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
-        return solve(objects, (width, height), self.index, prior, smallest, self.settings.allowed_risk, self.errors)
+        allowed_risk, errors = self.settings.allowed_risk, self.errors.with_biases(biases)
+        return solve(objects, (width, height), self.index, prior, smallest, allowed_risk, errors)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
@@ -240,7 +235,11 @@ class Localizer:
         return self._pyramid
 
     def localize_by_map_correlation(
-        self, labels_hw: np.ndarray, prior: Prior | None = None, shares: ClassShares | None = None
+        self,
+        labels_hw: np.ndarray,
+        prior: Prior | None = None,
+        shares: ClassShares | None = None,
+        biases: KnownBiases = UNBIASED,
     ) -> Localization:
         """By the overlap of class areas, for labels too poor for centers of gravity (docs/method.md#map-correlation).
 
@@ -250,6 +249,7 @@ class Localizer:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without one on the pixel size, images are searched that show 0.4 to 2.5 times a window's ground.
             shares: Probable shares of classes, which then count instead of the labels.
+            biases: How the labels are shifted.
 
         Raises:
             LabelMapError: The image has no pixels.
@@ -259,7 +259,8 @@ class Localizer:
         prior = prior or Prior()
         sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.correlation.scales)
         prior = replace(prior, pixel_size_range=sizes)
-        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk, self.errors, shares)
+        errors = self.errors.with_biases(biases)
+        return correlate(labels_hw, self.pyramid, prior, self.settings.allowed_risk, errors, shares)
 
     @property
     def has_overview(self) -> bool:
@@ -267,7 +268,11 @@ class Localizer:
         return self._database.overview is not None
 
     def localize_automatically(
-        self, labels_hw: np.ndarray, prior: Prior | None = None, shares: ClassShares | None = None
+        self,
+        labels_hw: np.ndarray,
+        prior: Prior | None = None,
+        shares: ClassShares | None = None,
+        biases: KnownBiases = UNBIASED,
     ) -> Localization:
         """The constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
 
@@ -278,11 +283,12 @@ class Localizer:
             labels_hw: (H, W) uint8 labels of the database's class table.
             prior: Without one on the pixel size each method searches its own range.
             shares: Probable shares of classes, which map correlation then takes instead of the labels.
+            biases: How the labels are shifted.
 
         Returns:
             The method of a fix is the one whose pose it is.
         """
-        objects = self.localize_by_constellation(labels_hw, prior)
+        objects = self.localize_by_constellation(labels_hw, prior, biases)
         if not self.has_overview:
             return objects
         if objects.best is not None:
@@ -292,7 +298,7 @@ class Localizer:
                 return replace(checked, reason=part_against(labels_hw, self.pyramid, objects.best))
             if objects.is_fix or checked.is_fix:
                 return checked
-        areas = self.localize_by_map_correlation(labels_hw, prior, shares)
+        areas = self.localize_by_map_correlation(labels_hw, prior, shares, biases)
         both = agreed(objects, areas, min(labels_hw.shape), self.settings)
         if both is not None:
             return both
@@ -300,7 +306,7 @@ class Localizer:
             return neither(objects, areas, min(labels_hw.shape), self.settings)
         areas = replace(areas, references=objects.references)
         closer = near(areas, prior or Prior(), min(labels_hw.shape), self.settings)
-        return confirmed(areas, self.localize_by_constellation(labels_hw, closer), closer) or areas
+        return confirmed(areas, self.localize_by_constellation(labels_hw, closer, biases), closer) or areas
 
     def pixel_sizes(self, shape_hw: tuple[int, int], scales: tuple[float, float]) -> tuple[float, float]:
         """Smallest and largest pixel size of images that show about a window's ground.
@@ -326,13 +332,14 @@ class Localizer:
         if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
             raise DatabaseError("database.no_described_window", least=MINIMUM_REFERENCES)
 
-    def localize(
+    def localize(  # noqa: PLR0913 - what is known of one image
         self,
         labels_hw: np.ndarray,
         method: Method,
         prior: Prior | None = None,
         with_matches: bool = False,
         shares: ClassShares | None = None,
+        biases: KnownBiases = UNBIASED,
     ) -> Localization:
         """Localizes an image.
 
@@ -343,6 +350,7 @@ class Localizer:
             with_matches: Look for the landmarks that agree with the map also at a fix that needed none: of map
                 correlation. The constellation tells them anyway.
             shares: Probable shares of classes, for map correlation.
+            biases: How the labels are shifted; the topology vector takes them as they are.
 
         Returns:
             A fix has its footprint.
@@ -354,11 +362,11 @@ class Localizer:
         if method == Method.TOPOLOGY_VECTOR:
             return self.localize_by_topology_vector(labels_hw)
         if method == Method.MAP_CORRELATION:
-            found = self.localize_by_map_correlation(labels_hw, prior, shares)
+            found = self.localize_by_map_correlation(labels_hw, prior, shares, biases)
         elif method == Method.AUTOMATIC:
-            found = self.localize_automatically(labels_hw, prior, shares)
+            found = self.localize_automatically(labels_hw, prior, shares, biases)
         else:
-            found = self.localize_by_constellation(labels_hw, prior)
+            found = self.localize_by_constellation(labels_hw, prior, biases)
         place = found.place
         if place is None:
             return self._saying_what_was_searched(found, method, _shape(labels_hw), prior or Prior())

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from ..geometry.camera import Camera
-from ..labels.class_shares import SeenLabels
+from ..geometry.camera import HEADING_SPREAD_DEG, Camera
 from ..localization import Localization, Method, Prior
 from ..sentences import Sentence
-from .leveled import localize_leveled, prior_of
-from .localizer import Localizer
-from .network_reason import name_network
+from .localizer import Localizer, default_scales
 
 
 @dataclass(frozen=True)
@@ -30,35 +27,21 @@ class Search:
     with_matches: bool = False
 
     def prior_of(self, localizer: Localizer, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
-        """What is known of an image beforehand.
+        """What is known of an image beforehand: what the user said, else what its camera states.
 
         Args:
             localizer: Of the database.
-            camera: Of the image.
-            shape_hw: (height, width) of the image.
+            camera: Of the image; its meters are map units.
+            shape_hw: (height, width) of the image as it is.
         """
-        sizes = self.scales and localizer.pixel_sizes(shape_hw, self.scales)
-        return prior_of(localizer, self.method, replace(self.known, pixel_size_range=sizes), camera, shape_hw)
-
-    def localized(self, localizer: Localizer, seen: SeenLabels, camera: Camera) -> Localization:
-        """Where an image was taken, leveled first where its camera tells how it was held.
-
-        Args:
-            localizer: Of the database.
-            seen: In the image.
-            camera: Of the image.
-
-        Raises:
-            SemRefError: What the camera tells, or the image, can't be used.
-        """
-        labels_hw, shares, method = seen.labels_hw, seen.shares, self.method
-        height, width = labels_hw.shape
-        prior, way = self.prior_of(localizer, camera, (height, width)), camera.leveling((height, width))
-        if way is None:
-            found = localizer.localize(labels_hw, method, prior, self.with_matches, shares)
-        else:
-            found = localize_leveled(localizer, labels_hw, method, prior, way, self.with_matches, shares)
-        return name_network(found, seen.trained_on, localizer.landmark_classes)
+        sizes = localizer.pixel_sizes(shape_hw, self.scales) if self.scales else camera.pixel_sizes(shape_hw)
+        if sizes is None and camera.leveling(shape_hw) is not None:
+            # A leveled image has another shape: its pixel sizes are those of the image as it is, for all methods.
+            sizes = localizer.pixel_sizes(shape_hw, default_scales(self.method))
+        prior = replace(self.known, pixel_size_range=sizes)
+        if prior.heading_deg is None and camera.heading_deg is not None:
+            prior = replace(prior, heading_deg=camera.heading_deg, heading_range_deg=HEADING_SPREAD_DEG)
+        return prior
 
 
 @dataclass(frozen=True)

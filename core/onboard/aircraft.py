@@ -6,6 +6,8 @@ AIRCRAFT_ROOMS = (
     "cache.py",
     "errors.py",
     "localization.py",
+    "named_files.py",
+    "pipeline.py",
     "values.py",
     "sentences",
     "geometry",

@@ -19,11 +19,13 @@ from ..labels.image_files import image_files
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
 from ..localizer.localizer import Localizer
 from ..localizer.record import error_probability
+from ..localizer.search import Search
 from ..localizer.settings import LOCALIZER
+from ..pipeline import Pipeline
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
 from .cameras import opened_cameras
-from .finder import ERROR, Finding, LabelReader
+from .finder import ERROR, Finding, label_reader
 from .flight import FlightFinding
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
@@ -327,8 +329,7 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError("onboard.no_overview", database=options.database)
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
-    read_labels = LabelReader(options.model, options.threads, onboard.database.class_table, options.device)
-    localizer.heed_biases(read_labels.known.class_biases, read_labels.known.class_spread)
+    read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     say(
         logging.INFO,
         "ready",
@@ -340,7 +341,7 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
     # Watching may come before the end of writing; a restart in the air must not end for a table.
     is_ended = getattr(options, "once", True)
     cameras = opened_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
-    return Finding(onboard, localizer, method, prior, read_labels, cameras)
+    return Finding(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
 
 
 def _is_restart(options: argparse.Namespace) -> bool:
@@ -384,7 +385,7 @@ def _watch(options: argparse.Namespace) -> int:
     if options.odometry and not options.flight:
         raise ParameterError("onboard.odometry_without_flight")
     if options.flight:
-        if not find.localizer.has_overview:
+        if not find.pipeline.localizer.has_overview:
             raise DatabaseError("onboard.no_overview_for_flights", database=options.database)
         settings = replace(FLIGHT, allowed_risk=options.risk)
         odometry = opened_odometry(options.odometry, options.once, not is_restart)

@@ -15,14 +15,10 @@ from ..errors import ParameterError, SemRefError
 from ..geometry.camera import Camera
 from ..labels.class_shares import SeenLabels
 from ..labels.class_table import ClassTable
-from ..labels.image_files import read_label_image, read_photo
-from ..labels.image_source import ArrayImage
-from ..localization import Localization, Method, Prior
-from ..localizer.leveled import localize_leveled, prior_of
-from ..localizer.localizer import Localizer
-from ..localizer.network_reason import name_network
+from ..labels.image_files import read_label_image
+from ..localization import Localization, Method
 from ..localizer.record import record
-from ..segmentation.class_bias import KnownBiases, known_biases
+from ..pipeline import LabelReader, Pipeline
 from ..segmentation.devices import AUTO
 from ..sentences import english
 from .cameras import Cameras
@@ -33,50 +29,33 @@ ERROR = "error"
 """Status of an image that could not be read, as in the plugin."""
 
 
-class LabelReader:
-    """Labels of images: of label images as they are, of photos by a network.
+def label_reader(model_path: str | None, threads: int, table: ClassTable, device: str = AUTO) -> LabelReader:
+    """Read label images as they are, and photos by a network.
 
-    Attributes:
-        known: How these labels are shifted.
-        photo: The photo that was read last; None for label images.
+    Args:
+        model_path: Of the network; None for label images.
+        threads: That it may use.
+        table: Classes of the database.
+        device: That it is run on.
+
+    Raises:
+        SemRefError: The network can't be used.
     """
+    if not model_path:
 
-    def __init__(self, model_path: str | None, threads: int, table: ClassTable, device: str = AUTO) -> None:
-        """Loads the network, if there is one.
+        def read(path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
+            return SeenLabels(read_label_image(path, table))
 
-        Args:
-            model_path: Of the network; None for label images.
-            threads: That it may use.
-            table: Classes of the database.
-            device: That it is run on.
+        return read
+    # onnxruntime is needed for photos only.
+    from ..segmentation.model import SegmentationModel
+    from ..segmentation.photo_labels import PhotoReader
 
-        Raises:
-            SemRefError: The network can't be used.
-        """
-        self._table, self.known = table, KnownBiases()
-        self.photo: ArrayImage | None = None
-        if not model_path:
-            self._model = None
-            return
-        # onnxruntime is needed for photos only.
-        from ..segmentation.model import SegmentationModel
-
-        self._model = SegmentationModel(model_path, threads, device=device)
-        for fallback in self._model.fallbacks:
-            say(logging.WARNING, "device", reason=english(fallback))
-        say(logging.INFO, "model", model=model_path, device=self._model.device.title)
-        self._values = self._model.classes.values_in(table, model_path)
-        self.known = known_biases(self._model.class_bias, table)
-
-    def __call__(self, path: str, camera: Camera | None = None) -> SeenLabels:
-        """What is seen in an image; by its camera a network knows how large to see a photo. Raises SemRefError."""
-        if self._model is None:
-            return SeenLabels(read_label_image(path, self._table))
-        from ..segmentation.photo_labels import PhotoLabels
-
-        photo = read_photo(path)
-        self.photo = photo.image
-        return PhotoLabels(self._model, photo.image, self._values, photo.pixel_size_m, camera).seen()
+    model = SegmentationModel(model_path, threads, device=device)
+    for fallback in model.fallbacks:
+        say(logging.WARNING, "device", reason=english(fallback))
+    say(logging.INFO, "model", model=model_path, device=model.device.title)
+    return PhotoReader(model, table)
 
 
 @dataclass(frozen=True)
@@ -85,40 +64,22 @@ class Finding:
 
     Attributes:
         onboard: The database.
-        localizer: In it.
-        method: By which each image is looked at by itself.
-        prior: What is known of all images.
-        read_labels: Path → labels, with how sure a network is.
+        pipeline: In it; by its method each image is looked at by itself.
         cameras: Path → camera.
     """
 
     onboard: OnboardDatabase
-    localizer: Localizer
-    method: Method
-    prior: Prior
-    read_labels: LabelReader
+    pipeline: Pipeline
     cameras: Cameras = field(default_factory=Cameras)
 
     def camera_of(self, path: str) -> Camera:
         """What is known of an image's camera; the published method takes images as they are."""
         camera = self.cameras.of(path)
-        return camera.without_leveling() if self.method == Method.TOPOLOGY_VECTOR else camera
-
-    def prior_of(self, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
-        """What is known of an image, with what its camera tells."""
-        return prior_of(self.localizer, self.method, self.prior, camera, shape_hw)
+        return camera.without_leveling() if self.pipeline.search.method == Method.TOPOLOGY_VECTOR else camera
 
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for an image by itself. Raises SemRefError."""
-        camera = self.camera_of(path)
-        seen = self.read_labels(path, camera)
-        height, width = seen.labels_hw.shape
-        way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
-        if way is None:
-            found = self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares)
-        else:
-            found = localize_leveled(self.localizer, seen.labels_hw, self.method, prior, way, shares=seen.shares)
-        return self.told(name_network(found, seen.trained_on, self.localizer.landmark_classes))
+        return self.told(self.pipeline.run(path, self.camera_of(path)).localization)
 
     def told(self, result: Localization) -> dict[str, Any]:
         """A result as a record, with longitude and latitude where they are known."""

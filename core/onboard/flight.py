@@ -24,8 +24,7 @@ from ..flight.pixel_motion import motion_between
 from ..flight.settings import FLIGHT, FlightSettings
 from ..flight.table import stem_of
 from ..flight.tracker import FlightTracker
-from ..geometry.leveling import Leveling
-from ..localizer.leveled import as_taken, level_labels, of_leveled
+from ..pipeline import ImageResult
 from ..values import checked, read_json
 from .finder import Finding, time_of
 from .format import MAXIMUM_HEADER_BYTES, export_date
@@ -95,23 +94,18 @@ class FlightFinding(Finding):
     def localized(self, path: str) -> dict[str, Any]:
         """A record's columns for the next image of the flight. Raises SemRefError."""
         camera = self.camera_of(path)
-        seen = self.read_labels(path, camera)
-        height, width = seen.labels_hw.shape
-        way, prior = camera.leveling((height, width)), self.prior_of(camera, (height, width))
-        if way is not None:
-            seen, prior = level_labels(seen, way), of_leveled(prior, way)
-        own = self.localizer.localize(seen.labels_hw, self.method, prior, shares=seen.shares)
+        result = self.pipeline.run(path, camera, with_pixels=True)
         taken_s = self.cameras.time_s(path, camera)
-        link = self._link(path, taken_s, seen.labels_hw, way)
-        image = FlightImage(os.path.basename(path), seen.labels_hw, own, time_of(path).timestamp(), prior)
+        link = self._link(path, taken_s, result)
+        seen, moment_s = result.seen, time_of(path).timestamp()
+        image = FlightImage(os.path.basename(path), seen.labels_hw, result.level, moment_s, result.prior, seen.biases)
         try:
             pose = self._tracker.add(image, link)
         except Exception:
             # What led to a fault must not lead to one with each image to come: the flight begins again.
             self.memory.tracker = self.memory.features = None
             raise
-        placed = pose.localization()
-        found = self.told(placed if way is None else as_taken(placed, way))
+        found = self.told(result.as_taken(pose.localization()))
         source = str(pose.source) if pose.is_fix else None
         found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
         self.memory.after = os.stat(path).st_mtime_ns, os.path.basename(path)
@@ -122,14 +116,13 @@ class FlightFinding(Finding):
     @property
     def _tracker(self) -> FlightTracker:
         if self.memory.tracker is None:
-            self.memory.tracker = FlightTracker(self.localizer, self.settings)
+            self.memory.tracker = FlightTracker(self.pipeline.localizer, self.settings)
         return self.memory.tracker
 
-    def _link(self, path: str, taken_s: float | None, level_hw: np.ndarray, way: Leveling | None) -> Link | None:
+    def _link(self, path: str, taken_s: float | None, result: ImageResult) -> Link | None:
         """From the image before to this one: by the odometry table, else by what both show, else by the log."""
-        memory, photo = self.memory, self.read_labels.photo
-        pixels = None if photo is None else photo.read(0, 0, photo.shape_hw[1], photo.shape_hw[0])
-        features = features_of(level_hw, pixels, way)
+        memory = self.memory
+        features = features_of(result.seen.labels_hw, result.seen.pixels, result.leveling)
         seen_before, memory.features = memory.features, features
         if memory.after is None:
             return None
@@ -202,7 +195,7 @@ class FlightFinding(Finding):
             raise ParameterError("onboard.state_of_other_database", path=state.path)
         prefix = "tracker_"
         saved = {name[len(prefix) :]: value for name, value in arrays.items() if name.startswith(prefix)}
-        memory, tracker = self.memory, FlightTracker.from_state(self.localizer, saved, self.settings)
+        memory, tracker = self.memory, FlightTracker.from_state(self.pipeline.localizer, saved, self.settings)
         memory.tracker, memory.features, memory.after = tracker, _features(arrays), after
         self.cameras.first_s, memory.taken_s = first_s, taken_s
         return tracker

@@ -8,10 +8,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from ..errors import ModelError
-from ..geometry.error_settings import NETWORK_SPREAD, ClassBias
+from ..geometry.error_settings import NETWORK_SPREAD, ClassBias, KnownBiases
 from ..labels.class_table import ClassTable
 from ..values import LONGEST_NAME, read_json
 
@@ -22,19 +21,6 @@ LARGEST_M = 1000.0
 
 _LENGTHS = ("east", "north", "right", "down", "spread")
 _SUN = "sun"
-
-
-@dataclass(frozen=True)
-class KnownBiases:
-    """What is known of how a network, or whatever else made labels, shifts a database's classes.
-
-    Attributes:
-        class_biases: Those that are stated.
-        class_spread: Of the other classes, meters, as ``SharedErrors`` says.
-    """
-
-    class_biases: tuple[ClassBias, ...] = ()
-    class_spread: float = 0.0
 
 
 def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, source: str) -> dict[str, ClassBias]:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Callable
 
 import numpy as np
 
 from ..geometry.camera import Camera
 from ..labels.class_shares import ClassShares, SeenLabels
-from ..labels.image_source import ImageSource
+from ..labels.class_table import ClassTable
+from ..labels.image_files import read_photo
+from ..labels.image_source import ArrayImage, ImageSource, Photo
 from .certainty import Certainty
+from .class_bias import known_biases
 from .model import SegmentationModel
 from .resampling import at_resolution
 from .score_shares import ScoreShares, grid_of
@@ -95,6 +100,55 @@ class PhotoLabels:
     def seen_labels(self) -> SeenLabels:
         """Labels and shares, after the steps."""
         return SeenLabels(self.labels_hw, self.shares, self._model.trained_on)
+
+
+class PhotoReader:
+    """Reads photos as labels in the classes of a database."""
+
+    def __init__(
+        self,
+        model: SegmentationModel,
+        table: ClassTable,
+        open_photo: Callable[[str], Photo] = read_photo,
+        follow: Callable[[str, ImageSource, PhotoLabels], Iterable[float]] | None = None,
+    ) -> None:
+        """Matches the network's classes with the database's.
+
+        Args:
+            model: The network.
+            table: Classes of the database.
+            open_photo: Opens a file.
+            follow: Goes through the steps of a photo; None for who needn't see them.
+
+        Raises:
+            ModelError: The network lacks a landmark class of the database.
+        """
+        self._model, self._open, self._follow = model, open_photo, follow
+        self._values = model.classes.values_in(table, model.path)
+        self._biases = known_biases(model.class_bias, table)
+
+    def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
+        """As ``pipeline.LabelReader``; a photo whose pixels are needed is read once, all in memory."""
+        return self.read(path, self._open(path), camera, with_pixels)
+
+    def read(self, path: str, photo: Photo, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
+        """The same of a photo that is open.
+
+        Args:
+            path: Of its file.
+            photo: Its pixels, and how large they are.
+            camera: What is known of it.
+            with_pixels: Whether its pixels are needed besides.
+        """
+        pixels, image = None, photo.image
+        if with_pixels:
+            height, width = image.shape_hw
+            pixels = image.read(0, 0, width, height)
+            image = ArrayImage(*pixels)
+        labels = PhotoLabels(self._model, image, self._values, photo.pixel_size_m, camera)
+        for _ in labels.steps() if self._follow is None else self._follow(path, photo.image, labels):
+            continue
+        return replace(labels.seen_labels, biases=self._biases, pixels=pixels)
 
 
 def _believed(pixel_size_m: float | None, resolution_m: float) -> float | None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..geometry.error_settings import NETWORK_SPREAD, UNBIASED, KnownBiases
 from .noise import DISPLACED_M, USUAL, LabelNoise
 
 if TYPE_CHECKING:
@@ -33,6 +34,11 @@ class Conditions:
     class_shift: float = 0.0
     lens: float = 0.0
     tilt_deg: float = 0.0
+
+    @property
+    def biases(self) -> KnownBiases:
+        """What is known of how labels are shifted: as of a network that states no bias."""
+        return KnownBiases(class_spread=NETWORK_SPREAD) if self.class_shift > 0 else UNBIASED
 
     def drawn(self, view: View, rng: np.random.Generator, class_values: Sequence[int]) -> tuple[View, LabelNoise]:
         """One image's own: directions and signs are drawn.

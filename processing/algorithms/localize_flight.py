@@ -148,6 +148,7 @@ class LocalizeFlight(LocalizeAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
+        from ...core.pipeline import Pipeline
         from ..exchange.reference_systems import database_crs
 
         method = self.method(values)
@@ -163,8 +164,8 @@ class LocalizeFlight(LocalizeAlgorithm):
         read_labels = self.label_reader(values, database.class_table, feedback)
         with outputs.folder(self.LABELS) as folder:
             keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
-            prior_of = self.priors_of_images(values, method, localizer, crs)
-            reader = FlightReader(localizer, method, prior_of, read_labels, keep, values.has(self.MATCHES))
+            search = self.search(values, method, crs, values.has(self.MATCHES))
+            reader = FlightReader(Pipeline(localizer, search, read_labels), keep)
             for n, (path, camera) in enumerate(zip(paths, cameras)):
                 check_canceled(feedback)
                 feedback.setProgressText(os.path.basename(path))

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.geometry.camera import Camera
+    from ...core.pipeline import Pipeline
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 
@@ -167,6 +168,7 @@ class LocalizeImages(LocalizeAlgorithm):
         from ...core.geometry.camera import Camera
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
+        from ...core.pipeline import Pipeline
         from ...storage.file_states import state
         from ..exchange.reference_systems import database_crs
 
@@ -176,7 +178,8 @@ class LocalizeImages(LocalizeAlgorithm):
         crs = database_crs(database)
         settings = replace(LOCALIZER, allowed_risk=values.number(self.RISK))
         localizer = Localizer(database, settings, values.optional_number(self.SUN_DIRECTION))
-        localize = self.localizing(values, method, localizer, crs, values.has(self.MATCHES))
+        localizer.check(method)
+        search = self.search(values, method, crs, values.has(self.MATCHES))
         read_labels = self.label_reader(values, database.class_table, feedback)
         paths, cameras = self.read_images(values, method, feedback, self._layer is None)
         if self._layer is not None:
@@ -185,13 +188,13 @@ class LocalizeImages(LocalizeAlgorithm):
         is_scheduled = values.has(SCHEDULER)
         with outputs.folder(self.LABELS) as folder:
             if is_scheduled:
-                search = self.search(values, method, crs, values.has(self.MATCHES))
                 localized = scheduled_images(values, database, before, search, paths, cameras, feedback)
                 for item in localized:
                     say(item, feedback)
             else:
                 keep = LabelImages(folder, paths, database.class_table, read_labels.stated_biases)
-                localized = _one_by_one(paths, cameras, (localizer, localize, read_labels), keep, feedback)
+                pipeline = Pipeline(localizer, search, read_labels)
+                localized = _one_by_one(paths, cameras, pipeline, keep, feedback)
             localized = with_far_photos(localized, database, crs, values.transform_context, feedback)
             times_s = [camera.time_s for camera in cameras]
             speed = values.optional_number(self.MAXIMUM_SPEED)
@@ -211,14 +214,18 @@ class LocalizeImages(LocalizeAlgorithm):
 
 
 def _one_by_one(
-    paths: Sequence[str], cameras: Sequence[Camera], by: tuple, keep: LabelImages, feedback: QgsProcessingFeedback
+    paths: Sequence[str],
+    cameras: Sequence[Camera],
+    pipeline: Pipeline,
+    keep: LabelImages,
+    feedback: QgsProcessingFeedback,
 ) -> list[LocalizedImage]:
-    """The images, localized here; ``by``: what ``localize_image`` takes between path and camera."""
+    """The images, localized here."""
     localized = []
     for n, path in enumerate(paths):
         check_canceled(feedback)
         feedback.setProgressText(os.path.basename(path))
-        localized.append(cancelable(localize_image, path, *by, cameras[n], keep, feedback=feedback))
+        localized.append(cancelable(localize_image, path, pipeline, cameras[n], keep, feedback=feedback))
         say(localized[-1], feedback)
         feedback.setProgress(95 * (n + 1) / len(paths))
     return localized

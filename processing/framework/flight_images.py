@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from ...core.errors import ParameterError, SemRefError
 from ..translation import tr
@@ -24,10 +24,7 @@ if TYPE_CHECKING:
     from ...core.flight.pixel_features import Features
     from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
-    from ...core.geometry.leveling import Leveling
-    from ...core.localization import Method, Prior
-    from ...core.localizer.localizer import Localizer
-    from .localizing import LabelReader
+    from ...core.pipeline import ImageResult, Pipeline
 
 _SOURCES = {"pixels": "pixels", "table": "odometry", "log": "log"}
 """Sources of links by what a sentence calls their counts."""
@@ -40,18 +37,16 @@ class TakenImage:
     Attributes:
         path: Of the file.
         camera: That took it.
-        shape_hw: (height, width) of its labels as they are.
+        result: Of the image alone; None with an error.
         flown: What the flight is told of it: labels as a level camera shows them, its own result; None with an error.
-        way: How it was leveled; None for an image that is taken as it is.
         remark: About its leveling.
         error: Why it could not be read.
     """
 
     path: str
     camera: Camera
-    shape_hw: tuple[int, int] = (0, 0)
+    result: ImageResult | None = None
     flown: FlightImage | None = None
-    way: Leveling | None = None
     remark: str = ""
     error: str = ""
 
@@ -108,17 +103,8 @@ class FlightReader:
         unlinked: (number of the later image in ``flown``, why) where they tell none.
     """
 
-    def __init__(
-        self,
-        localizer: Localizer,
-        method: Method,
-        prior_of: Callable[[tuple[int, int], Camera], Prior],
-        read_labels: LabelReader,
-        keep: LabelImages,
-        with_matches: bool,
-    ) -> None:
-        self._localizer, self._method, self._with_matches = localizer, method, with_matches
-        self._prior_of, self._read_labels, self._keep = prior_of, read_labels, keep
+    def __init__(self, pipeline: Pipeline, keep: LabelImages) -> None:
+        self._pipeline, self._keep = pipeline, keep
         self.taken: list[TakenImage] = []
         self.links: list[Link] = []
         self.unlinked: list[tuple[int, str]] = []
@@ -133,28 +119,20 @@ class FlightReader:
         """Reads an image, localizes it by itself and links it to the one before; one bad image stops no flight."""
         from ...core.flight.model import FlightImage
         from ...core.flight.pixel_features import features_of
-        from ...core.localizer.leveled import level_labels, of_leveled
-        from ...core.localizer.network_reason import name_network
 
-        localizer = self._localizer
         try:
-            seen, pixels = self._read_labels.seen_with_pixels(path, camera)
-            known = self._read_labels.biases(path)
-            localizer.heed_biases(known.class_biases, known.class_spread)
-            labels_hw, shape_hw = seen.labels_hw, seen.labels_hw.shape
-            prior, way = self._prior_of(shape_hw, camera), camera.leveling(shape_hw)
-            if way is not None:
-                seen, prior = level_labels(seen, way), of_leveled(prior, way)
-            own = localizer.localize(seen.labels_hw, self._method, prior, self._with_matches, seen.shares)
-            own = name_network(own, seen.trained_on, localizer.landmark_classes)
-            flown = FlightImage(os.path.basename(path), seen.labels_hw, own, camera.time_s, prior)
-            features = features_of(seen.labels_hw, pixels, way)
+            result = self._pipeline.run(path, camera, with_pixels=True)
+            seen, name = result.seen, os.path.basename(path)
+            flown = FlightImage(name, seen.labels_hw, result.level, camera.time_s, result.prior, seen.biases)
+            features = features_of(seen.labels_hw, seen.pixels, result.leveling)
         except SemRefError as error:
             self.taken.append(TakenImage(path, camera, error=worded(error)))
             return
-        self._keep(path, labels_hw)
+        self._keep(path, result.labels_hw)
         number = len(self.flown)
-        self.taken.append(TakenImage(path, camera, shape_hw, flown, way, camera_remark(camera, shape_hw)))
+        # A flight's photos together would fill the memory.
+        result = replace(result, seen=replace(seen, pixels=None))
+        self.taken.append(TakenImage(path, camera, result, flown, camera_remark(camera, result.shape_hw)))
         self._link(features, number)
 
     def _link(self, features: Features, number: int) -> None:
@@ -205,17 +183,12 @@ class FlightReader:
 
 def localized_of(taken: TakenImage, pose: FlightPose | None) -> FlownImage:
     """What the flight says of an image, told for the image as it was taken."""
-    from ...core.localizer.leveled import as_taken
-
     time_s = taken.camera.time_s
-    if pose is None:
+    if pose is None or taken.result is None:
         return FlownImage(LocalizedImage(taken.path, error=taken.error), None, time_s, taken.camera.lens)
-    found = pose.localization()
-    if taken.way is not None:
-        found = as_taken(found, taken.way)
-    return FlownImage(
-        LocalizedImage(taken.path, found, "", taken.shape_hw, taken.remark), pose, time_s, taken.camera.lens
-    )
+    found = taken.result.as_taken(pose.localization())
+    localized = LocalizedImage(taken.path, found, "", taken.result.shape_hw, taken.remark)
+    return FlownImage(localized, pose, time_s, taken.camera.lens)
 
 
 def say_pose(flown: FlownImage, feedback: QgsProcessingFeedback) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Callable, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
@@ -22,17 +22,15 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.geometry.camera import Camera
-    from ...core.labels.class_shares import SeenLabels
     from ...core.labels.class_table import ClassTable
-    from ...core.localization import Localization, Prior
-    from ...core.localizer.localizer import Localizer
+    from ...core.localization import Localization
     from ...core.localizer.search import Search
+    from ...core.pipeline import Pipeline
     from ...storage.label_images import LabelImageReader
     from .photo_labels import PhotoLabels
     from .values import Values
 
     LabelReader = Union[PhotoLabels, LabelImageReader]
-    Localize = Callable[[SeenLabels, Camera], Localization]
 
 
 _LEFT_OUT: dict[str, Any] = {"optional": True, "by_default": False}
@@ -184,34 +182,6 @@ class LocalizeAlgorithm(SemRefAlgorithm):
             cameras = [camera.without_leveling() for camera in cameras]
         return paths, cameras
 
-    def localizing(
-        self,
-        values: Values,
-        method: Method,
-        localizer: Localizer,
-        crs: QgsCoordinateReferenceSystem,
-        with_matches: bool = False,
-    ) -> Localize:
-        """The function (labels, Camera) → Localization that is asked for."""
-        localizer.check(method)
-        search = self.search(values, method, crs, with_matches)
-
-        def localize(seen: SeenLabels, camera: Camera) -> Localization:
-            return search.localized(localizer, seen, camera)
-
-        return localize
-
-    def priors_of_images(
-        self, values: Values, method: Method, localizer: Localizer, crs: QgsCoordinateReferenceSystem
-    ) -> Callable[[tuple[int, int], Camera], Prior]:
-        """The function (shape, Camera) → what is known of an image beforehand."""
-        search = self.search(values, method, crs)
-
-        def prior_of_image(shape_hw: tuple[int, int], camera: Camera) -> Prior:
-            return search.prior_of(localizer, camera, shape_hw)
-
-        return prior_of_image
-
     def search(
         self, values: Values, method: Method, crs: QgsCoordinateReferenceSystem, with_matches: bool = False
     ) -> Search:
@@ -221,7 +191,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
         return Search(method, priors.prior(values, crs), priors.scales(values, method), with_matches)
 
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
-        """The function path → labels: of label images, or with a model of photos."""
+        """What reads label images, or with a model photos."""
         from ...storage.label_images import LabelImageReader
         from .photo_labels import PhotoLabels
 
@@ -249,18 +219,14 @@ def _with_overview(database: ReferenceDatabase, path: str, feedback: QgsProcessi
         return database
 
 
-def localize_image(
-    path: str, localizer: Localizer, localize: Localize, read_labels: LabelReader, camera: Camera, keep: LabelImages
-) -> LocalizedImage:
+def localize_image(path: str, pipeline: Pipeline, camera: Camera, keep: LabelImages) -> LocalizedImage:
     """One bad image must not stop a batch: its sentence becomes its row's reason."""
     try:
-        seen, known = read_labels.seen(path, camera), read_labels.biases(path)
-        labels_hw = seen.labels_hw
-        localizer.heed_biases(known.class_biases, known.class_spread)
-        item = _localized(path, localize(seen, camera), camera, labels_hw.shape)
+        result = pipeline.run(path, camera)
+        item = _localized(path, result.localization, camera, result.shape_hw)
     except SemRefError as error:
         return LocalizedImage(path, error=worded(error))
-    keep(path, labels_hw)
+    keep(path, result.labels_hw)
     return item
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Optional
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from qgis.core import QgsProcessingFeedback
 
 from ...core.labels.class_table import ClassTable
@@ -22,13 +22,10 @@ from .declarations import NumberResult, TextResult
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
     from ...core.labels.class_shares import SeenLabels
-    from ...core.labels.image_source import ImageSource
-    from ...core.segmentation.class_bias import KnownBiases
+    from ...core.labels.image_source import Photo
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.photo_labels import PhotoLabels as Labels
     from ...storage.images import GdalImage
-
-    Pixels = tuple[np.ndarray, Optional[np.ndarray]]
 
 DEVICE, TILES_PER_SECOND = "DEVICE", "TILES_PER_SECOND"
 """Keys of what algorithms tell of a network's run."""
@@ -77,18 +74,17 @@ class Pace:
 
 
 class PhotoLabels:
-    """Reads photos as label images: ``photo_labels(path)`` gives (H, W) uint8 labels on the photo's own pixels.
+    """Reads photos, as ``pipeline.LabelReader``; says what the network is and how fast it ran.
 
     Raises ModelError when the model is unusable or does not know a reference class of ``table``, and Canceled.
     """
 
     def __init__(self, model_path: str, table: ClassTable, feedback: QgsProcessingFeedback) -> None:
-        from ...core.segmentation.class_bias import known_biases
-
         require([ONNXRUNTIME])
+        from ...core.segmentation.photo_labels import PhotoReader
+
         self._model = open_model(model_path)
-        self._values = self._model.classes.values_in(table, model_path)
-        self._biases = known_biases(self._model.class_bias, table)
+        self._read = PhotoReader(self._model, table, _opened, self._follow)
         self._feedback = feedback
         self._is_described = False
         self._seconds = 0.0
@@ -98,10 +94,6 @@ class PhotoLabels:
         """Pixel size that the network was trained on; None where it does not say."""
         return self._model.settings.resolution_m
 
-    def biases(self, path: str) -> KnownBiases:
-        """How the labels of a photo are shifted: as the model says."""
-        return self._biases
-
     @property
     def stated_biases(self) -> str:
         """What label maps that the model makes carry along."""
@@ -109,41 +101,20 @@ class PhotoLabels:
 
         return class_bias_text(self._model.class_bias)
 
-    def __call__(self, path: str) -> np.ndarray:
-        return self.seen(path).labels_hw
+    def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
+        return self._read(path, camera, with_pixels)
 
-    def seen(self, path: str, camera: Camera | None = None) -> SeenLabels:
-        """Labels of a photo, and how sure the network is where it tells; ``camera``: for how large pixels are."""
-        from ...storage.label_images import opened_photo
-
-        photo = opened_photo(path)
-        return self._seen(path, photo, photo, camera)
-
-    def seen_with_pixels(self, path: str, camera: Camera | None = None) -> tuple[SeenLabels, Pixels]:
-        """The same, and (H, W, 3) uint8 pixels with (H, W) bool, where there is data: read once, all in memory."""
-        from ...core.labels.image_source import ArrayImage
-        from ...storage.label_images import opened_photo
-
-        photo = opened_photo(path)
-        height, width = photo.shape_hw
-        pixels = photo.read(0, 0, width, height)
-        return self._seen(path, photo, ArrayImage(*pixels), camera), pixels
-
-    def _seen(self, path: str, photo: GdalImage, source: ImageSource, camera: Camera | None) -> SeenLabels:
-        """Labels of a photo whose pixels come from ``source``."""
-        from ...core.segmentation.photo_labels import PhotoLabels as Labels
-        from ..exchange.images import pixel_size_m, stated_crs
-
-        labels = Labels(self._model, source, self._values, pixel_size_m(photo, stated_crs(path)), camera)
+    def _follow(self, path: str, photo: GdalImage, labels: Labels) -> Iterator[float]:
+        """Goes through the steps of a photo."""
         if not self._is_described:
             describe(self._model, photo, self._feedback)
             self._is_described = True
             self._say_told_size(path, labels)
         begun = time.perf_counter()
-        for _ in labels.steps():
+        for share in labels.steps():
             check_canceled(self._feedback)
+            yield share
         self._seconds += time.perf_counter() - begun
-        return labels.seen_labels
 
     def _say_told_size(self, path: str, labels: Labels) -> None:
         """Of the first photo: the others are of the same flight."""
@@ -160,6 +131,15 @@ class PhotoLabels:
     def pace(self) -> Pace:
         """What ran, and how fast."""
         return Pace(self._model, self._seconds)
+
+
+def _opened(path: str) -> Photo:
+    from ...core.labels.image_source import Photo
+    from ...storage.label_images import opened_photo
+    from ..exchange.images import pixel_size_m, stated_crs
+
+    photo = opened_photo(path)
+    return Photo(photo, pixel_size_m(photo, stated_crs(path)))
 
 
 def describe(model: SegmentationModel, image: GdalImage, feedback: QgsProcessingFeedback) -> None:

@@ -121,7 +121,7 @@ class ImageInspector:
         key = query.model, database.class_table
         if self._network[0] != key:
             self._network = key, PhotoLabels(query.model, database.class_table, QgsProcessingFeedback(False))
-        return self._network[1](query.image)
+        return self._network[1](query.image).labels_hw
 
 
 def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> float:

@@ -74,10 +74,11 @@ MAY_IMPORT = {
             *("localization", "constellation", "correlation"),
         },
         "segmentation": {"geometry", "labels"},
+        "pipeline": {"geometry", "labels", "localization", "localizer"},
         "flight": {"geometry", "labels", "landmarks", "database", "localization", "correlation", "localizer"},
         "onboard": {
             *("flight", "geometry", "labels", "windows", "database", "cache"),
-            *("localization", "localizer", "segmentation"),
+            *("localization", "localizer", "pipeline", "segmentation"),
         },
         "annotation": {"geometry", "labels", "landmarks"},
         "simulation": {"geometry", "labels", "landmarks"},

@@ -14,8 +14,7 @@ from qgis.core import QgsProcessingFeedback
 from semref.core.geometry.camera import Camera, Lens, above_takeoff
 from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.onboard.finder import LabelReader
-from semref.core.segmentation.class_bias import KnownBiases
+from semref.core.onboard.finder import label_reader
 from semref.core.segmentation.onnx_file import with_metadata
 from semref.processing.framework.photo_labels import PhotoLabels
 from semref.storage.images import GdalImage
@@ -70,8 +69,9 @@ def model(tmp_path_factory):
 def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
     reader = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))
-    in_qgis, seen = reader(path), reader.seen(path)
-    on_board = LabelReader(model, 1, TABLE)(path)
+    seen = reader(path)
+    in_qgis = seen.labels_hw
+    on_board = label_reader(model, 1, TABLE)(path)
     np.testing.assert_array_equal(on_board.labels_hw, in_qgis)
     np.testing.assert_array_equal(on_board.shares.shares, seen.shares.shares)
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
@@ -80,8 +80,8 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
 def test_height_and_lens_tell_the_same_in_qgis_and_on_board(qgis_app, model, tmp_path):
     path = str(PHOTOS["PNG"](tmp_path / "photo.png"))
     camera = Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(20.0))
-    in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False)).seen(path, camera)
-    on_board = LabelReader(model, 1, TABLE)(path, camera)
+    in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))(path, camera)
+    on_board = label_reader(model, 1, TABLE)(path, camera)
     np.testing.assert_array_equal(on_board.labels_hw, in_qgis.labels_hw)
     np.testing.assert_array_equal(on_board.shares.shares, in_qgis.shares.shares)
     height, width = PHOTO.shape[:2]
@@ -92,10 +92,11 @@ def test_height_and_lens_tell_the_same_in_qgis_and_on_board(qgis_app, model, tmp
 def test_a_photo_read_once_for_labels_and_motion_is_the_same(qgis_app, model, tmp_path, name, monkeypatch):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
     reader, opened = PhotoLabels(model, TABLE, QgsProcessingFeedback(False)), []
-    apart = reader.seen(path)
+    apart = reader(path)
     read = GdalImage.read
     monkeypatch.setattr(GdalImage, "read", lambda self, *window: opened.append(window) or read(self, *window))
-    seen, (pixels, has_data) = reader.seen_with_pixels(path)
+    seen = reader(path, with_pixels=True)
+    pixels, has_data = seen.pixels
     assert opened == [(0, 0, PHOTO.shape[1], PHOTO.shape[0])]
     np.testing.assert_array_equal(seen.labels_hw, apart.labels_hw)
     np.testing.assert_array_equal(seen.shares.shares, apart.shares.shares)
@@ -107,8 +108,8 @@ def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_ap
     stated = json.dumps({"building": {"east": 0.5, "spread": 0.2, "sun": 120}})
     with open(model, "rb") as file:
         path.write_bytes(with_metadata(file.read(), "class_bias", stated))
-    known = LabelReader(str(path), 1, TABLE).known
-    assert known == PhotoLabels(str(path), TABLE, QgsProcessingFeedback(False)).biases("any.tif")
+    photo = str(PHOTOS["PNG"](tmp_path / "photo.png"))
+    known = label_reader(str(path), 1, TABLE)(photo).biases
+    assert known == PhotoLabels(str(path), TABLE, QgsProcessingFeedback(False))(photo).biases
     (bias,) = known.class_biases
     assert (bias.east, bias.spread, bias.sun_deg) == (0.5, 0.2, 120.0) and known.class_spread == NETWORK_SPREAD
-    assert LabelReader(None, 1, TABLE).known == KnownBiases()

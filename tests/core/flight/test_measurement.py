@@ -26,14 +26,14 @@ def truth(flown):
 
 
 def test_class_areas_measure_an_image_near_its_place(flown, localizer, truth):
-    found = by_areas(flown.images[3].labels_hw, localizer, truth + (8, -6, 0.03, 0.01), EXPECTED, FEW)
+    found = by_areas(flown.images[3], localizer, truth + (8, -6, 0.03, 0.01), EXPECTED, FEW)
     assert np.hypot(*(found.state - truth)[:2]) < 6
     assert 0.1 < np.sqrt(found.covariance[0, 0]) < 20
 
 
 def test_far_from_its_place_an_image_measures_nothing(flown, localizer, truth):
     for way in (by_areas, by_landmarks):
-        assert way(flown.images[3].labels_hw, localizer, truth + (500, 300, 1.0, 0.0), EXPECTED, FEW) is None
+        assert way(flown.images[3], localizer, truth + (500, 300, 1.0, 0.0), EXPECTED, FEW) is None
 
 
 def test_an_own_fix_is_a_measurement_and_a_place_that_is_none_is_not(localizer):

@@ -6,6 +6,7 @@ import pytest
 from semref.core.correlation.places import image_evidence
 from semref.core.correlation.refine import ScoredPose
 from semref.core.flight.measurement import Measurement, by_areas, factor_of, mixed
+from semref.core.flight.model import FlightImage
 from semref.core.flight.nearby import REACH, log_odds, places_near, starts_around
 from semref.core.flight.settings import FLIGHT
 from semref.core.flight.states import state_of
@@ -45,7 +46,7 @@ def test_an_image_two_pixels_of_the_first_look_off_is_found_where_so_little_is_k
     best, share = likely[0]
     assert np.hypot(best.x - truth[0], -best.y - truth[1]) < 12 and share > 0.9
     assert sum(part for _, part in likely) == pytest.approx(1.0)
-    found = by_areas(labels, localizer, truth + off, loosely, FLIGHT)
+    found = by_areas(FlightImage("", labels), localizer, truth + off, loosely, FLIGHT)
     assert np.hypot(*(found.state - truth)[:2]) < 12
 
 

@@ -9,11 +9,13 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lens_distortion import LensDistortion
 from semref.core.geometry.leveling import Attitude, leveling
 from semref.core.geometry.pose import turn_of
+from semref.core.labels.class_shares import SeenLabels
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Method, Prior, Status
-from semref.core.localizer.leveled import localize_leveled
 from semref.core.localizer.localizer import Localizer
+from semref.core.localizer.search import Search
+from semref.core.pipeline import localize_with
 
 TABLE = ClassTable(
     (
@@ -71,7 +73,7 @@ def test_an_image_is_found_nearer_and_told_so_when_its_lens_is_stated(localizer,
     prior = Prior(pixel_size_range=(0.8, 1.25))
     bent = localizer.localize(labels, Method.CONSTELLATION, prior)
     way = leveling(Attitude(0, 0), LENS.focal_xy[0] * SHAPE[1], SHAPE, LENS)
-    straight = localize_leveled(localizer, labels, Method.CONSTELLATION, prior, way)
+    straight = localize_with(localizer, Search(Method.CONSTELLATION), SeenLabels(labels), prior, way).localization
     assert straight.status == Status.FIX
 
     def error(found):

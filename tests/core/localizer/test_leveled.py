@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from semref.core.geometry.leveling import Attitude, leveling
-from semref.core.labels.class_shares import ClassShares
+from semref.core.labels.class_shares import ClassShares, SeenLabels
 from semref.core.localization import Localization, Matches, Method, Place, Prior, Status
-from semref.core.localizer.leveled import localize_leveled
+from semref.core.localizer.search import Search
+from semref.core.pipeline import localize_with
 
 LABELS = np.ones((200, 260), np.uint8)
 FOCAL = 225.0
@@ -22,7 +23,9 @@ class Made:
     def __init__(self, found):
         self.found = found
 
-    def localize(self, labels_hw, method, prior, with_matches=False, shares=None):
+    landmark_classes = ()
+
+    def localize(self, labels_hw, method, prior, with_matches, shares, biases):
         self.shape, self.prior, self.shares = labels_hw.shape, prior, shares
         return self.found
 
@@ -32,9 +35,16 @@ def fix(heading, pixel_size, **more):
     return Localization(Status.FIX, Method.CONSTELLATION, best=best, **more)
 
 
+def leveled(made, way, prior=None):
+    seen = SeenLabels(LABELS)
+    return localize_with(made, Search(Method.CONSTELLATION), seen, prior or Prior(), way).localization
+
+
 def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
     made = Made(fix(90.0, 0.5))
-    found = localize_leveled(made, LABELS, Method.CONSTELLATION, Prior(), leveling(Attitude(0, 0), FOCAL, LABELS.shape))
+    found = localize_with(
+        made, Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), leveling(Attitude(0, 0), FOCAL, LABELS.shape)
+    ).localization
     assert made.shape == LABELS.shape
     assert found.position == found.nadir == pytest.approx(MIDDLE)
     # The image's top points east: its upper left corner lies half its height east, half its width north.
@@ -43,7 +53,9 @@ def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
 
 def test_a_camera_pitched_up_stands_south_of_what_its_center_shows():
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
-    found = localize_leveled(Made(fix(0.0, 2.0)), LABELS, Method.CONSTELLATION, Prior(), way)
+    found = localize_with(
+        Made(fix(0.0, 2.0)), Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), way
+    ).localization
     # A view to the top reaches farther beyond its center than before it: the center lies south of the middle.
     assert found.position == pytest.approx((MIDDLE[0], MIDDLE[1] - 2.0 * way.middle.imag))
     assert way.middle.imag > 10
@@ -56,7 +68,7 @@ def test_a_camera_pitched_up_stands_south_of_what_its_center_shows():
 def test_the_search_is_widened_by_as_far_as_the_middle_may_lie_from_the_center():
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     made, prior = Made(fix(0.0, 2.0)), Prior(position=MIDDLE, radius=100.0, pixel_size_range=(1.0, 3.0))
-    localize_leveled(made, LABELS, Method.CONSTELLATION, prior, way)
+    leveled(made, way, prior)
     assert made.prior.radius == pytest.approx(100 + 3 * abs(way.middle))
 
 
@@ -65,21 +77,23 @@ def test_matches_are_those_of_the_image_as_it_is():
     pixels = np.array([[20.0, 30.0], [130.0, 100.0]])
     x, y, w = way.homography @ np.column_stack([pixels, np.ones(2)]).T
     matches = Matches(np.arange(2), np.column_stack([x / w, y / w]), np.zeros((2, 2)), np.zeros(2))
-    found = localize_leveled(Made(fix(0.0, 2.0, matches=matches)), LABELS, Method.CONSTELLATION, Prior(), way)
+    found = localize_with(
+        Made(fix(0.0, 2.0, matches=matches)), Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), way
+    ).localization
     np.testing.assert_allclose(found.matches.pixels_xy, pixels)
 
 
 def test_without_a_fix_no_place_is_told():
     none = Localization(Status.NO_MATCH, Method.CONSTELLATION)
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
-    assert localize_leveled(Made(none), LABELS, Method.CONSTELLATION, Prior(), way) == none
+    assert leveled(Made(none), way) == none
 
 
 def test_shares_are_leveled_with_the_labels():
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     made = Made(fix(0.0, 2.0))
     shares = ClassShares(np.array([4], np.uint8), np.full((50, 65, 1), 200, np.uint8))
-    localize_leveled(made, LABELS, Method.CONSTELLATION, Prior(), way, shares=shares)
+    localize_with(made, Search(Method.CONSTELLATION), SeenLabels(LABELS, shares), Prior(), way)
     assert made.shares.values.tolist() == [4]
     height, width = made.shares.shares.shape[:2]
     pixels = np.array(LABELS.shape) / (50, 65)

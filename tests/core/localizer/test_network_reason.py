@@ -2,14 +2,10 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
-from semref.core.geometry.camera import Camera
-from semref.core.labels.class_shares import SeenLabels
 from semref.core.localization import Localization, Method, Status
 from semref.core.localizer.network_reason import name_network
-from semref.core.localizer.search import Search
 from semref.core.sentences import Sentence
 
 PLACES, CLASSES = ("made-up areas", "Banepa"), ("building", "water")
@@ -53,18 +49,3 @@ def test_label_images_and_networks_that_say_nothing_are_not_blamed(found):
 def test_a_fix_keeps_its_remark():
     fix = replace(NO_MATCH, status=Status.FIX)
     assert name_network(fix, PLACES, CLASSES) == fix
-
-
-class Nowhere:
-    """A localizer that finds no image."""
-
-    landmark_classes = CLASSES
-
-    def localize(self, *_):
-        return NO_MATCH
-
-
-def test_a_photo_that_is_not_found_names_its_network():
-    seen = SeenLabels(np.zeros((40, 60), np.uint8), None, PLACES)
-    found = Search(Method.CONSTELLATION).localized(Nowhere(), seen, Camera())
-    assert "trained on" in str(found.reason)

@@ -9,7 +9,7 @@ from made_models import NAMES, write_model
 
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.command_line import main
-from semref.core.onboard.finder import LabelReader
+from semref.core.onboard.finder import label_reader
 from semref.core.onboard.log import start_log
 
 TABLE = class_table_from_csv("value,name\n" + "".join(f"{n},{name}\n" for n, name in enumerate(NAMES, start=1)))
@@ -25,7 +25,7 @@ def logged(tmp_path, monkeypatch, capsys):
 
     def run(device):
         start_log("info")
-        LabelReader(str(model), 1, TABLE, device)
+        label_reader(str(model), 1, TABLE, device)
         return [json.loads(line) for line in capsys.readouterr().err.splitlines()]
 
     return run

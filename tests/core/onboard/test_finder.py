@@ -10,10 +10,14 @@ import pytest
 from onboard_area import CENTER, HERE, write_area
 
 from semref.core.errors import ParameterError
-from semref.core.localization import Method, Prior
+from semref.core.geometry.camera import Camera
+from semref.core.geometry.leveling import Attitude
+from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
-from semref.core.onboard.finder import ERROR, Finding, LabelReader, time_of
+from semref.core.localizer.search import Search
+from semref.core.onboard.finder import ERROR, Finding, label_reader, time_of
 from semref.core.onboard.read import read_onboard
+from semref.core.pipeline import Pipeline
 
 
 @pytest.fixture(scope="module")
@@ -21,8 +25,15 @@ def finding(tmp_path_factory):
     path = str(tmp_path_factory.mktemp("onboard") / "area.npz")
     write_area(path)
     onboard = read_onboard(path)
-    labels = LabelReader(None, 1, onboard.database.class_table)
-    return Finding(onboard, Localizer(onboard.database), Method.CONSTELLATION, Prior(), labels)
+    labels = label_reader(None, 1, onboard.database.class_table)
+    return Finding(onboard, Pipeline(Localizer(onboard.database), Search(Method.CONSTELLATION), labels))
+
+
+class Tilted:
+    """A camera that looks ahead."""
+
+    def of(self, path):
+        return Camera(Attitude(10.0, 5.0))
 
 
 @pytest.fixture
@@ -62,8 +73,10 @@ def test_a_fault_of_the_program_stops_no_other_image(finding, image, monkeypatch
 
 
 def test_topology_vectors_are_told_nothing_of_the_camera(finding, image):
-    published = replace(finding, method=Method.TOPOLOGY_VECTOR, prior=Prior((1.0, 2.0), 3.0))
-    assert published.prior_of(published.camera_of(image), (10, 10)) == published.prior
+    search = Search(Method.TOPOLOGY_VECTOR)
+    published = replace(finding, pipeline=replace(finding.pipeline, search=search), cameras=Tilted())
+    assert published.camera_of(image).attitude is None
+    assert replace(finding, cameras=Tilted()).camera_of(image).attitude is not None
 
 
 def test_the_time_of_a_file_that_is_gone_is_no_time(tmp_path):

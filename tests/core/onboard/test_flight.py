@@ -523,7 +523,7 @@ def test_a_tilted_camera_of_a_table_is_leveled(watch, folder, tmp_path, monkeypa
     """What is tilted on the image is where it was on the ground: as QGIS levels it."""
     put(folder, range(1))
     seen = []
-    original = "semref.core.onboard.flight.level_labels"
+    original = "semref.core.pipeline.level_labels"
     monkeypatch.setattr(original, lambda labels, way: seen.append(way) or level_labels(labels, way))
     table = tmp_path / "cameras.csv"
     table.write_text("image,roll,pitch,field_of_view,height\n0.png,2,-3,60,173\n", encoding="utf-8")

@@ -1,12 +1,15 @@
-"""A search takes what is known of all images and of each one's camera to the localizer."""
+"""The pipeline takes what is known of all images and of each one's camera to the localizer."""
 
 import numpy as np
 
 from semref.core.geometry.camera import Camera, Lens
+from semref.core.geometry.error_settings import KnownBiases
 from semref.core.geometry.leveling import Attitude
 from semref.core.labels.class_shares import SeenLabels
 from semref.core.localization import Localization, Method, Prior, Status
 from semref.core.localizer.search import Search
+from semref.core.pipeline import Pipeline, localize_labels
+from semref.core.sentences import Sentence
 
 LABELS = np.zeros((40, 60), np.uint8)
 
@@ -22,17 +25,19 @@ class Localizer:
     def pixel_sizes(self, shape_hw, scales):
         return tuple(scale * 100 / min(shape_hw) for scale in scales)
 
-    def localize(self, labels_hw, method, prior, with_matches, shares):
-        self.asked.append((labels_hw.shape, method, prior, with_matches, shares))
-        return Localization(Status.NO_MATCH, method)
+    def localize(self, labels_hw, method, prior, with_matches, shares, biases):
+        self.asked.append((labels_hw.shape, method, prior, with_matches, shares, biases))
+        return Localization(Status.NO_MATCH, method, reason=Sentence("localization.no_triangles"))
 
 
 def test_scales_become_pixel_sizes_of_the_image_s_shorter_edge():
     localizer = Localizer()
     search = Search(Method.CONSTELLATION, Prior((1.0, 2.0), 30.0), (0.5, 2.0), True)
-    search.localized(localizer, SeenLabels(LABELS), Camera())
-    shape, method, prior, with_matches, shares = localizer.asked[0]
+    seen = SeenLabels(LABELS, biases=KnownBiases(class_spread=0.5))
+    result = localize_labels(localizer, search, seen, Camera())
+    shape, method, prior, with_matches, shares, biases = localizer.asked[0]
     assert (shape, method, with_matches, shares) == ((40, 60), Method.CONSTELLATION, True, None)
+    assert biases.class_spread == 0.5 and result.shape_hw == (40, 60) and result.prior == prior
     assert prior == Prior((1.0, 2.0), 30.0, pixel_size_range=(1.25, 5.0))
 
 
@@ -45,5 +50,11 @@ def test_what_the_camera_knows_counts_where_nobody_said_otherwise():
 
 def test_a_tilted_image_is_leveled_first():
     localizer, camera = Localizer(), Camera(Attitude(10.0, 5.0), Lens("field_of_view", 60.0))
-    Search(Method.CONSTELLATION).localized(localizer, SeenLabels(LABELS), camera)
-    assert localizer.asked[0][0] != LABELS.shape
+    result = localize_labels(localizer, Search(Method.CONSTELLATION), SeenLabels(LABELS), camera)
+    assert localizer.asked[0][0] == result.seen.labels_hw.shape != LABELS.shape == result.shape_hw
+
+
+def test_a_photo_that_is_not_found_names_its_network():
+    seen = SeenLabels(LABELS, None, ("Banepa",))
+    pipeline = Pipeline(Localizer(), Search(Method.CONSTELLATION), lambda path, camera, with_pixels: seen)
+    assert "trained on" in str(pipeline.run("a.jpg", Camera()).localization.reason)
