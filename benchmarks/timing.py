@@ -277,6 +277,7 @@ def bare_runner(model: Path, image: Path) -> tuple[int, Callable[[], None]]:
 def write_photo(path: Path, edge: int) -> Path:
     """An RGB GeoTIFF of (edge, edge) pixels of 1 m, in tiles and compressed: the sample area, mirrored."""
     from osgeo import gdal, osr
+
     from sample.files import grid_of
     from sample.landscape import make_landscape
     from sample.photo import render

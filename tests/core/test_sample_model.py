@@ -10,7 +10,6 @@ pytest.importorskip("onnxruntime")
 
 from sample import landscape, photo
 from sample.classes import CLASSES
-
 from semref.core.labels.image_source import ArrayImage
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.tiling import segment

@@ -12,20 +12,27 @@ def qgis_app(start_qgis):
     return start_qgis(window=False)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def build_area(run_algorithm, tmp_path_factory):
-    """`build_area(labels, names, size, stride)`: path of the database of a label map with three landmark classes."""
+    """`build_area(labels, names, size, stride)`: path of the database of a label map with three landmark classes.
 
-    def build(labels_hw, names, size: float, stride: float) -> str:
-        folder = tmp_path_factory.mktemp("area")
-        parameters = {
-            "LABELS": str(write_raster(folder / "labels.tif", labels_hw, names=names)),
-            "REFERENCE_CLASSES": "building;water;bare_land",
-            "WINDOW_SIZE": size,
-            "STRIDE": stride,
-            "MINIMUM_AREA": 30,
-            "DATABASE": str(folder / "area.gpkg"),
-        }
-        return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+    Built once a session for the same arguments, to read only; the map is `labels.tif` beside it.
+    """
+    built: dict[tuple, str] = {}
+
+    def build(labels_hw, names, size: float, stride: float, references: str = "building;water;bare_land") -> str:
+        key = (labels_hw.shape, labels_hw.tobytes(), tuple(names), size, stride, references)
+        if key not in built:
+            folder = tmp_path_factory.mktemp("area")
+            parameters = {
+                "LABELS": str(write_raster(folder / "labels.tif", labels_hw, names=names)),
+                "REFERENCE_CLASSES": references,
+                "WINDOW_SIZE": size,
+                "STRIDE": stride,
+                "MINIMUM_AREA": 30,
+                "DATABASE": str(folder / "area.gpkg"),
+            }
+            built[key] = run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+        return built[key]
 
     return build

@@ -23,20 +23,10 @@ BOTH = [0, 1]
 
 
 @pytest.fixture(scope="module")
-def inputs(run_algorithm, tmp_path_factory):
+def inputs(build_area):
     """Parameters LABELS and DATABASE of a made area."""
-    folder = tmp_path_factory.mktemp("area")
-    labels = str(write_raster(folder / "labels.tif", LABELS, names=NAMES))
-    build = {
-        "LABELS": labels,
-        "REFERENCE_CLASSES": "building;water;bare_land",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": STRIDE,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    run_algorithm("semref:builddatabase", build)
-    return {"LABELS": labels, "DATABASE": build["DATABASE"]}
+    database = build_area(LABELS, NAMES, SIZE, STRIDE)
+    return {"LABELS": str(Path(database).with_name("labels.tif")), "DATABASE": database}
 
 
 @pytest.fixture

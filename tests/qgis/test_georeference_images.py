@@ -25,13 +25,10 @@ COLUMNS = [("image", "text"), ("status", "text"), ("heading", "real"), ("pixel_s
 
 
 @pytest.fixture(scope="module")
-def localized(run_algorithm, tmp_path_factory):
+def localized(run_algorithm, build_area, tmp_path_factory):
     """The layers of one run: a level image, a tilted one, and one of elsewhere."""
     folder = tmp_path_factory.mktemp("area")
-    parameters = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": SIZE, "STRIDE": 150, "MINIMUM_AREA": 20}
-    labels = write_raster(folder / "labels.tif", LABELS, names=NAMES)
-    database = str(folder / "area.gpkg")
-    run_algorithm("semref:builddatabase", {"LABELS": str(labels), **parameters, "DATABASE": database})
+    database = build_area(LABELS, NAMES, SIZE, 150)
     images = folder / "images"
     images.mkdir()
     tilted = View(WEST + 500.0, NORTH - 420.0, 200.0, 1.0, SIZE, SIZE, tilt_deg=25.0)

@@ -33,17 +33,8 @@ def view(column: float, row: float, heading: float) -> np.ndarray:
 
 
 @pytest.fixture(scope="module")
-def database(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "building;water",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": SIZE / 2,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+def database(build_area):
+    return build_area(LABELS, NAMES, SIZE, SIZE / 2, "building;water")
 
 
 @pytest.fixture

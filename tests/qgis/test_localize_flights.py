@@ -19,17 +19,8 @@ TILT = 25.0
 
 
 @pytest.fixture(scope="module")
-def database(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "1;2;3",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": 150,
-        "MINIMUM_AREA": 20,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+def database(build_area):
+    return build_area(LABELS, NAMES, SIZE, 150)
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 
 import numpy as np
@@ -36,18 +37,10 @@ def ground_and_colors():
 
 
 @pytest.fixture(scope="module")
-def folder(run_algorithm, tmp_path_factory):
+def folder(build_area, tmp_path_factory):
     """A folder with the database area.gpkg and the model colors.onnx."""
     folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "building;water;bare_land",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": 40,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    run_algorithm("semref:builddatabase", parameters)
+    shutil.copy(build_area(LABELS, NAMES, SIZE, 40), folder / "area.gpkg")
     write_model(folder / "colors.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES))
     return folder
 

@@ -119,17 +119,8 @@ def test_the_distance_is_as_long_as_it_is_told_exactly(meters, said):
 
 
 @pytest.fixture(scope="module")
-def database(run_algorithm, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("area")
-    parameters = {
-        "LABELS": str(write_raster(folder / "labels.tif", LABELS, names=NAMES)),
-        "REFERENCE_CLASSES": "building;water;bare_land",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": 40,
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(folder / "area.gpkg"),
-    }
-    return run_algorithm("semref:builddatabase", parameters)["DATABASE"]
+def database(build_area):
+    return build_area(LABELS, NAMES, SIZE, 40)
 
 
 def lon_lat(east: float, north: float) -> tuple[float, float]:

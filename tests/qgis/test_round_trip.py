@@ -9,6 +9,7 @@ import pytest
 from made_inputs import read_pixels
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException
+
 from sample import files as sample_files
 from sample import landscape as landscape_module
 from sample.classes import CLASSES

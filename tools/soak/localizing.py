@@ -26,9 +26,9 @@ class Area:
 
     def __init__(self, folder: Path) -> None:
         from qgis_session import ROOT
-        from sample import DEFAULT_SEED, files, landscape
 
         from benchmarks.maps import run_algorithm
+        from sample import DEFAULT_SEED, files, landscape
 
         landscape.SIZE_XY = SIZE_XY
         sample = folder / "sample"

@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from sample import fields
 from shapely.geometry import LineString, box
 from shapely.ops import unary_union
+
+from sample import fields
 
 
 def rng():

@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from shapely.geometry import LineString, Point
+
 from sample import houses
 from sample.roads import Road, Settlement
 from sample.scatter import Ground
-from shapely.geometry import LineString, Point
 
 
 @pytest.mark.parametrize("mix", houses.MIX)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import shapely
+
 from sample import classes, landscape
 
 SEED = 1671

@@ -4,6 +4,7 @@ import cv2
 import numpy as np
 import pytest
 import shapely
+
 from sample import landscape, photo, pictures
 
 

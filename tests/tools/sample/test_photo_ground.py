@@ -2,6 +2,7 @@
 
 import numpy as np
 import shapely
+
 from sample import landscape
 from sample.photo_ground import draw_scene, linear, tinted
 

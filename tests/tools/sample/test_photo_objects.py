@@ -2,6 +2,7 @@
 
 import numpy as np
 import shapely
+
 from sample.photo_objects import HALL_HEIGHT_M, crown_relief, make_roof
 
 

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+
 from sample import pictures
 
 SEED = 1671

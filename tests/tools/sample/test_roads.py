@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from sample import roads
 from shapely.geometry import LineString
+
+from sample import roads
 
 SIZE = (4000.0, 3000.0)
 RIVER = LineString([(-200, 1700), (4200, 1100)])

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from sample.scatter import Ground
 from shapely.geometry import box
+
+from sample.scatter import Ground
 
 BLOCKED = box(40, 0, 60, 100)
 

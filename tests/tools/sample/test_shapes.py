@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from sample import shapes
 from shapely.geometry import LineString, MultiPolygon, Point, box
+
+from sample import shapes
 
 
 def rng():

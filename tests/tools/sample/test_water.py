@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from shapely.geometry import Point, Polygon
+
 from sample import water
 from sample.scatter import Ground
-from shapely.geometry import Point, Polygon
 
 SIZE = (4000.0, 3000.0)
 
