@@ -26,7 +26,7 @@ from qgis.PyQt.QtGui import QColor
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 from .column_names import name_columns
 from .database_layers import place_new_layer
-from .layer_notes import Note, keep_in_file
+from .layer_metadata import Note, keep_in_file
 from .palette import CASING, INK
 
 _KEPT: list[QgsProcessingLayerPostProcessorInterface] = []

@@ -36,7 +36,7 @@ from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
 from ...storage.files import written_beside
 from ..wording.annotation_messages import severity_title
 from .column_names import name_columns
-from .layer_notes import Note, keep_beside
+from .layer_metadata import Note, keep_beside
 from .palette import BAD, INFORMATION, WARNING
 
 WINDOW_COLOR = "#1f5fbf"

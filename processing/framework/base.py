@@ -21,7 +21,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
 from ...core.sentences import legible
-from ..exchange.lineage import Lineage, lineage_of
+from ..exchange.layer_metadata import Lineage, lineage_of
 from ..packages.components import OPENCV, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version

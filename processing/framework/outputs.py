@@ -22,8 +22,7 @@ from ...storage.files import Batch
 from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
 from ..compat import make_field
 from ..exchange.database_layers import OPENED, open_when_done
-from ..exchange.layer_notes import Note, keep_in_database
-from ..exchange.lineage import Lineage
+from ..exchange.layer_metadata import Lineage, Note, keep_in_database
 from ..exchange.output_style import Look, style_from_beside, style_in_file, style_in_memory, style_when_loaded
 from . import offers
 

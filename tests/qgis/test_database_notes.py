@@ -12,12 +12,12 @@ from made_inputs import scattered_objects, square, write_layer, write_raster
 from qgis.core import QgsLayerMetadata, QgsProject, QgsRasterLayer, QgsVectorLayer
 
 from semref.processing.exchange.database_layers import add_database_to_map
-from semref.processing.exchange.layer_notes import Note
-from semref.processing.exchange.lineage import Lineage
+from semref.processing.exchange.layer_metadata import Lineage, Note
 
 BUILD, UPDATE, LOCALIZE = "semref:builddatabase", "semref:updatedatabase", "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
 TABLES = "references", "windows"
+SOURCES = "Land cover of Erewhon (ODbL 1.0, © OpenStreetMap contributors)"
 
 
 @pytest.fixture
@@ -49,8 +49,7 @@ def test_both_tables_tell_what_they_are_what_made_them_and_under_which_licenses(
     assert (landmarks.title(), windows.title()) == ("Landmarks", "Windows")
     assert landmarks.abstract() != windows.abstract()
     for told in (landmarks, windows):
-        assert (told.licenses(), told.rights()) == (["ODbL 1.0"], ["© OpenStreetMap contributors"])
-        assert "Land cover of Erewhon (ODbL 1.0)" in told.abstract()
+        assert told.rights() == [SOURCES]
         (line,) = told.history()
         assert "SemRef" in line and 'processing.run("semref:builddatabase"' in line and "'STRIDE':100" in line
 
@@ -63,8 +62,7 @@ def test_an_update_adds_itself_to_the_history_and_keeps_the_rest(database, label
     for told in notes(database):
         assert ["builddatabase" in line for line in told.history()] == [True, False]
         assert "updatedatabase" in told.history()[1]
-        assert told.licenses() == ["ODbL 1.0"]
-        assert "Land cover of Erewhon (ODbL 1.0)" in told.abstract()
+        assert told.rights() == [SOURCES]
 
 
 def history_after(lines: list[str]) -> list[str]:
@@ -72,7 +70,7 @@ def history_after(lines: list[str]) -> list[str]:
     told = QgsLayerMetadata()
     told.setHistory(lines)
     layer = QgsVectorLayer("Point?crs=epsg:2056", "landmarks", "memory")
-    note = Note("Landmarks", "", Lineage(command="processing.run('update')", version="1"))
+    note = Note("Landmarks", "", Lineage("2026-01-02 03:04 UTC, SemRef 1: processing.run('update')"))
     return note.after(told).metadata(layer).history()
 
 
@@ -96,11 +94,11 @@ def test_a_history_of_long_lines_stays_what_a_reader_takes(qgis_app):
     assert 100_000 < sum(map(len, lines)) <= 150_001
 
 
-def test_what_is_made_of_a_database_has_its_licenses(database, run_algorithm, tmp_path):
+def test_what_is_made_of_a_database_names_its_sources_once(database, run_algorithm, tmp_path):
     image = write_raster(tmp_path / "image.png", scattered_objects(600, 600, 300, seed=3)[100:300, 100:300])
     output = str(tmp_path / "positions.gpkg")
     run_algorithm(LOCALIZE, {"DATABASE": database, "IMAGES": [str(image)], "OUTPUT": output})
-    assert QgsVectorLayer(output, "positions", "ogr").metadata().licenses() == ["ODbL 1.0"]
+    assert QgsVectorLayer(output, "positions", "ogr").metadata().rights() == [SOURCES]
 
 
 def test_on_the_map_the_overview_tells_it_too(database):
@@ -108,7 +106,7 @@ def test_on_the_map_the_overview_tells_it_too(database):
     group = add_database_to_map(database, project)
     told = {node.name(): node.layer().metadata() for node in group.findLayers()}
     assert told["Overview"].title() == "Overview"
-    assert told["Overview"].licenses() == ["ODbL 1.0"]
+    assert told["Overview"].rights() == [SOURCES]
     assert len(told["Overview"].history()) == 1
 
 
@@ -130,7 +128,7 @@ def test_a_damaged_note_of_an_input_costs_nothing(run_algorithm, tmp_path):
     path.with_suffix(".qmd").write_bytes(np.random.default_rng(1).bytes(500))
     given = {"LABELS": str(path), "REFERENCE_CLASSES": "building", "WINDOW_SIZE": 200, "STRIDE": 100}
     database = run_algorithm(BUILD, {**given, "DATABASE": str(tmp_path / "area.gpkg")})["DATABASE"]
-    assert [told.licenses() for told in notes(database)] == [[], []]
+    assert [told.rights() for told in notes(database)] == [[], []]
 
 
 def test_the_licenses_of_a_layer_in_a_geopackage_are_read_of_the_file_alone(run_algorithm, tmp_path):
@@ -146,4 +144,4 @@ def test_the_licenses_of_a_layer_in_a_geopackage_are_read_of_the_file_alone(run_
     QgsProviderRegistry.instance().saveLayerMetadata("ogr", f"{path}|layername=annotation", told)
     output = str(tmp_path / "issues.gpkg")
     run_algorithm("semref:checkannotation", {"INPUT": path, "CLASS_FIELD": "class", "ISSUES": output})
-    assert QgsVectorLayer(output, "issues", "ogr").metadata().licenses() == ["CC BY 4.0"]
+    assert QgsVectorLayer(output, "issues", "ogr").metadata().rights() == ["annotation (CC BY 4.0)"]

@@ -214,7 +214,7 @@ def test_a_layer_tells_what_it_is_what_made_it_and_the_license_of_its_source(ann
     told = QgsVectorLayer(output, "issues", "ogr").metadata()
     assert told.title() == "Issues"
     assert told.abstract().startswith("One feature a finding")
-    assert (told.licenses(), told.rights()) == (["CC BY 4.0"], ["© a surveyor"])
+    assert told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
     (line,) = told.history()
     assert 'processing.run("semref:checkannotation"' in line and "'CLASS_FIELD':'class'" in line
 
@@ -248,7 +248,7 @@ def test_a_label_map_tells_the_same_beside_it(annotation, run_algorithm, tmp_pat
     layer.loadDefaultMetadata()
     told = layer.metadata()
     assert told.title() == "Label map"
-    assert told.licenses() == ["CC BY 4.0"]
+    assert told.rights() == ["My annotation (CC BY 4.0, © a surveyor)"]
     assert (tmp_path / "labels.qmd").is_file()
 
 

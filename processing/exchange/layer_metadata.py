@@ -1,4 +1,4 @@
-"""What a layer tells about itself: title, abstract, licenses of what it was made from, and how it was made.
+"""What a layer tells about itself: title, abstract, what made it and when, and the licenses of what it was made from.
 
 QGIS shows it under Properties ▸ Metadata and Information; in a GeoPackage it stands in ``gpkg_metadata``, beside a
 raster in ``NAME.qmd``.
@@ -8,16 +8,34 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
+from datetime import datetime, timezone
 from pathlib import Path
+from typing import Any
 
-from qgis.core import QgsBox3d, QgsLayerMetadata, QgsMapLayer, QgsProviderRegistry, QgsVectorLayer
+from qgis.core import (
+    QgsBox3d,
+    QgsLayerMetadata,
+    QgsMapLayer,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingFeatureSourceDefinition,
+    QgsProcessingUtils,
+    QgsProviderRegistry,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtXml import QDomDocument
 
-from ...storage.notes import QGIS_STANDARD
+from ...storage.qgis_metadata import MOST_SOURCES, QGIS_STANDARD, metadata_text
 from ...storage.vector_files import leave_wal
 from ..translation import tr
 from .database_layers import REFERENCES, WINDOWS
-from .lineage import Lineage, each_once
+
+_LONGEST_COMMAND = 20_000
+"""Characters of a command: a run of thousands of images names each."""
+
+_LAYERS = "source", "vector", "raster", "multilayer"
 
 _MOST_LINES, _LONGEST_HISTORY = 50, 150_000
 """Lines and characters of a history: no note of more than a million is read, and in XML a sign may take six."""
@@ -34,6 +52,82 @@ SENTENCES_OF_TABLES = {
 
 
 @dataclass(frozen=True)
+class Lineage:
+    """How a run makes what it writes.
+
+    Attributes:
+        history: One line: when, by which version, and the call that makes it again; empty where nobody told.
+        sources: Of the inputs that name licenses or rights: title, with these in brackets.
+    """
+
+    history: str = ""
+    sources: str = ""
+
+
+def lineage_of(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, version: str
+) -> Lineage:
+    """How a run makes what it will write; call it where layers live, after they were read."""
+    try:
+        command = algorithm.asPythonCommand(parameters, context)
+    except Exception:
+        # QGIS raises anything for values that it can't write down; the layer is worth more than its lineage.
+        command = f"processing.run({algorithm.id()!r}, …)"
+    if len(command) > _LONGEST_COMMAND:
+        command = f"{command[:_LONGEST_COMMAND]}…"
+    now = datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
+    sources = _each_once(_source(title, one) for title, one in _inputs(algorithm, parameters, context))
+    return Lineage(f"{now}, SemRef {version}: {command}", sources)
+
+
+def _each_once(texts: Iterable[str]) -> str:
+    """The sources that some texts name, in their order, as one text."""
+    return "; ".join(dict.fromkeys(source for text in texts for source in text.split("; ") if source))
+
+
+def _source(title: str, one: QgsLayerMetadata) -> str:
+    """What an input says of licenses; what SemRef made of others says it of them."""
+    return f"{title} ({', '.join([*one.licenses(), *one.rights()])})" if one.licenses() else "; ".join(one.rights())
+
+
+def _inputs(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Iterator[tuple[str, QgsLayerMetadata]]:
+    """(title, metadata) of the inputs that are loaded layers, or files with a note; no layer is loaded for this."""
+    for definition in algorithm.parameterDefinitions():
+        value = parameters.get(definition.name())
+        if definition.isDestination() or definition.type() not in (*_LAYERS, "file"):
+            continue
+        for one in (list(value) if isinstance(value, (list, tuple)) else [value])[:MOST_SOURCES]:
+            if isinstance(one, QgsProcessingFeatureSourceDefinition):
+                one = one.source.staticValue()
+            layer = one if isinstance(one, QgsMapLayer) else None
+            if isinstance(one, str) and one and definition.type() != "file":
+                layer = QgsProcessingUtils.mapLayerFromString(one, context, False)
+            told = _of_layer(layer) if layer is not None else _of_file(one) if isinstance(one, str) else None
+            if told is not None:
+                # A database's note is of one of its layers, so that it is called by its file.
+                title = "" if definition.type() == "file" else told.title()
+                yield title or (layer.name() if layer is not None else Path(one).stem), told
+
+
+def _of_layer(layer: QgsMapLayer) -> QgsLayerMetadata:
+    """What a layer tells; one that only algorithms have loaded has not read what lies beside it."""
+    told = layer.metadata()
+    return told if told.title() or told.licenses() or told.rights() else _of_file(layer.source()) or told
+
+
+def _of_file(source: str) -> QgsLayerMetadata | None:
+    """What QGIS has noted of a file that no layer is loaded of: beside a raster, in a GeoPackage; None without it."""
+    text = metadata_text(source)
+    document, told = QDomDocument(), QgsLayerMetadata()
+    # Qt 6.5 and later have another type of answer; false in both where it is no XML.
+    if not text or not document.setContent(text) or not told.readMetadataXml(document.documentElement()):
+        return None
+    return told
+
+
+@dataclass(frozen=True)
 class Note:
     """What a layer tells about itself; ``earlier``: lines of its history before this run."""
 
@@ -47,10 +141,9 @@ class Note:
         made = QgsLayerMetadata()
         made.setType("dataset")
         made.setTitle(self.title)
-        made.setAbstract(self._abstract())
-        made.setLicenses(list(self.lineage.licenses))
-        made.setRights(list(self.lineage.rights))
-        made.setHistory(_shortened([*self.earlier, *self.lineage.history()]))
+        made.setAbstract(self.abstract)
+        made.setRights([self.lineage.sources] if self.lineage.sources else [])
+        made.setHistory(_shortened([*self.earlier, *([self.lineage.history] if self.lineage.history else [])]))
         made.setCrs(layer.crs())
         extent = QgsLayerMetadata.Extent()
         spatial = QgsLayerMetadata.SpatialExtent()
@@ -63,20 +156,8 @@ class Note:
 
     def after(self, told: QgsLayerMetadata) -> Note:
         """Of a layer that this run changed: it stays what it was, and what made it before is its history, too."""
-        own = self.lineage
-        lineage = replace(
-            own,
-            licenses=each_once((*told.licenses(), *own.licenses)),
-            rights=each_once((*told.rights(), *own.rights)),
-            sources=() if told.abstract() else own.sources,
-        )
+        lineage = replace(self.lineage, sources=_each_once([*told.rights(), self.lineage.sources]))
         return replace(self, abstract=told.abstract() or self.abstract, lineage=lineage, earlier=tuple(told.history()))
-
-    def _abstract(self) -> str:
-        if not self.lineage.sources:
-            return self.abstract
-        made_of = tr("Made of: {sources}").format(sources="; ".join(self.lineage.sources))
-        return f"{self.abstract}\n\n{made_of}"
 
 
 def _shortened(history: list[str]) -> list[str]:

@@ -19,7 +19,7 @@ _STEPS_TO_READ = 200_000
 """Of SQLite's machine: a note is found in some hundred; who made the file may have made it hard on purpose."""
 
 
-def note_text(source: str) -> str:
+def metadata_text(source: str) -> str:
     """The note that QGIS keeps of a file, as XML: beside a raster, in a GeoPackage; empty without one.
 
     Args:
