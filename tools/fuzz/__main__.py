@@ -1,22 +1,22 @@
-"""Tries the doors with many inputs (Linux).
+"""Tries the readers with inputs that hypothesis makes and shrinks (Linux).
 
-    .venv/bin/python -m tools.fuzz [--inputs 1000000] [--door NAME …] [--seed 1] [--finds FOLDER] [--write]
+    .venv/bin/python -m tools.fuzz [--examples 1000] [--door NAME …] [--seed 1] [--write]
 
-The million is dealt out to the doors as they need it; --door takes some only (each --inputs of its own then). Input N
-of a door is the same wherever and whenever it is made: `--door NAME --first N --inputs 1` tries it again. What breaks
-the contract is printed with its first input, and told in whole in FOLDER. --write puts the table into
-docs/reliability.md.
+Each door runs in a process of its own that may take 1 GiB more memory; each input may compute for 5 s. What must hold:
+a valid result or one sentence, the input unchanged, nothing new beside it, no file outside read, no host asked. Prints
+what broke that, with the smallest input found. --write puts the table into docs/reliability.md.
 """
 
 from __future__ import annotations
 
 import argparse
-import datetime
 import json
 import os
+import subprocess
 import sys
-import time
+import tempfile
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
@@ -29,97 +29,122 @@ from qgis_session import load_plugin_package  # noqa: E402
 load_plugin_package()
 
 from benchmarks import results  # noqa: E402
-from fuzz.contract import ACCEPTED, REFUSED  # noqa: E402
-from fuzz.door import Door  # noqa: E402
-from fuzz.doors.all import DOORS  # noqa: E402
-from fuzz.runner import Tally, run  # noqa: E402
+from fuzz import in_qgis  # noqa: E402
+from fuzz.contract import ACCEPTED, REFUSED, Verdict, World, limit_memory, tried  # noqa: E402
+from fuzz.doors import DOORS, FAULTY, Door  # noqa: E402
 
-_MILLION = 1_000_000
-
-
-_ROUNDS = 10
-"""Every door gets a tenth of its inputs before the first gets its second: a run that is ended has seen all doors."""
+ALL = (*DOORS, *in_qgis.DOORS)
+LONGEST_S = 3600
+WORKPLACE = "/dev/shm" if os.path.isdir("/dev/shm") else None
 
 
-def _options() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m tools.fuzz", description=__doc__.split("\n")[0])
-    parser.add_argument("--inputs", type=int, default=_MILLION)
-    parser.add_argument("--door", action="append", choices=[door.name for door in DOORS])
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--finds", type=Path, help="folder for what was found")
-    parser.add_argument("--results", type=Path, help="JSON that keeps the numbers; a later run goes on where it ended")
-    parser.add_argument("--write", action="store_true", help="put the table of --results into docs/reliability.md")
-    return parser.parse_args()
+class FoundError(Exception):
+    """An input for which the contract does not hold."""
 
 
-def _tell(door: Door, tally: Tally, now: int, seconds: float, finds: Path | None) -> None:
-    print(
-        f"{door.name:18} inputs {tally.inputs:7d}  refused {tally.outcomes[REFUSED]:7d}  accepted "
-        f"{tally.outcomes[ACCEPTED]:7d}  broken {tally.broken:6d}  {now / max(seconds, 1e-9):7.0f}/s",
-        flush=True,
+def search(door: Door, examples: int, seed: int, folder: Path) -> tuple[Counter, str]:
+    """Tries a door in this process; gives outcomes, and what broke the contract with its smallest input."""
+    from hypothesis import HealthCheck, Phase, given, settings, strategies
+    from hypothesis import seed as seeded
+
+    from semref.core.errors import SemRefError
+
+    world, counts = World.made(folder / "world"), Counter()
+    os.chdir(world.folder.parent)
+    tempfile.tempdir = str(folder)
+    make, attempt = door.prepare(world)
+    world.forget()
+    limit_memory()
+    last: list[tuple[Verdict, object]] = []
+
+    @settings(
+        max_examples=examples,
+        deadline=None,
+        database=None,
+        phases=(Phase.generate, Phase.shrink),
+        suppress_health_check=list(HealthCheck),
     )
-    for name, (number, told) in sorted(tally.finds.items(), key=lambda item: item[1][0]):
-        print(f"    {name}  (input {number})", flush=True)
-        if finds is not None:
-            finds.mkdir(parents=True, exist_ok=True)
-            kept = "".join(sign if sign.isalnum() else "_" for sign in name)[:100]
-            text = f"{door.name} {number}\n{told}"
-            (finds / f"{door.name}_{kept}.txt").write_text(text, encoding="utf-8", errors="replace")
+    @seeded(seed)
+    @given(strategies.randoms(use_true_random=False))
+    def holds(random: object) -> None:
+        made = make(random)
+        (folder / "current").write_bytes(repr(made).encode("utf-8", "replace")[:100_000])
+        verdict = tried(attempt, made, world, (SemRefError,))
+        counts[verdict.outcome] += 1
+        if verdict.outcome not in (ACCEPTED, REFUSED):
+            last[:] = [(verdict, made)]
+            raise FoundError(verdict.where)
+
+    try:
+        holds()
+    except BaseException as error:
+        if not last:
+            raise
+        verdict, made = last[0]
+        return counts, f"{verdict.outcome} {verdict.where}: {error}\n{repr(made)[:2000]}\n{verdict.told}"
+    return counts, ""
 
 
-def _kept(path: Path | None) -> dict[str, Tally]:
-    """What earlier runs found, by door."""
-    if path is None or not path.exists():
-        return {}
-    stored = json.loads(path.read_text(encoding="utf-8"))
-    return {name: Tally(Counter(outcomes), finds) for name, (outcomes, finds) in stored.items()}
+def in_child(door: Door, examples: int, seed: int) -> tuple[Counter, str]:
+    """The same in a process of its own, whose death is a find."""
+    with tempfile.TemporaryDirectory(prefix="semref-fuzz-", dir=WORKPLACE) as name:
+        folder = Path(name)
+        command = [sys.executable, "-m", "tools.fuzz", "--door", door.name, "--here", name]
+        command += ["--examples", str(examples), "--seed", str(seed)]
+        try:
+            done = subprocess.run(
+                command,
+                cwd=TOOLS.parent,
+                capture_output=True,
+                text=True,
+                errors="replace",
+                timeout=LONGEST_S,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            return Counter(died=1), f"hangs at {_current(folder)}"
+        result = folder / "result.json"
+        if not result.exists():
+            return Counter(died=1), f"exit status {done.returncode} at {_current(folder)}\n{done.stderr[-3000:]}"
+        counts, found = json.loads(result.read_text(encoding="utf-8"))
+        return Counter(counts), found
 
 
-def _keep(path: Path | None, tallies: dict[str, Tally]) -> None:
-    if path is not None:
-        stored = {name: (tally.outcomes, tally.finds) for name, tally in tallies.items()}
-        path.write_text(json.dumps(stored, indent=1), encoding="utf-8")
-
-
-def _write(tallies: dict[str, Tally], inputs: int, seed: int) -> None:
-    """Puts the table into docs/reliability.md."""
-    rows = []
-    for door in DOORS:
-        tally = tallies.get(door.name, Tally())
-        rows.append((door.title, tally.inputs, tally.outcomes[REFUSED], tally.outcomes[ACCEPTED], tally.broken))
-    rows.append(("**all**", *(sum(row[n] for row in rows) for n in range(1, 5))))
-    shown = [(title, *(f"{number:,}" for number in numbers)) for title, *numbers in rows]
-    body = results.markdown(("door", "inputs", "refused", "accepted", "contract broken"), shown)
-    today, command = (
-        datetime.date.today().isoformat(),
-        f".venv/bin/python -m tools.fuzz --inputs {inputs} --seed {seed}",
-    )
-    note = f"*`{command}` on {today}, {results.revision()}. {results.hardware()}; {results.versions()}.*"
-    results.write_section(TOOLS.parent / "docs" / "reliability.md", "fuzz", f"{body}\n\n{note}")
+def _current(folder: Path) -> str:
+    path = folder / "current"
+    return path.read_text(encoding="utf-8", errors="replace")[:2000] if path.exists() else "its start"
 
 
 def main() -> int:
     """Runs it; 0 when the contract held for every input."""
-    options = _options()
+    parser = argparse.ArgumentParser(prog="python -m tools.fuzz", description=__doc__.split("\n")[0])
+    parser.add_argument("--examples", type=int, default=1000, help="of a door; slow ones take a share of it")
+    parser.add_argument("--door", action="append", choices=[door.name for door in (*ALL, *FAULTY)])
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--here", type=Path, help=argparse.SUPPRESS)
+    parser.add_argument("--write", action="store_true", help="put the table into docs/reliability.md")
+    options = parser.parse_args()
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    tallies = _kept(options.results)
+    chosen = [door for door in (*ALL, *FAULTY) if door.name in (options.door or [one.name for one in ALL])]
+    if options.here is not None:
+        result = search(chosen[0], options.examples, options.seed, options.here)
+        (options.here / "result.json").write_text(json.dumps(result), encoding="utf-8")
+        os._exit(0)  # QGIS's own end is not what is tried here
+    rows = []
+    for door in chosen:
+        counts, found = in_child(door, max(5, round(options.examples * door.share)), options.seed)
+        broken = sum(counts.values()) - counts[ACCEPTED] - counts[REFUSED]
+        rows.append([door.title, sum(counts.values()), counts[REFUSED], counts[ACCEPTED], broken])
+        print(f"{door.name:16} {dict(counts)}\n{found}".strip(), flush=True)
     if options.write:
-        _write(tallies, options.inputs, options.seed)
-        return 0
-    chosen = [door for door in DOORS if not options.door or door.name in options.door]
-    rounds = 1 if options.door or options.inputs < _MILLION // 10 else _ROUNDS
-    for turn in range(1, rounds + 1):
-        for door in chosen:
-            wanted = options.inputs if options.door else max(1, door.inputs * options.inputs // _MILLION)
-            before = tallies.setdefault(door.name, Tally())
-            first, last = options.first + before.inputs, options.first + wanted * turn // rounds
-            if last > first:
-                started = time.perf_counter()
-                before.merge(run(door, options.seed, last - first, first))
-                _tell(door, before, last - first, time.perf_counter() - started, options.finds)
-                _keep(options.results, tallies)
-    return 1 if any(tally.broken or tally.finds for tally in tallies.values()) else 0
+        _write(rows, f".venv/bin/python -m tools.fuzz --examples {options.examples} --seed {options.seed}")
+    return 1 if any(row[4] for row in rows) else 0
+
+
+def _write(rows: Sequence[Sequence[object]], command: str) -> None:
+    table = results.markdown(("door", "inputs", "refused", "accepted", "contract broken"), rows)
+    body = f"{table}\n\n{results.footer(command)}"
+    results.write_section(TOOLS.parent / "docs" / "reliability.md", "fuzz", body)
 
 
 if __name__ == "__main__":

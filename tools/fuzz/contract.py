@@ -108,6 +108,35 @@ class World:
             raise Broken(f"files came or went beside the input: {changed}")
 
 
+class Placed:
+    """Bytes that lie in a file while a door reads them, and are the same afterwards."""
+
+    def __init__(self, folder: Path, name: str) -> None:
+        self.path = os.path.join(folder, name)
+        self._data = b""
+
+    def __call__(self, data: bytes) -> Placed:
+        self._data = data
+        return self
+
+    def __enter__(self) -> str:
+        with open(self.path, "wb") as file:
+            file.write(self._data)
+        return self.path
+
+    def __exit__(self, kind: Any, error: Any, trace: Any) -> None:
+        try:
+            with open(self.path, "rb") as file:
+                same = file.read() == self._data
+        except OSError:
+            same = False
+        finally:
+            if os.path.lexists(self.path):
+                os.unlink(self.path)
+        if not same:
+            require(same, "the input was changed")
+
+
 def limit_memory() -> None:
     """From here on this process can get a GiB more, and no more."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
