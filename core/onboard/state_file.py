@@ -77,7 +77,7 @@ class StateFile:
             raise ParameterError("onboard.state_of_another_kind", path=path)
         key = read_key(key_file) if key_file else user_secret()
         if key is None:
-            raise ParameterError("onboard.no_secret")
+            raise ParameterError("onboard.no_private_folder")
         return cls(path, key)
 
     def write(self, arrays: dict[str, np.ndarray]) -> None:

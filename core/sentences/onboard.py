@@ -22,7 +22,7 @@ SENTENCES = {
     "onboard.state_of_another_kind": (
         "--state {path} is a file of another kind, which would be replaced; choose another name."
     ),
-    "onboard.no_secret": (
+    "onboard.no_private_folder": (
         "There is no private folder for the secret that --state is authenticated with; set up a home folder for this "
         "user, or add --require-signature."
     ),
