@@ -68,7 +68,8 @@ def conditions_of(numbers: Mapping[str, float]) -> Conditions:
     """How poor labels and cameras are taken to be.
 
     Args:
-        numbers: Of each name of ``offered.OFFERED``; percent, map units, degrees.
+        numbers: By name: missed, invented, misnamed, ragged, background, displaced, shifted, leaning, lens and tilt;
+            percent, map units, degrees.
 
     Raises:
         ParameterError: For what can't be.

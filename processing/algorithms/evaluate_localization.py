@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsGeometry, QgsPointXY
 
 from ...core.errors import LabelMapError, ParameterError
-from ...core.evaluation.offered import OFFERED, ORDER
 from ...core.localization import Method
 from ..compat import POINT
 from ..framework import offers
@@ -31,6 +30,26 @@ if TYPE_CHECKING:
     from ..framework.values import Values
 
     Job = tuple[WindowQuery, list[Method]]
+
+USUAL: dict[str, tuple[float, float]] = {
+    "SCALE": (0.8, 1.25),
+    "ROTATION": (0.0, 360.0),
+    "OFFSET": (0.0, 0.5),
+    offers.MISSED: (20.0, 20.0),
+    offers.INVENTED: (20.0, 20.0),
+    offers.MISNAMED: (5.0, 5.0),
+    offers.RAGGED: (0.0, 1.0),
+    offers.BACKGROUND: (5.0, 5.0),
+    offers.DISPLACED: (1.1, 1.1),
+    offers.SHIFTED: (0.5, 0.5),
+    offers.LEANING: (0.0, 1.0),
+    offers.LENS: (0.0, 1.0),
+    offers.TILT: (0.0, 3.0),
+}
+"""Default ranges by key."""
+
+ORDER = (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR)
+"""Of several methods the grid of noise is about the first."""
 
 _TRIALS_A_TASK = 4
 """Of some hundred milliseconds each."""
@@ -149,7 +168,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _ranges_offered(self) -> list[NumberRange]:
         """What trials draw their values from."""
-        defaults = {name.upper(): f"{low:g},{high:g}" for name, (low, high) in OFFERED.items()}
+        defaults = {key: f"{low:g},{high:g}" for key, (low, high) in USUAL.items()}
         ranges = (
             (self.SCALE, tr("Scale"), tr("Ground that an image shows, as a multiple of the window size.")),
             (

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...core.assessment.offered import OFFERED
 from ...core.errors import DatabaseError
 from ...core.localization import Method
 from ..translation import tr
@@ -28,12 +27,23 @@ if TYPE_CHECKING:
     from ...core.simulation.conditions import Conditions
     from .values import Values
 
-_USUAL = {name.upper(): offered for name, offered in OFFERED.items()}
-"""What is assumed unless somebody says otherwise, and the most that may be said, by key."""
+USUAL: dict[str, tuple[float, float | None]] = {
+    offers.MISSED: (20.0, 100.0),
+    offers.INVENTED: (20.0, 100.0),
+    offers.MISNAMED: (5.0, 100.0),
+    offers.RAGGED: (1.0, None),
+    offers.BACKGROUND: (5.0, 100.0),
+    offers.DISPLACED: (1.1, None),
+    offers.SHIFTED: (0.5, None),
+    offers.LEANING: (0.5, 100.0),
+    offers.LENS: (0.5, 10.0),
+    offers.TILT: (2.0, 30.0),
+}
+"""What is assumed by default, and the largest value, by key: percent, map units, degrees."""
 
 
 def _noise(key: str, title: str, text: str) -> Number:
-    usual, most = _USUAL[key]
+    usual, most = USUAL[key]
     return Number(key, title, text, advanced=True, default=usual, minimum=0.0, maximum=most)
 
 
@@ -92,9 +102,9 @@ class AssessAlgorithm(SemRefAlgorithm):
             if key in compared:
                 return compared[key]
             is_given = factor is None or key not in offers.OF_NETWORKS
-            return values.number(key) if is_given else factor * _USUAL[key][0]
+            return values.number(key) if is_given else factor * USUAL[key][0]
 
-        return conditions_of({key.lower(): number(key) for key in _USUAL})
+        return conditions_of({key.lower(): number(key) for key in USUAL})
 
     def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
         """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""
