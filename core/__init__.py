@@ -1,5 +1,47 @@
 """The science of SemRef: labels to landmarks to vectors to positions, without QGIS.
 
-Everything here runs from a copy of this folder on any computer with numpy and OpenCV.
-Pixel coordinates are (column, row) floats with (0.5, 0.5) at the center of the first pixel.
+Everything here runs on any computer with numpy and OpenCV. Pixel coordinates are (column, row) floats with (0.5, 0.5)
+at the center of the first pixel.
+
+The names in ``__all__`` are the public Python API; ``api`` has them, and is loaded when one of them is used:
+
+    >>> from semref.core import localize, open_database
+    >>> database = open_database("area.npz")
+    >>> for image in localize(["a.jpg", "b.jpg"], database, model="landcover.onnx"):
+    ...     print(image.status, image.position, image.error_95_m, image.risk)
 """
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .api import (
+        build_database,
+        evaluate,
+        localize,
+        localize_flight,
+        open_database,
+        read_class_table,
+        save_database,
+        segment,
+    )
+
+__all__ = [
+    "build_database",
+    "evaluate",
+    "localize",
+    "localize_flight",
+    "open_database",
+    "read_class_table",
+    "save_database",
+    "segment",
+]
+
+
+def __getattr__(name: str) -> Any:  # noqa: ANN401 - a function
+    """Load the API when it is first used: QGIS starts without numpy, an aircraft without what it does not need."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(".api", __name__), name)

@@ -1,11 +1,13 @@
-"""``python -m core``: localize images on a computer without QGIS, from a copy of this folder."""
+"""``semref``, or ``python -m core`` beside this folder: localize images on a computer without QGIS."""
 
 import os
 import sys
 
 from .onboard.command_line import REFUSED, main
 
-if __name__ == "__main__":
+
+def run() -> int:
+    """Run a command; return its exit code."""
     code = main()
     try:
         sys.stdout.flush()
@@ -13,4 +15,8 @@ if __name__ == "__main__":
         # Python would try again at its end, and end with a code of its own.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         code = code or REFUSED
-    sys.exit(code)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(run())

@@ -1,4 +1,4 @@
-"""What ``python -m core`` does: tell what an onboard file holds, localize images, watch a folder for new ones."""
+"""What the command ``semref`` does: tell what an onboard file holds, localize images, watch a folder for new ones."""
 
 from __future__ import annotations
 
@@ -62,10 +62,10 @@ _EXIT_CODES = f"""exit codes:
   {INTERRUPTED}  localize was ended by Ctrl+C"""
 
 _EXAMPLES = """examples:
-  python -m core info area.npz
-  python -m core localize photo.png --database area.npz
-  python -m core localize photos/ --database area.npz --model landcover.onnx --json
-  python -m core watch incoming/ --database area.npz --model landcover.onnx --gga udp:10110
+  {program} info area.npz
+  {program} localize photo.png --database area.npz
+  {program} localize photos/ --database area.npz --model landcover.onnx --json
+  {program} watch incoming/ --database area.npz --model landcover.onnx --gga udp:10110
 
 """
 
@@ -155,10 +155,11 @@ def _write(text: str) -> None:
 
 def _parser() -> argparse.ArgumentParser:
     raw = argparse.RawDescriptionHelpFormatter
+    program = "python -m core" if os.path.basename(sys.argv[0]) == "__main__.py" else "semref"
     parser = argparse.ArgumentParser(
-        prog="python -m core",
+        prog=program,
         description="Finds where aerial images were taken, with a file made by SemRef's “Export for onboard use”.",
-        epilog=_EXAMPLES + _EXIT_CODES,
+        epilog=_EXAMPLES.format(program=program) + _EXIT_CODES,
         formatter_class=raw,
     )
     commands = parser.add_subparsers(dest="name", required=True, metavar="command")

@@ -85,6 +85,10 @@ MAY_IMPORT = {
         "evaluation": ABOVE_THE_IMAGE,
         "assessment": ABOVE_THE_IMAGE | {"constellation", "correlation", "evaluation", "flight"},
         "__main__": {"onboard"},
+        "api": {
+            *("database", "evaluation", "flight", "geometry", "labels", "localization", "localizer"),
+            *("onboard", "pipeline", "segmentation"),
+        },
     },
     "processing": {
         **{leaf: set() for leaf in ("compat", "translation", "version", "threads")},
