@@ -1,4 +1,4 @@
-"""``python -m core watch --flight``: each image gets what its flight so far says of it; the state outlives a restart.
+"""``semref watch --flight``: each image gets what its flight so far says of it; the state outlives a restart.
 
 A state has the arrays of ``FlightTracker.state``, what the next image is linked by, and a header in JSON.
 """

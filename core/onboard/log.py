@@ -1,4 +1,4 @@
-"""The log of ``python -m core``: one JSON object a line, on stderr."""
+"""The log of ``semref``: one JSON object a line, on stderr."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where ``python -m core watch`` sends its lines: stdout, a file, a UDP port of this computer.
+"""Where ``semref watch`` sends its lines: stdout, a file, a UDP port of this computer.
 
 What can't take a line – a full disk, a closed pipe – says so in the log and is tried again with the next line. It
 stops neither the other sink nor the watching.

@@ -41,8 +41,8 @@ class ExportOnboard(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy "
-            "the plugin’s folder “core” beside it and run “python -m core localize”.\n\n"
+            "Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install "
+            "the Python package semref there and run “semref localize”.\n\n"
             "Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which "
             "the log says; a file of any other kind is never overwritten."
         )
@@ -100,7 +100,7 @@ class ExportOnboard(SemRefAlgorithm):
                 tr("Key file"),
                 tr(
                     "Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that "
-                    "“python -m core … --require-signature KEY” takes no file that others made or changed. Keep the "
+                    "“semref … --require-signature KEY” takes no file that others made or changed. Keep the "
                     "key secret: who has it can sign."
                 ),
                 optional=True,
@@ -179,8 +179,6 @@ class ExportOnboard(SemRefAlgorithm):
         return part
 
     def _say(self, onboard: OnboardDatabase, feedback: QgsProcessingFeedback) -> None:
-        from ...core.onboard.aircraft import AIRCRAFT_ROOMS
-
         feedback.pushInfo(
             tr(
                 "{bytes} bytes. Rounded: positions by {position:g} map units at most, areas by {area:.3%}, vectors by "
@@ -192,8 +190,6 @@ class ExportOnboard(SemRefAlgorithm):
                 vector=onboard.vector_error,
             )
         )
-        rooms = ", ".join(AIRCRAFT_ROOMS)
-        feedback.pushInfo(tr("Of the plugin’s folder “core” the aircraft needs: {rooms}.").format(rooms=rooms))
         if onboard.lon_lat is None:
             feedback.pushWarning(
                 tr("The file can’t tell longitude and latitude: the map is too large for it, or has a pole in it.")

@@ -12,7 +12,6 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.onboard.aircraft import AIRCRAFT_ROOMS
 from semref.core.onboard.write import write_onboard
 
 TABLE = ClassTable(
@@ -58,12 +57,6 @@ def write_area(path):
     write_onboard(path, replace(builder.database, overview=builder.overview), lon_lat)
 
 
-def copy_aircraft_rooms(repository, folder):
-    """Copies what of core an aircraft needs into a folder."""
-    (folder / "core").mkdir()
-    for name in AIRCRAFT_ROOMS:
-        source, target = repository / "core" / name, folder / "core" / name
-        if source.is_dir():
-            shutil.copytree(source, target, ignore=shutil.ignore_patterns("__pycache__"))
-        else:
-            shutil.copy(source, target)
+def copy_core(repository, folder):
+    """Copies core into a folder."""
+    shutil.copytree(repository / "core", folder / "core", ignore=shutil.ignore_patterns("__pycache__"))

@@ -77,7 +77,7 @@ def watch_images(count: int, folder: Path, is_flight: bool = False) -> tuple[lis
     incoming.mkdir()
     os.symlink("loop.png", incoming / "loop.png")
     onboard_area = made_area()
-    onboard_area.copy_aircraft_rooms(Path(__file__).resolve().parents[2], folder)
+    onboard_area.copy_core(Path(__file__).resolve().parents[2], folder)
     onboard_area.write_area(str(folder / "area.npz"))
     import cv2
 

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 import pytest
 from made_models import metadata, write_model
-from onboard_area import CENTER, HERE, NOTHING, copy_aircraft_rooms, linear, write_area
+from onboard_area import CENTER, HERE, NOTHING, copy_core, linear, write_area
 
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
@@ -178,7 +178,7 @@ def test_a_fault_of_the_program_is_no_missing_fix(database, image, capsys, monke
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
 def test_a_full_stdout_is_told_in_one_sentence(database, repository, tmp_path):
-    copy_aircraft_rooms(repository, tmp_path)
+    copy_core(repository, tmp_path)
     command = [sys.executable, "-m", "core", "info", database]
     with open("/dev/full", "wb") as full:
         done = subprocess.run(command, cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
@@ -201,8 +201,8 @@ def test_the_help_names_the_commands_and_exit_codes(capsys):
         assert text in said
 
 
-def test_a_copy_of_the_rooms_of_an_aircraft_is_all_that_is_needed(database, image, repository, tmp_path):
-    copy_aircraft_rooms(repository, tmp_path)
+def test_a_copy_of_core_is_all_that_is_needed(database, image, repository, tmp_path):
+    copy_core(repository, tmp_path)
     program = (
         "import runpy, sys\n"
         "sys.path.insert(0, '')\n"

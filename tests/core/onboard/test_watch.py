@@ -15,7 +15,7 @@ from pathlib import Path
 
 import cv2
 import pytest
-from onboard_area import HERE, NOTHING, copy_aircraft_rooms, write_area
+from onboard_area import HERE, NOTHING, copy_core, write_area
 
 from semref.core.onboard import watch
 from semref.core.onboard.command_line import ALL_FIXED, REFUSED, SOME_WITHOUT_FIX, main
@@ -39,7 +39,7 @@ def folder(tmp_path):
 @pytest.fixture
 def watching(database, folder, repository, tmp_path):
     """`watching(arguments)` starts a watch of `folder` as on board; it is ended with the test."""
-    copy_aircraft_rooms(repository, tmp_path)
+    copy_core(repository, tmp_path)
     started = []
 
     def start(*arguments):
