@@ -27,7 +27,15 @@ SAY = {"Sentence"} | {name for name, kind in vars(errors).items() if isinstance(
 """Names of what is made with a code and its values."""
 
 
-OF_OTHERS = {"ValueError", "BadZipFile", "RuntimeError", "NotImplementedError", "error", "OperationalError"}
+OF_OTHERS = {
+    "AttributeError",
+    "ValueError",
+    "BadZipFile",
+    "RuntimeError",
+    "NotImplementedError",
+    "error",
+    "OperationalError",
+}
 """Errors of Python and its libraries (``struct.error``, ``sqlite3.OperationalError``)."""
 
 SHOWS = {"pushInfo", "pushWarning", "pushMessage", "reportError", "setProgressText", "setText", "setToolTip"}
