@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 from desktop_qgis import TIMEOUT_S, run_desktop
 
-pytestmark = pytest.mark.slow  # a QGIS of its own is started
+pytestmark = [pytest.mark.slow, pytest.mark.newer]  # a QGIS of its own is started
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 OFFLINE = ("unshare", "--map-root-user", "--net")

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.newer
+
 DATA = Path(__file__).resolve().parents[1] / "data"
 TIMEOUT_S = 120
 WITHOUT_PACKAGES = {"classifyopenstreetmap", "routesheet"}

@@ -13,6 +13,8 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsApplication, QgsProcessingParameterDefinition
 
+pytestmark = pytest.mark.newer
+
 TRAINING = "trainmodel"
 PLACES = (".shp", ".csv", ".tif", ".gpkg", ".onnx", ".html", ".npz", ".pdf", ".png", ".jpg")
 

@@ -9,6 +9,8 @@ from qgis.core import (
     QgsProcessingModelAlgorithm,
 )
 
+pytestmark = pytest.mark.newer
+
 GROUPS = {
     "annotation": "Annotation",
     "referencedatabase": "Reference database",

@@ -12,6 +12,8 @@ import os
 import pytest
 from qgis.core import QgsApplication, QgsProcessingDestinationParameter, QgsProcessingParameterDefinition
 
+pytestmark = pytest.mark.newer
+
 LIMITS = (
     "data_type",
     "min",

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# What takes too long to run before every change: all tests on QGIS 3.40 and 3.44, core on the oldest wheels, and the
+# readers and outputs under faults. Run it before an issue is called resolved.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+tools/setup.sh
+export SEMREF_ONE_AT_A_TIME=yes
+bash tools/side_by_side.sh \
+    "Debian trixie: bash tools/test_in_root.sh trixie" \
+    "Oldest wheels: bash tools/test_newest.sh oldest" \
+    -- \
+    "Debian forky: bash tools/test_in_root.sh forky" \
+    "Faults: .venv/bin/python -m tools.faults" \
+    </dev/null
