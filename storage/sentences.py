@@ -103,10 +103,19 @@ SENTENCES = {
     "storage.no_palette": "{path} has {bands} band(s) and no palette; a color image has three bands.",
     "storage.no_folder": "The folder {folder} does not exist; create it or choose another place for {name}.",
     "storage.is_folder": "{path} is a folder; give a file name.",
-    "storage.is_file": "{path} is a file; choose a folder.",
+    "storage.is_file": "{path} is a file or a link; choose a folder.",
     "storage.other_layers": (
         "{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to "
         "GeoPackage”."
+    ),
+    "storage.other_kind": "{path} exists and is another kind of file, which would be lost; choose another name.",
+    "storage.older_unreadable": (
+        "{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose "
+        "another name."
+    ),
+    "storage.stranger_beside": (
+        "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another "
+        "name."
     ),
     "storage.not_whole": "{path} could not be written whole: {reason}; see whether the disk is full.",
     "storage.folder_not_empty": (

@@ -1,10 +1,10 @@
-"""Vector files that outputs are written to: what they hold already, and copies of them."""
+"""Vector files that outputs are written to: what they hold, and copies of them."""
 
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import sqlite3
-from pathlib import Path
 
 from osgeo import gdal
 
@@ -12,33 +12,8 @@ from ..core.errors import ParameterError
 from .gdal_errors import gdal_failures
 from .sqlite_copy import copy_whole
 
-_DATABASES = (".gpkg", ".sqlite", ".db")
-_OWN = {"layer_styles"}
-"""Tables that come with a layer."""
-
 STYLE_OF_SEMREF = "Style of SemRef"
 """Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
-
-
-def require_no_other_layers(path: str) -> None:
-    """Refuses a file as output of one layer when it holds others, which would be gone.
-
-    Raises:
-        ParameterError: When the file exists and has layers beside the one that an output of that name has.
-    """
-    file = Path(path)
-    if file.suffix.lower() not in _DATABASES or not file.is_file():
-        return
-    dataset = None
-    # It may raise or return None, as the user has set it.
-    with gdal_failures():
-        dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_RASTER | gdal.OF_READONLY, ["GPKG", "SQLite"])
-    if dataset is None:
-        return
-    names = {dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())}
-    others = sorted(names - _OWN - {file.stem})
-    if others:
-        raise ParameterError("storage.other_layers", path=path, layers=", ".join(others[:5]))
 
 
 def copy_database(path: str, target: str) -> None:
@@ -53,6 +28,20 @@ def copy_database(path: str, target: str) -> None:
             copy_whole(source, copy)
     except sqlite3.Error as error:
         raise ParameterError("storage.file_unwritable", path=path, reason=str(error)) from None
+
+
+def content_digest(path: str) -> bytes:
+    """Return the digest of what a closed SQLite file holds, whatever was opened and closed since: see its header."""
+    sha = hashlib.blake2b(digest_size=16)
+    with open(path, "rb") as file:
+        head = bytearray(file.read(100))
+        # Journal mode, change counter, version of the library.
+        for first, end in ((18, 20), (24, 28), (92, 100)):
+            head[first:end] = bytes(len(head[first:end]))
+        sha.update(head)
+        while piece := file.read(1 << 20):
+            sha.update(piece)
+    return sha.digest()
 
 
 def feature_count(path: str, layer: str = "") -> int:

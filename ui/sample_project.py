@@ -15,7 +15,7 @@ from ..processing.exchange.styles import annotation_renderer
 from ..processing.inspection.models import SHIPPED
 from ..processing.translation import tr
 from ..processing.wording.sentences import worded
-from ..storage.files import folder_written_beside
+from ..storage.atomic_output import folder_written_beside
 from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun

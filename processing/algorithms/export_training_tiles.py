@@ -78,7 +78,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
             FolderOutput(
                 self.OUTPUT,
                 tr("Folder for the tiles"),
-                tr("A new or empty folder; one of an earlier export is replaced."),
+                tr("A new or empty folder; one that holds files is left alone."),
             ),
             NumberResult(self.TILE_COUNT, tr("Number of tiles")),
         )
@@ -87,7 +87,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
         self._image, self._labels = (values.label_map(key) for key in (self.IMAGE, self.LABELS))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ...storage.training_tiles import MANIFEST, TileExport
+        from ...storage.training_tiles import TileExport
 
         table = values.class_table(self.CLASS_TABLE)
         export = TileExport(
@@ -97,7 +97,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
             values.integer(self.STRIDE),
             values.number(self.VALIDATION_FRACTION),
         )
-        with outputs.folder(self.OUTPUT, MANIFEST) as folder:
+        with outputs.folder(self.OUTPUT) as folder:
             follow(export.steps(Path(folder), table), feedback)
         feedback.pushInfo(
             tr("{training} tiles to train on, {validation} to validate on").format(

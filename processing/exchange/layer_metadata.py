@@ -28,6 +28,7 @@ from qgis.core import (
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.qgis_metadata import MOST_SOURCES, QGIS_STANDARD, metadata_text
+from ...storage.replaceable import MARK_OF_NOTE
 from ...storage.vector_files import leave_wal
 from ..translation import tr
 from .database_layers import REFERENCES, WINDOWS
@@ -198,7 +199,10 @@ def _holds_notes(destination: str, path: str) -> bool:
 def keep_beside(path: str, layer: QgsMapLayer, note: Note) -> None:
     """Writes a note where QGIS finds it beside a raster."""
     layer.setMetadata(note.metadata(layer))
-    layer.saveNamedMetadata(str(Path(path).with_suffix(".qmd")))
+    beside = Path(path).with_suffix(".qmd")
+    layer.saveNamedMetadata(str(beside))
+    text = beside.read_text(encoding="utf-8")
+    beside.write_text(text.replace("</qgis>", f"{MARK_OF_NOTE}</qgis>"), encoding="utf-8")
 
 
 def keep_in_database(path: str, note: Note) -> bool:

@@ -22,6 +22,7 @@ from qgis.core import (
     QgsVectorLayerTemporalProperties,
 )
 from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 from .column_names import name_columns
@@ -103,6 +104,7 @@ def style_in_file(destination: str, look: Look) -> bool:
     try:
         if layer.isValid():
             look.give(layer)
+            _remove_style(path, destination.partition("layername=")[2].partition("|")[0])
             layer.saveStyleToDatabase("SemRef", STYLE_OF_SEMREF, True, "")
             noted = look.note is None or keep_in_file(destination, layer, look.note)
         del layer
@@ -110,6 +112,14 @@ def style_in_file(destination: str, look: Look) -> bool:
         return noted and _has_style(path)
     except sqlite3.Error:
         return False
+
+
+def _remove_style(path: str, table: str) -> None:
+    """Remove the style of an older layer of that name: QGIS asks in a window before it replaces one, and waits."""
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        if connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone():
+            query = "DELETE FROM layer_styles WHERE f_table_name = ? AND styleName = 'SemRef'"
+            connection.execute(query, (table,))
 
 
 def style_in_memory(destination: str, look: Look, context: QgsProcessingContext) -> None:
@@ -134,17 +144,23 @@ def style_when_loaded(destination: str, look: Look, context: QgsProcessingContex
         context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_KEPT[-1])
 
 
-def style_from_beside(path: str, context: QgsProcessingContext) -> None:
-    """Has the raster that QGIS will load take the style beside it, which Processing leaves alone."""
+def raster_style_when_loaded(path: str, qml: str, context: QgsProcessingContext) -> None:
+    """Gives the raster that QGIS will load its look, whatever style is beside it."""
     if context.willLoadLayerOnCompletion(path):
-        _KEPT.append(_BesideStyler())
+        _KEPT.append(_RasterStyler(qml))
         del _KEPT[:-_MOST_KEPT]
         context.layerToLoadOnCompletionDetails(path).setPostProcessor(_KEPT[-1])
 
 
-class _BesideStyler(QgsProcessingLayerPostProcessorInterface):
+class _RasterStyler(QgsProcessingLayerPostProcessorInterface):
+    def __init__(self, qml: str) -> None:
+        super().__init__()
+        self._qml = qml
+
     def postProcessLayer(self, layer, context, feedback):
-        layer.loadDefaultStyle()
+        document = QDomDocument()
+        document.setContent(self._qml)
+        layer.importNamedStyle(document)
         place_new_layer(layer, context.project())
         layer.triggerRepaint()
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from qgis.core import QgsCoordinateTransformContext, QgsMapLayerStyle, QgsVectorFileWriter, QgsVectorLayer
 
 from ...core.errors import ParameterError
-from ...storage.files import written_beside
+from ...storage.atomic_output import written_beside
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 
 TABLES = ("positions", "footprints", "possible_places", "matches", "track")
@@ -22,7 +22,7 @@ def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:
     Raises:
         ParameterError: It can't be written.
     """
-    with written_beside(path) as temporary:
+    with written_beside(path, ".gpkg", TABLES) as temporary:
         action = QgsVectorFileWriter.CreateOrOverwriteFile
         for table, layer in zip(TABLES, layers):
             if layer is None:

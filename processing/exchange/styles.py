@@ -33,7 +33,7 @@ from ...core.annotation import findings
 from ...core.labels.class_table import ClassTable
 from ...storage.database.reader import stored_style
 from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
-from ...storage.files import written_beside
+from ...storage.replaceable import MARK_OF_NOTE
 from ..wording.annotation_messages import severity_title
 from .column_names import name_columns
 from .layer_metadata import Note, keep_beside
@@ -50,9 +50,6 @@ SEVERITY_STYLES = (
 
 PERCENT_COLORS = ((0, "#440154"), (25, "#3b528b"), (50, "#21918c"), (75, "#5ec962"), (100, "#fde725"))
 """Percent and color: the steps of viridis (S. van der Walt and N. Smith, 2015)."""
-
-_OURS = "semref/style"
-"""Custom property that marks a style file as written by SemRef, so that it may be replaced."""
 
 
 def database_styles(table: ClassTable) -> dict[str, str]:
@@ -115,31 +112,36 @@ def issues_renderer() -> QgsCategorizedSymbolRenderer:
     return renderer
 
 
-def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> None:
-    """Writes the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
+def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> str:
+    """Write the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
 
-    Without it the legend lists all 256 entries of the GeoTIFF's color table. A style that somebody else put
-    there stays. ``note``: what the map tells about itself, written beside it as well.
+    Without it the legend lists all 256 entries of the GeoTIFF's color table.
+
+    Args:
+        path: Of the label map.
+        table: Its classes.
+        note: What the map tells about itself, written beside it as well.
+
+    Returns:
+        The style as QML.
     """
-    _write_style(path, lambda layer: label_renderer(layer, table))
     if note is not None:
         keep_beside(path, QgsRasterLayer(path, "note"), note)
+    return _write_style(path, lambda layer: label_renderer(layer, table))
 
 
-def write_percent_style(path: str, band: int = 1) -> None:
-    """Writes the style that QGIS finds beside a raster of percent: dark is doubt, bright is certainty."""
-    _write_style(path, lambda layer: percent_renderer(layer, band))
+def write_percent_style(path: str, band: int = 1) -> str:
+    """Write the style that QGIS finds beside a raster of percent, dark for doubt; returns it as QML."""
+    return _write_style(path, lambda layer: percent_renderer(layer, band))
 
 
-def _write_style(path: str, renderer: Callable[[QgsRasterLayer], QgsRasterRenderer]) -> None:
-    style = Path(path).with_suffix(".qml")
-    if style.exists() and _OURS not in style.read_text(encoding="utf-8", errors="replace"):
-        return
+def _write_style(path: str, renderer: Callable[[QgsRasterLayer], QgsRasterRenderer]) -> str:
     layer = QgsRasterLayer(path, "style")
     layer.setRenderer(renderer(layer))
-    layer.setCustomProperty(_OURS, True)
-    with written_beside(str(style)) as temporary:
-        Path(temporary).write_text(_exported(layer), encoding="utf-8")
+    qml = _exported(layer)
+    marked = qml.replace("</qgis>", f"{MARK_OF_NOTE}</qgis>")
+    Path(path).with_suffix(".qml").write_text(marked, encoding="utf-8")
+    return qml
 
 
 def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRasterRenderer:

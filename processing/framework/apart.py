@@ -1,4 +1,4 @@
-"""Where inputs and outputs lie, before any work: no output where another or an input does, nothing half moved."""
+"""Where inputs and outputs are, before any work: no output where another, an input or anything foreign is."""
 
 from __future__ import annotations
 
@@ -21,13 +21,15 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...storage.moving import clear
+from ...storage.atomic_output import require_empty
+from ...storage.replaceable import require_replaceable
 from .destinations import Destination, destination_of
 
 if TYPE_CHECKING:
     from .values import Values
 
 _LAYER_NAME = re.compile(r"layername=([^|]*)", re.IGNORECASE)
+_LAYER_OF_FILE = re.compile(r"\|(layername|layerid|table)=", re.IGNORECASE)
 _TABLE = re.compile(r"""table=(?:"([^"]*)"|'([^']*)'|(\S+))""")
 
 
@@ -42,7 +44,7 @@ class _Input:
 
 
 def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may_replace: dict) -> None:
-    """Refuses an output that is an input, or another output: by name, link or inode.
+    """Refuses an output that is an input, or another output, by name, link or inode, or would replace anything foreign.
 
     Args:
         algorithm: Whose parameters are looked at.
@@ -57,9 +59,12 @@ def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():
             continue
-        wanted = destination_of(values.raw(definition.name()), values.context)
+        is_layer = definition.type() in ("sink", "vectorDestination")
+        wanted = destination_of(values.raw(definition.name()), values.context, is_layer)
         if not wanted.path:
             continue
+        if _LAYER_OF_FILE.search(wanted.path):
+            raise ParameterError("framework.layer_as_output", output=definition.description(), path=wanted.path)
         for read in inputs:
             allowed = may_replace.get(definition.name()) == read.key or _adds_a_layer(wanted, read)
             if not allowed and _same(wanted.path, read.path):
@@ -77,21 +82,16 @@ def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may
                     path=wanted.path,
                 )
         seen.append((definition, wanted))
+        _require_free(definition, wanted, values)
 
 
-def clear_beside_inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> None:
-    """Takes back what runs that died were moving into the folders of inputs, so that nothing half moved is read."""
-    folders = set()
-    for definition in algorithm.parameterDefinitions():
-        if not definition.isDestination():
-            sources = _sources(values.raw(definition.name()), values.context)
-            for path in (source.split("|")[0] for source in sources):
-                folder = os.path.dirname(path) or "."
-                # Not by pathlib, which raises for texts that no file system takes as a name.
-                if (os.path.isabs(path) or os.path.exists(path)) and os.path.isdir(folder):
-                    folders.add(Path(folder))
-    for folder in folders:
-        clear(folder)
+def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destination, values: Values) -> None:
+    """As when the output is written, which may be after hours."""
+    if definition.type() == "folderDestination":
+        require_empty(Path(wanted.path))
+    else:
+        suffix, tables = values.replaces(definition.name())
+        require_replaceable(wanted.path, suffix, None if wanted.is_table else tables)
 
 
 def _adds_a_layer(wanted: Destination, read: _Input) -> bool:

@@ -26,7 +26,7 @@ from ..packages.components import OPENCV, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
-from .apart import clear_beside_inputs, require_outputs_apart
+from .apart import require_outputs_apart
 from .declarations import FileOutput, Parameter, Told
 from .outputs import Outputs
 from .time_left import TellingFeedback
@@ -161,7 +161,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         try:
             require(self.PACKAGES)
             values.require_texts()
-            clear_beside_inputs(self, values)
             # First: QGIS opens layers to see whether they can be.
             for definition in self.parameterDefinitions():
                 if definition.type() == "raster":
@@ -187,7 +186,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             require(self.PACKAGES)
             values = Values(self, parameters, context)
             values.require_texts()
-            clear_beside_inputs(self, values)
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.read_layers(values)
             self._lineage = lineage_of(self, parameters, context, plugin_version())

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsProcessing, QgsProcessingContext, QgsProcessingOutputLayerDefinition, QgsProperty
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingContext,
+    QgsProcessingOutputLayerDefinition,
+    QgsProcessingUtils,
+    QgsProperty,
+    QgsVectorFileWriter,
+)
 
 _OGR = re.compile(r"^ogr:(?=.*dbname=)", re.IGNORECASE)
 _DATABASE = re.compile(r"""dbname=(?:'([^']*)'|"([^"]*)"|(\S+))""")
@@ -34,13 +42,14 @@ class Destination:
         return self.text.replace(self.path, path, 1) if self.is_table else path
 
 
-def destination_of(value: Any, context: QgsProcessingContext) -> Destination:
+def destination_of(value: Any, context: QgsProcessingContext, is_layer: bool = True) -> Destination:
     """Reads the value of a layer output.
 
     Args:
         value: A path, an ``ogr:dbname='…' table="…"`` text, ``memory:``, ``TEMPORARY_OUTPUT``, or a definition that
             holds one of these.
         context: Whose expressions count.
+        is_layer: Whether it is a vector layer, to whose name QGIS adds a suffix where it knows no format by it.
     """
     options = ""
     if isinstance(value, QgsProcessingOutputLayerDefinition):
@@ -54,8 +63,13 @@ def destination_of(value: Any, context: QgsProcessingContext) -> Destination:
         found = _DATABASE.search(text)
         path = next((group for group in found.groups() if group), "") if found else ""
         return Destination(text, path, bool(path))
-    has_index = text.lower().endswith(".gpkg") and "SPATIAL_INDEX" not in options.upper()
-    return Destination(text) if _PROVIDER.match(text) else Destination(text, text, has_index=has_index)
+    if _PROVIDER.match(text):
+        return Destination(text)
+    path = text
+    if is_layer and Path(text).suffix[1:].lower() not in QgsVectorFileWriter.supportedFormatExtensions():
+        path = f"{text}.{QgsProcessingUtils.defaultVectorExtension()}"
+    has_index = path.lower().endswith(".gpkg") and "SPATIAL_INDEX" not in options.upper()
+    return Destination(text, path, has_index=has_index)
 
 
 def with_destination(value: Any, text: str) -> QgsProcessingOutputLayerDefinition:

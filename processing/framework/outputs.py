@@ -18,12 +18,13 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...storage.files import Batch
-from ...storage.vector_files import copy_database, feature_count, lacks_spatial_index, require_no_other_layers
+from ...storage.atomic_output import Batch
+from ...storage.replaceable import require_closed
+from ...storage.vector_files import content_digest, copy_database, feature_count, lacks_spatial_index
 from ..compat import make_field
 from ..exchange.database_layers import OPENED, open_when_done
 from ..exchange.layer_metadata import Lineage, Note, keep_in_database
-from ..exchange.output_style import Look, style_from_beside, style_in_file, style_in_memory, style_when_loaded
+from ..exchange.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
 from . import offers
 
 if TYPE_CHECKING:
@@ -41,8 +42,8 @@ _NEW_KEYS = QgsFeatureSink.RegeneratePrimaryKey
 class Outputs:
     """What one run of an algorithm writes.
 
-    Everything is written beside its place, closed, opened again and counted; ``commit`` moves all of it to its place
-    when the algorithm is done. An error or a cancel leaves nothing, and older files untouched.
+    Everything is written beside its target, closed, opened again and counted; ``commit`` renames all of it when the
+    algorithm is done. An error or a cancel leaves nothing, and older files untouched.
 
     Attributes:
         results: Where each output will lie, by key: what the algorithm returns.
@@ -66,7 +67,7 @@ class Outputs:
         self._batch.close()
 
     def commit(self) -> None:
-        """Moves everything to its place and lets QGIS load it from there."""
+        """Renames everything to its target and lets QGIS load it from there."""
         self._batch.commit(*self._checks)
         for layer in self._layers:
             layer.announce(self._values.context)
@@ -76,21 +77,20 @@ class Outputs:
             open_when_done(self.results[key], self._values.raw(offers.LABELS), key, self._values.context)
 
     def require(self, check: Callable[[], None]) -> None:
-        """Has ``check`` called before anything moves, while no other run moves its outputs there; it may raise."""
+        """Has ``check`` called before anything is renamed; it may raise."""
         self._checks.append(check)
 
     @contextmanager
-    def raster(self, key: str, write_style: Callable[[str], None] | None = None) -> Iterator[str]:
-        """Gives a path to write a raster to; ``write_style`` writes what it looks like beside it."""
+    def raster(self, key: str, write_style: Callable[[str], str] | None = None) -> Iterator[str]:
+        """Gives a path to write a raster to; ``write_style`` writes what it looks like beside it and returns it."""
         from ...storage.rasters import require_whole_raster
 
         target = self._values.raster_target(key)
-        temporary = self._batch.file(target)
+        temporary = self._batch.file(target, *self._values.replaces(key))
         yield temporary
         require_whole_raster(temporary, target)
         if write_style is not None:
-            write_style(temporary)
-            style_from_beside(target, self._values.context)
+            raster_style_when_loaded(target, write_style(temporary), self._values.context)
         self.results[key] = target
         self._rasters.append(target)
 
@@ -108,7 +108,7 @@ class Outputs:
     def file(self, key: str) -> Iterator[str]:
         """Gives a path to write a file to."""
         target = self._values.target(key)
-        temporary = self._batch.file(target)
+        temporary = self._batch.file(target, *self._values.replaces(key))
         yield temporary
         if not os.path.isfile(temporary):
             raise ParameterError("framework.not_written", name=target)
@@ -138,16 +138,13 @@ class Outputs:
             file.write(text)
 
     @contextmanager
-    def folder(self, key: str, mark: str = "") -> Iterator[str]:
-        """Gives a new folder to fill, an empty path for one that is not wanted.
-
-        ``mark``: the file by which an older one is known that may be replaced.
-        """
+    def folder(self, key: str) -> Iterator[str]:
+        """Gives a new folder to fill, an empty path for one that is not wanted."""
         target = self._values.text(key)
         if not target:
             yield ""
             return
-        yield self._batch.folder(target, mark)
+        yield self._batch.folder(target)
         self.results[key] = target
 
     @contextmanager
@@ -200,16 +197,25 @@ class Outputs:
             return ""
         if wanted.is_table:
             return wanted.moved(self._database_beside(wanted.path))
-        require_no_other_layers(wanted.path)
         return self._batch.file(wanted.path)
 
     def _database_beside(self, path: str) -> str:
         """A copy of a database to add layers to, one for all of a run."""
         if path not in self._copies:
-            self._copies[path] = self._batch.file(path)
+            self._copies[path] = self._batch.file(path, tables=None)
             if os.path.exists(path):
+                require_closed(path)
+                before = content_digest(path)
                 copy_database(path, self._copies[path])
+                self.require(lambda: _require_unchanged(path, before))
         return self._copies[path]
+
+
+def _require_unchanged(path: str, before: bytes) -> None:
+    """Raises ParameterError where others have written to a database since its copy was made."""
+    require_closed(path)
+    if content_digest(path) != before:
+        raise ParameterError("storage.database_changed", path=path)
 
 
 def _moved_back(written: str, wanted: Destination) -> str:

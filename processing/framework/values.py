@@ -225,6 +225,18 @@ class Values:
         """The path of a raster to write."""
         return self._read("OutputLayer", key)
 
+    def replaces(self, key: str) -> tuple[str, tuple[str, ...] | None]:
+        """Usual suffix and tables of the older files that an output replaces, see ``require_replaceable``."""
+        from ...storage.database.schema import TABLES
+
+        definition = self._algorithm.parameterDefinition(key)
+        if definition.type() == "rasterDestination":
+            return ".tif", ()
+        if definition.type() != "fileDestination":
+            return "", ()
+        suffix = f".{definition.defaultFileExtension()}"
+        return suffix, TABLES if suffix == ".gpkg" else ()
+
     def destination(self, key: str) -> Destination:
         """Where a layer goes."""
         return destination_of(self.raw(key), self.context)

@@ -81,10 +81,10 @@ def require_table(rows: Sequence[ClassRow]) -> str:
 
 def save_rows(rows: Sequence[ClassRow], path: str) -> None:
     """Writes a class table. Raises ClassTableError, or ParameterError where it can't be written."""
-    from ...storage.files import written_beside
+    from ...storage.atomic_output import written_beside
 
     text = require_table(rows)
-    with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+    with written_beside(path, ".csv") as temporary, open(temporary, "w", encoding="utf-8") as file:
         file.write(text)
 
 

@@ -23,7 +23,7 @@ from qgis.PyQt.QtNetwork import QNetworkProxy
 
 from ...core.errors import ComponentError
 from ...core.sentences import Sentence
-from ...storage.files import folder_written_beside
+from ...storage.atomic_output import folder_written_beside
 from ..translation import tr
 from .components import Package, components_folder, components_root, how_to_get_pip, install_command, is_too_old
 
@@ -60,7 +60,7 @@ def installing(packages: list[Package], wheels: str = "") -> Commands:
         _refuse_older_one(package)
         final = package.folder
         try:
-            with folder_written_beside(str(final), f"{package.module}/__init__.py") as folder:
+            with folder_written_beside(str(final), replaces=True) as folder:
                 yield from _install(python, package, folder, wheels)
         except OSError as error:
             raise ComponentError(

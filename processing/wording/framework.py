@@ -17,5 +17,8 @@ SENTENCES = {
     "framework.output_is_input": (
         "“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”."
     ),
+    "framework.layer_as_output": (
+        "“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”."
+    ),
     "framework.same_output": "“{output}” and “{other}” are the same file, {path}; choose two files.",
 }

@@ -83,6 +83,9 @@ LAYERS = {
 }
 """Type of geometry and columns of each layer, in the order in which they are written."""
 
+TABLES = (*LAYERS, OVERVIEW)
+"""All tables of a database."""
+
 
 def create_layer(dataset: ogr.DataSource, name: str, srs: osr.SpatialReference | None) -> ogr.Layer:
     """An empty layer of the schema; ``srs``: of those with geometries. Raises DatabaseError."""

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from ...core.errors import DatabaseError
-from ..files import Batch
+from ..atomic_output import Batch
 from ..sqlite_copy import copy_whole
 
 _BEFORE = "_before_update"
@@ -40,9 +40,13 @@ def replace_keeping(path: str, updated: str) -> None:
         DatabaseError: A database can't be read.
         ParameterError: A file can't be replaced; nothing is changed.
     """
+    # Not at the top: it brings GDAL, and the dock, which asks whether there is an undo, shall open at once.
+    from .schema import TABLES
+
     made = _checksums(updated)
     with Batch() as batch:
-        kept, fresh = batch.file(file_before(path)), batch.file(path)
+        kept = batch.file(file_before(path), tables=(*TABLES, "semref_undo"))
+        fresh = batch.file(path, tables=TABLES)
         with _copied(path, kept) as copy:
             copy.execute("DROP TABLE IF EXISTS semref_undo")
             copy.execute("CREATE TABLE semref_undo (checksums TEXT)")
@@ -61,12 +65,13 @@ def undo_update(path: str) -> None:
     """
     # Not at the top: it brings GDAL, and the dock, which asks whether there is an undo, shall open at once.
     from .reader import read_overview, read_stored_database
+    from .schema import TABLES
 
     before = file_before(path)
     stored = read_stored_database(before)
     read_overview(before)
     with Batch() as batch:
-        with _copied(before, batch.file(path)) as copy:
+        with _copied(before, batch.file(path, tables=TABLES)) as copy:
             copy.execute("CREATE TABLE IF NOT EXISTS semref_undo (checksums TEXT)")
             if copy.execute("SELECT checksums FROM semref_undo").fetchall() != [(_checksums(path),)]:
                 raise DatabaseError("storage.nothing_to_undo", path=path, before=before)

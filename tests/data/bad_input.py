@@ -21,7 +21,6 @@ OUTPUT_NAMES = {
     SEGMENT: ("OUTPUT", "segmented_out.tif"),
     COMPARE: ("DISAGREEMENTS", "disagreements_out.gpkg"),
 }
-OLDER = b"an older output"
 QGIS_OWN = ("Incorrect parameter value for ", "Could not load source layer for ", "Could not create layer ")
 """How sentences begin that QGIS says before an algorithm is asked."""
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import sqlite3
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -138,6 +140,19 @@ def landmarks_in_the_west() -> np.ndarray:
 def write_text(path: Path, text: str, encoding: str = "utf-8") -> Path:
     path.write_bytes(text.encode(encoding))
     return path
+
+
+def write_older(path: Path) -> bytes:
+    """Writes an older output of the kind that the name says; returns its bytes."""
+    if path.suffix == ".gpkg":
+        with contextlib.closing(sqlite3.connect(path)) as connection:
+            connection.execute("PRAGMA page_size=512")
+            connection.execute("PRAGMA user_version=7")
+    else:
+        path.write_bytes(
+            {".tif": b"II*\0", ".npz": b"PK\x03\x04", ".html": b"<", ".json": b"{"}[path.suffix] + b"older"
+        )
+    return path.read_bytes()
 
 
 def turned_view(

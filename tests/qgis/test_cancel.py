@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
+import shutil
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_raster, write_text
+from made_inputs import CLASSES_CSV, scattered_objects, square, write_layer, write_older, write_raster, write_text
 from made_models import write_model
 from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback
 
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
-OLDER = b"an older output"
 PROMPT_S = 1.0
 """Of the processor, so that what else the machine does counts for nothing."""
 
@@ -155,13 +155,13 @@ JOBS = ("rasterize", "check", "repair", "decode", "build", "localize", "flight",
 @pytest.mark.parametrize("name", JOBS)
 def test_cancel_stops_at_once_and_leaves_nothing_new(jobs, small_steps, tmp_path, name, percent):
     older = tmp_path / jobs[name][3]
-    older.write_bytes(OLDER)
+    before = write_older(older)
     feedback = CancelAt(percent)
     with pytest.raises(QgsProcessingException) as caught:
         run(jobs[name], tmp_path, feedback)
     assert time.process_time() - feedback.canceled_at < PROMPT_S
     assert "Canceled" in str(caught.value)
-    assert older.read_bytes() == OLDER
+    assert older.read_bytes() == before
     assert [path.name for path in tmp_path.iterdir()] == [older.name]
 
 
@@ -178,19 +178,17 @@ def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, na
 @pytest.mark.parametrize("percent", [50, pytest.param(90, marks=pytest.mark.slow)])
 def test_files_are_closed_before_they_are_removed(jobs, small_steps, tmp_path, monkeypatch, name, percent):
     """Windows removes no file that is open."""
-    from semref.storage import files
-    from semref.storage.moving import LOCK
+    from semref.storage import atomic_output
 
-    remove, still_open, looked = files.dismantle, [], []
+    remove, still_open, looked = shutil.rmtree, [], []
 
-    def look_and_remove(workplace, lock):
+    def look_and_remove(workplace, **options):
         looked.append(workplace)
         links = [os.path.realpath(f"/proc/self/fd/{number}") for number in os.listdir("/proc/self/fd")]
         still_open.extend(link for link in links if link.startswith(str(workplace)))
-        still_open.remove(str(workplace / LOCK))
-        remove(workplace, lock)
+        remove(workplace, **options)
 
-    monkeypatch.setattr(files, "dismantle", look_and_remove)
+    monkeypatch.setattr(atomic_output.shutil, "rmtree", look_and_remove)
     with pytest.raises(QgsProcessingException):
         run(jobs[name], tmp_path, CancelAt(percent))
     assert still_open == []

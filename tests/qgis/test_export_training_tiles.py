@@ -202,14 +202,13 @@ def test_where_the_image_has_no_data_the_labels_are_cleared(export, tmp_path):
     np.testing.assert_array_equal(names["64_96"][:4], LABELS[96:100, 64:96])
 
 
-@pytest.mark.slow
-def test_an_earlier_export_is_replaced_whole(export):
-    first, _ = export(STRIDE=20)
-    second, manifest = export(STRIDE=64)
-    written = list(Path(second["OUTPUT"]).glob("*/images/*.png"))
-    assert first["OUTPUT"] == second["OUTPUT"]
-    assert len(written) == second["TILE_COUNT"] == len(manifest["tiles"]) < first["TILE_COUNT"]
-    assert [path.name for path in Path(second["OUTPUT"]).parent.glob(".*")] == []
+def test_an_earlier_export_is_left_alone_as_any_folder_is_that_holds_files(export):
+    """What the user has put among the tiles since was once deleted with them."""
+    first, _ = export(STRIDE=64)
+    before = sorted(Path(first["OUTPUT"]).rglob("*"))
+    with pytest.raises(QgsProcessingException, match="holds other files"):
+        export(STRIDE=20)
+    assert sorted(Path(first["OUTPUT"]).rglob("*")) == before
 
 
 def test_a_folder_with_other_files_is_left_alone(export, tmp_path):

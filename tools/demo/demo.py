@@ -34,8 +34,9 @@ def main() -> None:
     OUTPUT.mkdir(exist_ok=True)
     sample = OUTPUT / "sample"
     print("1. Making the sample area")
-    command = [sys.executable, "-m", "tools.sample", str(sample), "--label-images"]
-    subprocess.run(command, cwd=ROOT, check=True)
+    if not sample.exists():
+        command = [sys.executable, "-m", "tools.sample", str(sample), "--label-images"]
+        subprocess.run(command, cwd=ROOT, check=True)
     with qgis_session():
         paths = run_algorithms(sample)
         found = {name: read_positions(paths[name]) for name, _, _ in (*METHODS, *PHOTO_METHODS)}

@@ -4,7 +4,7 @@
 
 Every algorithm that writes files – the provider tells which – and ``python -m core`` run in children forked from one
 QGIS, over older outputs and without. ``trials`` has what is injected. After each: all outputs are the old ones or all
-the new ones, the ending says which, inputs are as they were, and nothing stays that the next run doesn't clear away.
+the new ones, the ending says which, inputs are as they were. After a kill each output is whole, old or new.
 Ends with 1 where that is not so; ``--write`` puts the table into docs/reliability.md.
 """
 

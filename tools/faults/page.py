@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 def table(rows: Sequence[Row], told: str) -> str:
     """Markdown: a row a writer, with how many faults it survived of those that were injected; ``told`` below it."""
     kinds = list(dict.fromkeys(kind for row in rows for kind in row.counts))
-    lines = ["| writer | " + " | ".join(kinds) + " | half moved, taken back |", "|---" * (len(kinds) + 2) + "|"]
+    lines = ["| writer | " + " | ".join(kinds) + " | outputs of different age |", "|---" * (len(kinds) + 2) + "|"]
     for row in rows:
         cells = [row.cell(kind) for kind in kinds]
-        lines.append(f"| {row.name} | " + " | ".join(cells) + f" | {row.taken_back or ''} |")
+        lines.append(f"| {row.name} | " + " | ".join(cells) + f" | {row.mixed or ''} |")
     totals = [str(sum(row.counts.get(kind, 0) for row in rows)) for kind in kinds]
-    lines.append("| **together** | " + " | ".join(totals) + f" | {sum(row.taken_back for row in rows)} |")
+    lines.append("| **together** | " + " | ".join(totals) + f" | {sum(row.mixed for row in rows)} |")
     finds = sum(len(row.finds) for row in rows)
     lines.append("")
     lines.append(f"{finds or 'None'} of these lost anything, left anything half or ended otherwise than it said.")

@@ -14,6 +14,7 @@ from .content import State, state
 _NEVER_REPLACED = {
     "localizeimages": ("LABELS",),
     "localizeflight": ("LABELS",),
+    "exporttrainingtiles": ("OUTPUT",),
     "georeferenceimages": ("OUTPUT",),
 }
 """Folders that are not written over older ones."""

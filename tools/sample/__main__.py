@@ -8,8 +8,8 @@ photos.csv, flight/*.jpg and flight.csv, sample.json; with --label-images also i
 The tables have every picture's center: `column`, `row` in pixels of the map ((0.5, 0.5) is the center of its first
 pixel) and `x`, `y` in map units; `rotation_deg` is the heading of the picture's top in degrees clockwise from grid
 north; `scale` is map pixels per picture pixel; `window` names the window it is centered on, if any.
-The same seed gives the same files. A folder made by an earlier run is replaced; any other folder is left alone.
-Without FOLDER nothing is done where sample/ is there and this code has not changed since.
+The same seed gives the same files. A FOLDER that holds files is left alone.
+Without FOLDER nothing is done where sample/ is there and this code has not changed since; an older one is replaced.
 """
 
 from __future__ import annotations
@@ -42,13 +42,11 @@ def main(arguments: list[str] | None = None) -> int:
 
     load_plugin_package()
     from semref.core.errors import SemRefError
-    from semref.storage.files import folder_written_beside
-
-    from .files import MARKER
+    from semref.storage.atomic_output import folder_written_beside
 
     print(f"Making the sample area in {target}")
     try:
-        with folder_written_beside(str(target), MARKER) as folder:
+        with folder_written_beside(str(target), replaces=bool(made_of)) as folder:
             report = write(Path(folder), options)
             if made_of:
                 (Path(folder) / MADE_OF).write_text(made_of, encoding="ascii")

@@ -14,7 +14,6 @@ from bad_input import (
     LABELS,
     LOCALIZE,
     NAMES,
-    OLDER,
     OUTPUT_NAMES,
     RASTERIZE,
     SEGMENT,
@@ -24,6 +23,7 @@ from made_inputs import (
     CLASSES_CSV,
     square,
     write_layer,
+    write_older,
     write_raster,
     write_text,
 )
@@ -90,10 +90,10 @@ def refused(run_algorithm, defaults, tmp_path, feedback):
 
     def run(algorithm, **parameters):
         older = Path(defaults[algorithm][OUTPUT_NAMES[algorithm][0]])
-        older.write_bytes(OLDER)
+        before = write_older(older)
         with pytest.raises(QgsProcessingException) as caught:
             run_algorithm(algorithm, {**defaults[algorithm], **parameters}, feedback)
-        assert older.read_bytes() == OLDER
+        assert older.read_bytes() == before
         assert [path.name for path in older.parent.iterdir()] == [older.name]
         return sentence_of(caught.value)
 

@@ -16,7 +16,6 @@ from bad_input import (
     LABELS,
     LOCALIZE,
     NAMES,
-    OLDER,
     OUTPUT_NAMES,
     RASTERIZE,
     SEGMENT,
@@ -25,6 +24,7 @@ from bad_input import (
 from made_inputs import (
     square,
     write_layer,
+    write_older,
     write_raster,
 )
 from qgis.core import (
@@ -100,9 +100,9 @@ def test_a_full_disk_is_told_and_leaves_nothing(run_algorithm, defaults, small_d
         labels = write_raster(tmp_path / "a.tif", LABELS, names=NAMES)
         parameters.update(LABELS=str(labels), WINDOW_SIZE=50, STRIDE=5)
     target = small_disk / OUTPUT_NAMES[algorithm][1]
-    target.write_bytes(OLDER)
+    before = write_older(target)
     output_refused(run_algorithm, defaults, algorithm, target)
-    assert target.read_bytes() == OLDER
+    assert target.read_bytes() == before
     assert [path.name for path in small_disk.iterdir()] == [target.name]
     # GDAL's objects that failed to close are not closed again, which would end the process.
     gc.collect()

@@ -83,18 +83,20 @@ def test_the_plain_sqlite3_program_reads_it(database):
     assert windows > vectors > 0
 
 
-def test_an_open_older_database_with_changes_in_waiting_does_not_leak_into_the_new_one(build, label_map, tmp_path):
+def test_an_open_older_database_with_changes_in_waiting_is_not_replaced_before_it_is_closed(build, label_map, tmp_path):
     target = tmp_path / "area.gpkg"
     build(label_map, DATABASE=str(target))
     with contextlib.closing(sqlite3.connect(target)) as older:
         older.execute("PRAGMA journal_mode=WAL")
-        older.execute("CREATE TABLE edited (value)")
+        older.execute("UPDATE layer_styles SET description = 'edited'")
         older.commit()
         assert (tmp_path / "area.gpkg-wal").stat().st_size
-        build(label_map, DATABASE=str(target))
-        with contextlib.closing(sqlite3.connect(target)) as newer:
-            assert newer.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-            assert newer.execute("SELECT name FROM sqlite_master WHERE name = 'edited'").fetchall() == []
+        with pytest.raises(QgsProcessingException, match="open in this or another program"):
+            build(label_map, DATABASE=str(target))
+    build(label_map, DATABASE=str(target))
+    with contextlib.closing(sqlite3.connect(target)) as newer:
+        assert newer.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+        assert ("edited",) not in newer.execute("SELECT description FROM layer_styles").fetchall()
 
 
 def test_the_windows_open_as_outlines(database):

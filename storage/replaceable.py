@@ -1,0 +1,194 @@
+"""What an output may replace: an older output of the same kind, and never anything else of the user's."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sqlite3
+import stat
+from collections.abc import Collection
+from pathlib import Path
+
+from ..core.errors import ParameterError
+from .sqlite_copy import WAIT_S
+
+_SQLITE, _TIFF, _ZIP, _MARKUP, _JSON, _PDF, _SHAPEFILE, _FLATGEOBUF = range(1, 9)
+_FOREIGN = -1
+_UNKNOWN = 0
+
+_STARTS = {
+    b"SQLite format 3\0": _SQLITE,
+    b"II*\0": _TIFF,
+    b"II+\0": _TIFF,
+    b"MM\0*": _TIFF,
+    b"MM\0+": _TIFF,
+    b"PK\x03\x04": _ZIP,
+    b"<": _MARKUP,
+    b"{": _JSON,
+    b"[": _JSON,
+    b"%PDF": _PDF,
+    b"\0\0\x27\x0a": _SHAPEFILE,
+    b"fgb\x03": _FLATGEOBUF,
+    b"\x89PNG": _FOREIGN,
+    b"\xff\xd8\xff": _FOREIGN,
+    b"#!": _FOREIGN,
+    b"\x7fELF": _FOREIGN,
+}
+"""Kind of a file by its first bytes; of text, by the first ones that are no white space."""
+
+_KINDS = {
+    ".gpkg": _SQLITE,
+    ".sqlite": _SQLITE,
+    ".db": _SQLITE,
+    ".tif": _TIFF,
+    ".tiff": _TIFF,
+    ".npz": _ZIP,
+    ".html": _MARKUP,
+    ".kml": _MARKUP,
+    ".gml": _MARKUP,
+    ".gpx": _MARKUP,
+    ".json": _JSON,
+    ".geojson": _JSON,
+    ".pdf": _PDF,
+    ".shp": _SHAPEFILE,
+    ".fgb": _FLATGEOBUF,
+    ".csv": _UNKNOWN,
+    ".txt": _UNKNOWN,
+    ".onnx": _UNKNOWN,
+}
+"""Kind of an output by its usual suffix; unknown for text and for formats without first bytes of their own."""
+
+_OF_A_LAYER = ("layer_styles",)
+_OF_GEOPACKAGE = ("gpkg_", "rtree_", "sqlite_")
+
+_DERIVED = (".aux.xml", ".ovr", ".msk")
+"""What GDAL derives from a raster or adds to it, and applies to whatever has the raster's name."""
+
+_OF_SHAPEFILE = (".dbf", ".shx", ".prj", ".cpg")
+_DERIVED_OF_SHAPEFILE = (".qix", ".sbn", ".sbx")
+
+_JOURNALS = ("-wal", "-journal", "-shm")
+
+_NOTES = (".qml", ".qmd")
+"""What QGIS reads style and metadata of a layer from, by its name without the suffix: a shapefile and a raster of the
+same name share them."""
+
+MARK_OF_NOTE = "<!-- Written by SemRef, which replaces this file. -->"
+"""XML comment in each note that SemRef writes; it is gone when somebody saves the note with QGIS."""
+
+_LONGEST_NOTE = 4 << 20
+
+
+def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | None = ()) -> None:
+    """Refuse a target that is anything but free or an older output of the same kind.
+
+    Args:
+        path: Where an output will be.
+        suffix: The usual suffix of such outputs; empty for that of ``path``. It tells the kind of file.
+        tables: What an older GeoPackage may hold; empty for one layer called as the file, None where all is kept.
+
+    Raises:
+        ParameterError: Something else is there: a folder, no regular file, another kind of file, other layers; or the
+            target is free, and what belongs to a file of its name is there.
+    """
+    final = Path(path)
+    try:
+        mode = os.stat(final).st_mode
+        if stat.S_ISDIR(mode):
+            raise ParameterError("storage.is_folder", path=final)
+        if not stat.S_ISREG(mode):
+            raise ParameterError("storage.other_kind", path=final)
+        with final.open("rb") as file:
+            head = file.read(256)
+    except (FileNotFoundError, NotADirectoryError):
+        # Free, or a link to nothing, which is replaced.
+        _require_no_orphans(final)
+        return
+    except OSError as error:
+        raise ParameterError("storage.file_unwritable", path=final, reason=error.strerror) from None
+    if not head:
+        return
+    wanted = _KINDS.get((suffix or final.suffix).lower())
+    found = next((kind for start, kind in _STARTS.items() if _text(head).startswith(start)), _UNKNOWN)
+    if wanted is not None and found != wanted:
+        raise ParameterError("storage.other_kind", path=final)
+    if found == _SQLITE and tables is not None:
+        _require_tables(final, tables or (final.stem,))
+
+
+def _text(head: bytes) -> bytes:
+    return head if head.startswith(b"\0") else head.lstrip(b"\xef\xbb\xbf \t\r\n") or head
+
+
+def _require_tables(path: Path, tables: Collection[str]) -> None:
+    try:
+        with contextlib.closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as connection:
+            rows = connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')").fetchall()
+    except sqlite3.Error as error:
+        raise ParameterError("storage.older_unreadable", path=path, reason=str(error)) from None
+    names = {name for (name,) in rows if not name.startswith(_OF_GEOPACKAGE)}
+    others = sorted(names - {*_OF_A_LAYER, *tables})
+    if others:
+        raise ParameterError("storage.other_layers", path=path, layers=", ".join(others[:5]))
+
+
+def _require_no_orphans(final: Path) -> None:
+    """Raise ParameterError for files that would be taken for parts of the new one, or be lost to it."""
+    beside = [f"{final.name}{end}" for end in (*_DERIVED, *_JOURNALS)]
+    if final.suffix.lower() == ".shp":
+        beside += [f"{final.stem}{end}" for end in (*_OF_SHAPEFILE, *_DERIVED_OF_SHAPEFILE)]
+    for name in beside:
+        if os.path.lexists(final.with_name(name)):
+            raise ParameterError("storage.stranger_beside", path=final.with_name(name), name=final.name)
+
+
+def derived_files(final: Path) -> list[str]:
+    """Names of the files that GDAL derives from a file, if they are there, and applies to a newer one of its name."""
+    beside = [f"{final.name}{end}" for end in _DERIVED]
+    if final.suffix.lower() == ".shp":
+        beside += [f"{final.stem}{end}" for end in _DERIVED_OF_SHAPEFILE]
+    return beside
+
+
+def is_note(path: Path) -> bool:
+    """Whether QGIS would take a file for the style or the metadata of each layer with its stem."""
+    return path.suffix.lower() in _NOTES
+
+
+def is_foreign_note(path: Path) -> bool:
+    """Whether a style or metadata file is there that SemRef did not write."""
+    if not is_note(path) or not os.path.lexists(path):
+        return False
+    try:
+        if not stat.S_ISREG(os.lstat(path).st_mode):
+            return True
+        with path.open("rb") as file:
+            return MARK_OF_NOTE.encode() not in file.read(_LONGEST_NOTE)
+    except OSError:
+        return True
+
+
+def require_closed(path: str) -> None:
+    """Bring what waits in the journal of a GeoPackage into it, so that a newer file of the name does not get it.
+
+    Raises:
+        ParameterError: Another program is writing to the file or holds it open for writing.
+    """
+    if _KINDS.get(Path(path).suffix.lower()) != _SQLITE:
+        return
+    in_use = ParameterError("storage.not_replaceable", path=path)
+    if os.path.isfile(path) and not os.path.islink(path) and os.path.getsize(path):
+        try:
+            with contextlib.closing(sqlite3.connect(path, timeout=WAIT_S, isolation_level=None)) as connection:
+                # Rolls back what a killed program left; fails while another one writes.
+                connection.execute("BEGIN IMMEDIATE")
+                connection.execute("ROLLBACK")
+                # The first takes the file out of WAL mode, the second removes the journal.
+                for mode in ("PERSIST", "DELETE"):
+                    connection.execute(f"PRAGMA journal_mode={mode}").fetchone()
+        except sqlite3.Error as error:
+            # Otherwise nobody may write to it, and a journal beside it decides.
+            if "locked" in str(error):
+                raise in_use from None
+    if any(os.path.lexists(path + end) for end in _JOURNALS):
+        raise in_use

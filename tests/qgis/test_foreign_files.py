@@ -1,0 +1,545 @@
+"""Outputs lose nothing of the user's: planted folders, links, other users' files, kills, foreign files of the name."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+from made_inputs import scattered_objects, square, write_layer, write_older, write_raster, write_text
+from osgeo import gdal
+from qgis.core import QgsProcessingContext, QgsProcessingException, QgsProject, QgsRasterLayer, QgsVectorLayer
+
+from semref.core.errors import ParameterError
+from semref.storage.atomic_output import Batch
+from semref.storage.replaceable import MARK_OF_NOTE
+
+NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
+SETTINGS = {"REFERENCE_CLASSES": "1;2;3", "WINDOW_SIZE": 100, "STRIDE": 50, "MINIMUM_AREA": 30}
+LOCALIZE, RASTERIZE, BUILD = "semref:localizeimages", "semref:rasterizeannotation", "semref:builddatabase"
+
+
+@pytest.fixture(scope="module")
+def made(run_algorithm, tmp_path_factory):
+    """A label map, its database, and a photo."""
+    folder = tmp_path_factory.mktemp("made")
+    labels = scattered_objects(150, 200, 40, seed=2)
+    write_raster(folder / "labels.tif", labels, names=NAMES)
+    write_raster(folder / "photo.png", labels[:100, :100], transform=None)
+    run_algorithm(BUILD, {"LABELS": str(folder / "labels.tif"), **SETTINGS, "DATABASE": str(folder / "area.gpkg")})
+    return folder
+
+
+@pytest.fixture
+def qgis_project():
+    """A project of its own."""
+    return QgsProject()
+
+
+@pytest.fixture
+def given(made, tmp_path):
+    """A copy of these in a folder of their own."""
+    shutil.copytree(made, tmp_path / "given")
+    return tmp_path / "given"
+
+
+def content(folder: Path) -> dict[str, bytes]:
+    """What each file holds, by its path; links are not followed."""
+    return {
+        str(path.relative_to(folder)): path.read_bytes() if not path.is_symlink() else os.readlink(path).encode()
+        for path in sorted(folder.rglob("*"))
+        if path.is_symlink() or path.is_file()
+    }
+
+
+def localize(run_algorithm, given: Path, output: Path) -> None:
+    parameters = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")], "METHOD": 1}
+    run_algorithm(LOCALIZE, {**parameters, "OUTPUT": str(output)})
+
+
+def annotation(folder: Path, name: str = "landcover.shp") -> Path:
+    features = [(square(0, 0, 100), "field"), (square(10, 10, 20), "building")]
+    return write_layer(folder / name, features, [("class", "text")])
+
+
+def rasterize(run_algorithm, layer: Path, output: object, **more: object) -> None:
+    run_algorithm(
+        RASTERIZE, {"INPUT": str(layer), "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": str(output), **more}
+    )
+
+
+# --- what others planted ---
+
+
+def plant(folder: Path, name: str, moves: list) -> None:
+    """A folder as that of a run that died, with a plan of what it was about to move."""
+    planted = folder / name
+    (planted / ".older").mkdir(parents=True)
+    for mark in (".lock", ".moving"):
+        (planted / mark).touch()
+    (planted / ".older" / "run.sh").write_text("evil")
+    (planted / ".moves").write_text(json.dumps({"workplaces": [os.path.realpath(planted)], "moves": moves}))
+
+
+def test_planted_folders_of_dead_runs_change_nothing_beside_inputs_and_outputs(run_algorithm, given, tmp_path):
+    """A plan once had “photos” removed and “run.sh” replaced, by reading one image beside it."""
+    out = tmp_path / "out"
+    for folder in (given, out):
+        (folder / "photos").mkdir(parents=True)
+        (folder / "photos" / "1.jpg").write_text("mine")
+        (folder / "run.sh").write_text("mine")
+        for name in (".x.part", ".semref-positions-abcd.part"):
+            plant(folder, name, [["photos", None, None, False, True], ["run.sh", None, None, True, True]])
+        # Of one that died before it had a lock.
+        (folder / ".empty.part").mkdir()
+    before = content(given), content(out)
+    localize(run_algorithm, given, out / "positions.gpkg")
+    after = content(out)
+    assert after.pop("positions.gpkg") and (content(given), after) == before
+    assert (given / ".empty.part").is_dir() and (out / ".empty.part").is_dir()
+
+
+@pytest.mark.parametrize("name", ["fixes.gpkg", "labels.tif"])
+def test_a_link_of_the_outputs_name_is_replaced_and_not_followed(run_algorithm, given, tmp_path, name):
+    real = tmp_path / "real" / name
+    real.parent.mkdir()
+    before = write_older(real)
+    (tmp_path / name).symlink_to(real)
+    if name == "fixes.gpkg":
+        localize(run_algorithm, given, tmp_path / name)
+    else:
+        rasterize(run_algorithm, annotation(given), tmp_path / name)
+    assert real.read_bytes() == before
+    assert not (tmp_path / name).is_symlink() and (tmp_path / name).stat().st_size > len(before)
+
+
+def test_a_linked_folder_is_not_filled(run_algorithm, given, tmp_path):
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "labels").symlink_to(tmp_path / "elsewhere")
+    parameters = {"DATABASE": str(given / "area.gpkg"), "IMAGES": [str(given / "photo.png")], "OUTPUT": "memory:"}
+    with pytest.raises(QgsProcessingException, match="a link; choose a folder"):
+        run_algorithm(LOCALIZE, {**parameters, "LABELS": str(tmp_path / "labels")})
+    assert list((tmp_path / "elsewhere").iterdir()) == []
+
+
+def test_a_fifo_of_the_outputs_name_is_refused_and_not_waited_for(run_algorithm, given, tmp_path):
+    os.mkfifo(tmp_path / "fixes.gpkg")
+    with pytest.raises(QgsProcessingException, match="another kind of file"):
+        localize(run_algorithm, given, tmp_path / "fixes.gpkg")
+    assert (tmp_path / "fixes.gpkg").is_fifo()
+
+
+def test_a_private_folder_that_others_swapped_is_neither_used_nor_emptied(tmp_path):
+    """Who may write to a shared folder may rename what is in it."""
+    target, photos = tmp_path / "fixes.csv", tmp_path / "photos"
+    photos.mkdir()
+    (photos / "1.jpg").write_text("mine")
+    with Batch() as batch, pytest.raises(ParameterError, match="changed by another program"):
+        made = Path(batch.file(str(target)))
+        made.write_text("new")
+        made.parent.rename(tmp_path / "away")
+        photos.rename(made.parent)
+        batch.commit()
+    assert (made.parent / "1.jpg").read_text() == "mine" and not target.exists()
+
+
+AS_ANOTHER_USER = """
+import os, sys
+sys.path.insert(0, {tests!r})
+import conftest
+from semref.core.errors import SemRefError
+from semref.storage.atomic_output import Batch
+os.setgid(65534); os.setuid(65534)
+for name in ("theirs.csv", "own.csv"):
+    try:
+        with Batch() as batch:
+            path = batch.file(os.path.join({folder!r}, name))
+            open(path, "w").write("new")
+            batch.commit()
+        print("written")
+    except SemRefError as error:
+        print(error)
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can be two users")
+def test_another_users_file_in_a_shared_folder_stays_whatever_is_planted(tmp_path):
+    """A plan in a folder there once had the other user's own SemRef replace what the sticky bit guards."""
+    shared = Path(tempfile.mkdtemp(prefix="semref-shared-"))
+    try:
+        shared.chmod(0o1777)
+        (shared / "theirs.csv").write_text("theirs")
+        plant(shared, ".x.part", [["theirs.csv", None, None, True, False]])
+        program = AS_ANOTHER_USER.format(tests=str(Path(__file__).parents[1]), folder=str(shared))
+        before = content(shared)
+        found = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, cwd="/")
+        lines = found.stdout.splitlines()
+        assert len(lines) == 2 and "can't be replaced" in lines[0] and lines[1] == "written", found.stderr
+        after = content(shared)
+        assert after.pop("own.csv") == b"new" and after == before
+        # The owner's next run in that folder follows no plan either.
+        with Batch() as batch:
+            Path(batch.file(str(shared / "mine.csv"))).write_text("new")
+            batch.commit()
+        assert (shared / "own.csv").read_text() == "new" and (shared / "theirs.csv").read_text() == "theirs"
+    finally:
+        shutil.rmtree(shared)
+
+
+# --- kills ---
+
+
+NEW = b"II*\0new"
+
+
+def die_at(count: int, work) -> bool:
+    """Whether a child was killed before the ``count``-th time that it touched a file."""
+    child = os.fork()
+    if child == 0:
+        done = 0
+
+        def look(event: str, _: tuple) -> None:
+            nonlocal done
+            if event in ("os.rename", "os.mkdir", "os.remove", "open", "os.rmdir", "tempfile.mkdtemp"):
+                if done == count:
+                    os.kill(os.getpid(), signal.SIGKILL)
+                done += 1
+
+        sys.addaudithook(look)
+        try:
+            work()
+        finally:
+            os._exit(0)
+    return os.WIFSIGNALED(os.waitpid(child, 0)[1])
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+@pytest.mark.parametrize("with_older", [True, False])
+def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tmp_path, monkeypatch, with_older):
+    # Only a power cut would tell, and waiting for the disk takes most of the time.
+    monkeypatch.setattr(os, "fsync", lambda _: None)
+    names = ("a.tif", "a.tif.aux.xml", "b.csv")
+
+    def write() -> None:
+        with Batch() as batch:
+            raster = Path(batch.file(str(folder / "a.tif")))
+            raster.write_bytes(NEW)
+            Path(f"{raster}.aux.xml").write_bytes(NEW)
+            Path(batch.file(str(folder / "b.csv"))).write_bytes(NEW.replace(b"II*", b"csv"))
+            batch.commit()
+
+    seen = set()
+    for count in range(200):
+        folder = tmp_path / str(count)
+        folder.mkdir()
+        for name in names if with_older else ():
+            (folder / name).write_bytes(b"csv older" if name == "b.csv" else b"II*\0older")
+        was_killed = die_at(count, write)
+        found = tuple(
+            (folder / name).read_bytes()[4:] if (folder / name).exists() else None for name in ("a.tif", "b.csv")
+        )
+        seen.add(found)
+        left = [name for name in content(folder) if name.startswith(".")]
+        write()
+        assert [(folder / name).read_bytes()[4:] for name in names] == [b"new"] * 3
+        # Nobody looks for what a dead run left.
+        assert [name for name in content(folder) if name.startswith(".")] == left
+        if not was_killed:
+            break
+    # Outputs of one run may differ in age.
+    older = b"older" if with_older else None
+    assert seen == {(older, older), (b"new", older), (b"new", b"new")} and count > 10
+
+
+@pytest.mark.parametrize("name", ["a.shp", "a.dbf", "a.prj"])
+def test_parts_of_a_file_go_back_when_one_cant_be_replaced(tmp_path, monkeypatch, name):
+    for end in ("shp", "dbf"):
+        (tmp_path / f"a.{end}").write_bytes(b"\0\0\x27\x0aold")
+    before, replace = content(tmp_path), os.replace
+
+    def refuse(source, target):
+        if Path(target) == tmp_path / name and ".older" not in str(source):
+            raise PermissionError(13, "Permission denied", str(target))
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", refuse)
+    with Batch() as batch, pytest.raises(ParameterError, match="can't be replaced"):
+        made = Path(batch.file(str(tmp_path / "a.shp")))
+        for end in ("shp", "dbf", "prj"):
+            made.with_suffix(f".{end}").write_bytes(b"new")
+        batch.commit()
+    assert content(tmp_path) == before
+
+
+# --- what has the output's name already ---
+
+
+def tables_of(path: Path) -> set[str]:
+    with closing(sqlite3.connect(path)) as connection:
+        return {name for (name,) in connection.execute("SELECT table_name FROM gpkg_contents")}
+
+
+def writers(folder: Path) -> dict[str, tuple[str, dict, str]]:
+    """Algorithm, parameters and key of one output of each kind."""
+    area, labels, photo = (str(folder / name) for name in ("area.gpkg", "labels.tif", "photo.png"))
+    of_class = {"INPUT": str(folder / "landcover.shp"), "CLASS_FIELD": "class"}
+    return {
+        "build": (BUILD, {"LABELS": labels, **SETTINGS}, "DATABASE"),
+        "update": ("semref:updatedatabase", {"DATABASE": area, "LABELS": labels}, "OUTPUT"),
+        "rasterize": (RASTERIZE, {**of_class, "PIXEL_SIZE": 1}, "OUTPUT"),
+        "localize": (LOCALIZE, {"DATABASE": area, "IMAGES": [photo], "METHOD": 1}, "OUTPUT"),
+        "report": ("semref:checkannotation", {**of_class, "ISSUES": "memory:"}, "REPORT"),
+        "onboard": ("semref:exportonboard", {"DATABASE": area}, "OUTPUT"),
+        "table": ("semref:classtable", of_class, "OUTPUT"),
+    }
+
+
+@pytest.mark.parametrize("writer", list(writers(Path())))
+@pytest.mark.parametrize("layers", [("roads", "rivers"), ("roads", "target")])
+def test_a_geopackage_of_the_user_is_never_replaced(run_algorithm, given, writer, layers):
+    source, target = annotation(given), given / "target.gpkg"
+    for name in layers:
+        mode = {"accessMode": "update"} if target.exists() else {}
+        gdal.VectorTranslate(str(target), str(source), format="GPKG", layerName=name, **mode)
+    before = target.read_bytes()
+    algorithm, parameters, key = writers(given)[writer]
+    with pytest.raises(QgsProcessingException, match="holds other layers|another kind of file"):
+        run_algorithm(algorithm, {**parameters, key: str(target)})
+    assert target.read_bytes() == before
+
+
+@pytest.mark.parametrize("writer", list(writers(Path())))
+@pytest.mark.parametrize("name", ["photo.jpg", "run.sh", "area.gpkg", "labels.tif"])
+def test_another_kind_of_file_is_never_replaced(run_algorithm, given, tmp_path, writer, name):
+    annotation(given)
+    target = tmp_path / name
+    if name in ("area.gpkg", "labels.tif"):
+        if writer in {"area.gpkg": ("build", "update"), "labels.tif": ("rasterize",)}[name]:
+            pytest.skip("this is the same kind")
+        shutil.copy(given / name, target)
+    else:
+        target.write_bytes({"photo.jpg": b"\xff\xd8\xff\xe0", "run.sh": b"#!/bin/sh"}[name] + b"mine")
+    before = target.read_bytes()
+    if writer == "localize" and name != "area.gpkg":
+        # No suffix of a vector format: QGIS adds one, and that file may be another's as well.
+        shutil.copy(given / "area.gpkg", tmp_path / f"{name}.gpkg")
+    algorithm, parameters, key = writers(given)[writer]
+    with pytest.raises(QgsProcessingException, match="holds other layers|another kind of file"):
+        run_algorithm(algorithm, {**parameters, key: str(target)})
+    assert target.read_bytes() == before
+
+
+@pytest.mark.parametrize("writer", list(writers(Path())))
+def test_an_older_output_of_the_same_kind_is_replaced(run_algorithm, given, tmp_path, writer):
+    annotation(given)
+    suffix = {"rasterize": "tif", "report": "html", "onboard": "npz", "table": "csv"}.get(writer, "gpkg")
+    algorithm, parameters, key = writers(given)[writer]
+    target = tmp_path / f"target.{suffix}"
+    for _ in range(2):
+        run_algorithm(algorithm, {**parameters, key: str(target)})
+        found = target.stat().st_ino
+    again = target.stat().st_ino
+    run_algorithm(algorithm, {**parameters, key: str(target)})
+    assert found == again != target.stat().st_ino
+
+
+def test_a_database_to_which_the_user_added_a_layer_is_not_built_over(run_algorithm, given, tmp_path):
+    gdal.VectorTranslate(
+        str(given / "area.gpkg"), str(annotation(given)), format="GPKG", layerName="my notes", accessMode="update"
+    )
+    before = (given / "area.gpkg").read_bytes()
+    algorithm, parameters, key = writers(given)["build"]
+    with pytest.raises(QgsProcessingException, match="holds other layers .my notes."):
+        run_algorithm(algorithm, {**parameters, key: str(given / "area.gpkg")})
+    assert (given / "area.gpkg").read_bytes() == before
+
+
+@pytest.mark.parametrize("output", ["{}|layername=windows", "{}|layerid=0", "{}|LayerName=new"])
+def test_a_layer_of_a_file_as_output_is_refused_with_the_reason(run_algorithm, given, output):
+    """It was said that the disk is full."""
+    area = given / "area.gpkg"
+    before = area.read_bytes()
+    for writer in ("localize", "build", "rasterize"):
+        annotation(given)
+        algorithm, parameters, key = writers(given)[writer]
+        with pytest.raises(QgsProcessingException, match="names a layer of a file; choose a file") as caught:
+            run_algorithm(algorithm, {**parameters, key: output.format(area)})
+        assert "disk" not in str(caught.value)
+    assert area.read_bytes() == before
+
+
+# --- styles, metadata and what GDAL keeps beside a raster ---
+
+
+def user_style(path: Path) -> None:
+    """A style and a note as an annotator saves them with QGIS, beside a layer."""
+    layer = QgsVectorLayer(str(path), "landcover", "ogr")
+    layer.saveNamedStyle(str(path.with_suffix(".qml")))
+    metadata = layer.metadata()
+    metadata.setAbstract("mine")
+    metadata.setHistory(["2026-01-01 10:00 UTC, SemRef 1.0: made of other things"])
+    layer.setMetadata(metadata)
+    layer.saveNamedMetadata(str(path.with_suffix(".qmd")))
+
+
+def test_rasterizing_beside_the_annotation_leaves_its_style_and_metadata(run_algorithm, given, tmp_path):
+    layer = annotation(tmp_path)
+    user_style(layer)
+    before = content(tmp_path)
+    for _ in range(2):
+        rasterize(run_algorithm, layer, tmp_path / "landcover.tif")
+    after = content(tmp_path)
+    assert {name: after[name] for name in before} == before
+    # The map has its classes and colors inside, and QGIS reads it though the style is another layer's.
+    made = QgsRasterLayer(str(tmp_path / "landcover.tif"), "landcover")
+    assert made.isValid() and made.renderer().type() == "paletted"
+
+
+def test_a_label_map_gets_its_legend_when_loaded_though_the_style_beside_it_is_foreign(tmp_path, given, qgis_project):
+    import processing
+
+    layer = annotation(tmp_path)
+    user_style(layer)
+    context = QgsProcessingContext()
+    context.setProject(qgis_project)
+    target = str(tmp_path / "landcover.tif")
+    details = QgsProcessingContext.LayerDetails("labels", qgis_project, "OUTPUT")
+    context.addLayerToLoadOnCompletion(target, details)
+    parameters = {"INPUT": str(layer), "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": target}
+    processing.run(RASTERIZE, parameters, context=context)
+    made = QgsRasterLayer(target, "landcover")
+    context.layerToLoadOnCompletionDetails(target).postProcessor().postProcessLayer(made, context, None)
+    assert [(c.value, c.label) for c in made.renderer().classes()] == [(1, "building"), (2, "field")]
+
+
+def test_semrefs_own_style_and_metadata_are_written_again_until_the_user_saves_their_own(run_algorithm, tmp_path):
+    layer, target = annotation(tmp_path, "classes.shp"), tmp_path / "labels.tif"
+    rasterize(run_algorithm, layer, target)
+    first = content(tmp_path)
+    assert {"labels.qml", "labels.qmd"} <= set(first)
+    for end in (".qml", ".qmd"):
+        text = target.with_suffix(end).read_text(encoding="utf-8")
+        target.with_suffix(end).write_text(text.replace("building", "changed").replace("SemRef", "changed", 1))
+    write_text(target.with_suffix(".qml"), f"<qgis>{MARK_OF_NOTE}</qgis>")
+    rasterize(run_algorithm, layer, target)
+    assert target.with_suffix(".qml").read_bytes() == first["labels.qml"]
+    # Saved by QGIS, they are the user's.
+    made = QgsRasterLayer(str(target), "labels")
+    made.loadDefaultStyle()
+    made.saveDefaultStyle()
+    made.saveDefaultMetadata()
+    saved = [target.with_suffix(end).read_bytes() for end in (".qml", ".qmd")]
+    rasterize(run_algorithm, layer, target)
+    assert [target.with_suffix(end).read_bytes() for end in (".qml", ".qmd")] == saved
+
+
+def test_what_gdal_derived_from_the_older_raster_is_not_applied_to_the_newer_one(run_algorithm, tmp_path):
+    layer, target = annotation(tmp_path, "classes.shp"), tmp_path / "labels.tif"
+    rasterize(run_algorithm, layer, target)
+    dataset = gdal.Open(str(target))
+    dataset.BuildOverviews("NEAREST", [2, 4])
+    del dataset
+    aux = Path(f"{target}.aux.xml")
+    aux.write_text('<PAMDataset><Metadata><MDI key="stale">yes</MDI></Metadata></PAMDataset>')
+    assert Path(f"{target}.ovr").exists()
+    rasterize(run_algorithm, layer, target)
+    made = gdal.Open(str(target))
+    assert made.GetRasterBand(1).GetOverviewCount() == 0 and not Path(f"{target}.ovr").exists()
+    assert "stale" not in made.GetMetadata() and "stale" not in aux.read_text()
+
+
+@pytest.mark.parametrize("name", ["labels.tif.ovr", "labels.tif.aux.xml", "labels.tif.msk"])
+def test_what_would_be_applied_to_a_new_raster_and_is_of_none_is_left_and_said(run_algorithm, tmp_path, name):
+    layer = annotation(tmp_path, "classes.shp")
+    write_text(tmp_path / name, "mine")
+    with pytest.raises(QgsProcessingException, match=name):
+        rasterize(run_algorithm, layer, tmp_path / "labels.tif")
+    assert (tmp_path / name).read_text() == "mine" and not (tmp_path / "labels.tif").exists()
+
+
+def test_a_table_beside_a_new_shapefile_is_not_taken_for_a_part_of_it(run_algorithm, given, tmp_path):
+    write_text(tmp_path / "fixes.dbf", "mine")
+    with pytest.raises(QgsProcessingException, match="fixes.dbf would be taken for a part of the new fixes.shp"):
+        localize(run_algorithm, given, tmp_path / "fixes.shp")
+    assert content(tmp_path / ".")["fixes.dbf"] == b"mine"
+
+
+# --- GeoPackages in use ---
+
+
+def test_changes_that_wait_beside_a_geopackage_are_not_applied_to_the_newer_one(run_algorithm, given, tmp_path):
+    target = tmp_path / "fixes.gpkg"
+    localize(run_algorithm, given, target)
+    # A program that dies leaves what it wrote in the -wal.
+    child = os.fork()
+    if child == 0:
+        try:
+            connection = sqlite3.connect(target, isolation_level=None)
+            connection.execute("PRAGMA journal_mode=WAL")
+            connection.execute("UPDATE gpkg_contents SET description = 'stale'")
+        finally:
+            os.kill(os.getpid(), signal.SIGKILL)
+    os.waitpid(child, 0)
+    assert Path(f"{target}-wal").stat().st_size > 0
+    localize(run_algorithm, given, target)
+    with closing(sqlite3.connect(target)) as connection:
+        assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
+        assert "stale" not in [name for (name,) in connection.execute("SELECT description FROM gpkg_contents")]
+    assert not Path(f"{target}-wal").exists()
+
+
+@pytest.mark.parametrize("mode", ["DELETE", "WAL"])
+def test_a_geopackage_that_another_program_writes_to_is_not_replaced(run_algorithm, given, tmp_path, mode):
+    target = tmp_path / "fixes.gpkg"
+    localize(run_algorithm, given, target)
+    with closing(sqlite3.connect(target, isolation_level=None)) as connection:
+        connection.execute(f"PRAGMA journal_mode={mode}")
+        connection.execute("BEGIN IMMEDIATE")
+        connection.execute("UPDATE gpkg_contents SET description = 'edited' WHERE table_name = 'fixes'")
+        with pytest.raises(QgsProcessingException, match="open in this or another program"):
+            localize(run_algorithm, given, target)
+        connection.execute("COMMIT")
+    with closing(sqlite3.connect(target)) as connection:
+        assert ("edited",) in connection.execute("SELECT description FROM gpkg_contents").fetchall()
+
+
+def test_a_result_that_is_on_the_map_is_replaced(run_algorithm, given, tmp_path, qgis_project):
+    """As QGIS users run a tool again and again into the same file."""
+    target = tmp_path / "fixes.gpkg"
+    localize(run_algorithm, given, target)
+    layer = QgsVectorLayer(str(target), "fixes", "ogr")
+    qgis_project.addMapLayer(layer)
+    assert len(list(layer.getFeatures())) == 1
+    layer.saveStyleToDatabase("mine", "", False, "")
+    before = target.stat().st_ino
+    localize(run_algorithm, given, target)
+    assert target.stat().st_ino != before
+    qgis_project.removeAllMapLayers()
+
+
+def test_what_others_wrote_meanwhile_into_a_geopackage_that_gets_a_layer_is_not_lost(run_algorithm, given, monkeypatch):
+    shared = given / "shared.gpkg"
+    gdal.VectorTranslate(str(shared), str(annotation(given)), format="GPKG", layerName="roads")
+    output = f"ogr:dbname='{shared}' table=\"fixes\" (geom)"
+    localize(run_algorithm, given, output)
+    assert {"fixes", "roads"} <= tables_of(shared)
+    commit = Batch.commit
+
+    def late(self, *checks):
+        with closing(sqlite3.connect(shared)) as connection, connection:
+            connection.execute("UPDATE gpkg_contents SET description = 'mine' WHERE table_name = 'roads'")
+        commit(self, *checks)
+
+    monkeypatch.setattr(Batch, "commit", late)
+    with pytest.raises(QgsProcessingException, match="changed by another program"):
+        localize(run_algorithm, given, output)
+    with closing(sqlite3.connect(shared)) as connection:
+        assert ("mine",) in connection.execute("SELECT description FROM gpkg_contents").fetchall()
