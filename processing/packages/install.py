@@ -6,7 +6,7 @@ generator on a cancel. Each package is installed beside its place and moved ther
 
 from __future__ import annotations
 
-import importlib.util
+import functools
 import json
 import os
 import re
@@ -21,11 +21,20 @@ from qgis.core import QgsNetworkAccessManager
 from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtNetwork import QNetworkProxy
 
-from ...core.errors import ComponentError
+from ...core.errors import ComponentError, SemRefError
 from ...core.sentences import Sentence
 from ...storage.atomic_output import folder_written_beside
 from ..translation import tr
-from .components import Package, components_folder, components_root, how_to_get_pip, install_command, is_too_old
+from .components import (
+    Package,
+    components_folder,
+    components_root,
+    how_to_get_pip,
+    install_command,
+    is_own,
+    is_too_old,
+    origin,
+)
 
 
 @dataclass(frozen=True)
@@ -53,19 +62,23 @@ Commands = Generator[Command, Answer, None]
 def installing(packages: list[Package], wheels: str = "") -> Commands:
     """Installs packages one after the other, from the package index or from a folder of wheels.
 
-    Raises ComponentError with the reason; the packages before stay installed, of the one that failed nothing does.
+    Raises:
+        ComponentError: At the end, with the reason for each package that could not be installed; nothing of it stays.
     """
     python = yield from _find_python(packages)
+    reasons: list[Sentence] = []
     for package in packages:
-        _refuse_older_one(package)
-        final = package.folder
         try:
-            with folder_written_beside(str(final), replaces=True) as folder:
-                yield from _install(python, package, folder, wheels)
-        except OSError as error:
-            raise ComponentError(
-                "packages.not_installed", package=package.pip_name, reason=error.strerror, name=error.filename or final
-            ) from error
+            yield from _install_one(python, package, wheels)
+        except SemRefError as error:
+            if error.sentence in reasons:
+                # The same for two packages, as without a network: the others would have to wait for it, too.
+                break
+            reasons.append(error.sentence)
+    if reasons:
+        raise ComponentError(
+            functools.reduce(lambda first, second: Sentence("localization.then", first=first, second=second), reasons)
+        )
 
 
 # --- the interpreter ---
@@ -99,9 +112,7 @@ def _find_python(packages: list[Package]) -> Generator[Command, Answer, str]:
             return path
         without_pip = without_pip or path
     if without_pip:
-        raise ComponentError(
-            "packages.no_pip", python=without_pip, how_to_get_pip=how_to_get_pip(), command=install_command(packages)
-        )
+        raise ComponentError("packages.no_pip", python=without_pip, how_to_get_pip=how_to_get_pip())
     raise ComponentError(
         "packages.no_python",
         version=f"{version[0]}.{version[1]}",
@@ -142,13 +153,21 @@ def python_candidates(executable: str, prefix: str, version: tuple, windows: boo
 # --- one package ---
 
 
-def _refuse_older_one(package: Package) -> None:
-    """An older package elsewhere comes before SemRef's on Python's path."""
-    if is_too_old(package):
-        raise ComponentError("packages.older_one", path=importlib.util.find_spec(package.module).origin)
-    found = importlib.util.find_spec(package.module) if package.own_folder else None
-    if found is not None and found.origin and not found.origin.startswith(str(components_root())):
-        raise ComponentError("packages.another_first", path=found.origin, package=package.pip_name)
+def _install_one(python: str, package: Package, wheels: str) -> Commands:
+    found = origin(package)
+    if found and not is_own(package):
+        # Elsewhere it comes before SemRef's on Python's path.
+        if is_too_old(package):
+            raise ComponentError("packages.older_one", path=found)
+        raise ComponentError("packages.another_first", path=found, package=package.pip_name)
+    try:
+        with folder_written_beside(str(package.folder), replaces=True) as folder:
+            yield from _fill(python, package, folder, wheels)
+    except OSError as error:
+        name = error.filename or package.folder
+        raise ComponentError(
+            "packages.not_installed", package=package.pip_name, reason=error.strerror, name=name
+        ) from error
 
 
 _CHECK = """
@@ -162,7 +181,7 @@ print(module.__file__)
 """
 
 
-def _install(python: str, package: Package, folder: str, wheels: str) -> Commands:
+def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
     temporary = Path(folder).parent / "tmp"
     temporary.mkdir()
     requirement = package.requirement(np.__version__)
@@ -172,8 +191,9 @@ def _install(python: str, package: Package, folder: str, wheels: str) -> Command
     pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
         raise ComponentError(why_pip_failed(requirement, pip.output, wheels))
-    # Of a variant the module may be there twice; SemRef's newest comes first.
-    path = json.dumps([folder, *sys.path] if package.own_folder else [*sys.path, folder])
+    # As from the next start on: what SemRef installed before comes behind it.
+    own = [entry for entry in sys.path if entry.startswith(str(components_root()))]
+    path = json.dumps([*(entry for entry in sys.path if entry not in own), folder, *own])
     title = tr("Checking {package}…").format(package=package.pip_name)
     arguments = ["-c", _CHECK, path, package.needed_module, np.__version__]
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})

@@ -22,7 +22,7 @@ SENTENCES = {
     "packages.no_wheel": "{folder} has no wheel of {package} for Python {python} on this system.",
     "packages.not_in_index": "The package index has no {package} for Python {python} on this system.",
     "packages.no_python": ("No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead."),
-    "packages.no_pip": "{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.",
+    "packages.no_pip": "{python}, the Python of QGIS, has no pip; {how_to_get_pip}.",
     "packages.older_one": (
         "{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it."
     ),

@@ -88,9 +88,3 @@ def test_every_package_that_is_offered_is_pinned(numpy_version):
     for package in components.ONNXRUNTIME_VARIANTS:
         lines = package.pinned(numpy_version)
         assert lines and all("--hash=sha256:" in line for line in lines)
-
-
-def test_what_to_type_for_a_variant_is_pip_everywhere(monkeypatch):
-    monkeypatch.setattr(components, "_package_manager", lambda: "debian")
-    command = components.install_command([components.ONNXRUNTIME_VARIANTS[0]])
-    assert "apt" not in command and "onnxruntime-gpu" in command

@@ -59,12 +59,8 @@ class ComponentInstaller(QObject):
         process.kill()
         process.waitForFinished(_KILLED_WITHIN_MS)
         process.deleteLater()
-        try:
-            self._commands.close()
-        except SemRefError as error:
-            self._end(self.failed, worded(error))
-        else:
-            self._end(self.canceled)
+        self._commands.close()
+        self._end(self.canceled)
 
     def _go_on(self, answer: Answer | None) -> None:
         try:

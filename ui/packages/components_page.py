@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
-
 import numpy as np
 from qgis.core import QgsApplication, QgsSettings
 from qgis.gui import QgsOptionsPageWidget
@@ -33,8 +31,10 @@ from ...processing.packages.components import (
     install_command,
     installed_version,
     is_missing,
+    is_own,
     is_tested,
     is_too_old,
+    origin,
     purpose,
     remove_components,
 )
@@ -170,7 +170,7 @@ class ComponentsPage(QgsOptionsPageWidget):
                 is_wanted = package not in OPTIONAL
                 item.setCheckState(0, Qt.CheckState.Checked if is_wanted else Qt.CheckState.Unchecked)
             else:
-                item.setToolTip(2, _file(package))
+                item.setToolTip(2, origin(package))
             self.list.addTopLevelItem(item)
         self.list.fit()
         self._enable()
@@ -276,10 +276,4 @@ def _state(package: Package) -> str:
     version = installed_version(package)
     if version and not is_tested(version, package.tested(np.__version__)):
         return tr("{version}, which was not tested").format(version=version)
-    return tr("Installed by SemRef") if _file(package).startswith(str(components_root())) else tr("Ready")
-
-
-def _file(package: Package) -> str:
-    """That Python imports; empty where it was imported once and has been removed from the disk since."""
-    found = importlib.util.find_spec(package.module)
-    return "" if found is None else found.origin or ""
+    return tr("Installed by SemRef") if is_own(package) else tr("Ready")

@@ -25,7 +25,7 @@ def test_a_missing_opencv_is_told_with_how_to_install_it_and_the_algorithms_stay
         assert algorithm_id in listed
         possible, reason = registry.createAlgorithmById(algorithm_id).canExecute()
         assert not possible
-        assert "opencv-python-headless" in reason and "python3-opencv" in reason
+        assert "pip install" in reason and "opencv-python-headless>=" in reason
 
 
 @pytest.mark.parametrize("name", ["is_missing", "is_too_old"])
@@ -36,6 +36,6 @@ def test_a_missing_or_old_shapely_is_told_where_it_is_needed(qgis_app, monkeypat
     needy = registry.createAlgorithmById(algorithm)
     possible, reason = needy.canExecute()
     assert not possible
-    assert '"shapely>=2' in reason or "install python3-shapely" in reason
+    assert '"shapely>=2' in reason
     rasterize = registry.createAlgorithmById(RASTERIZE)
     assert rasterize.canExecute()[0]
