@@ -40,7 +40,7 @@ class Diagnostics(QObject):
 
         QgsApplication.clipboard().setText(diagnostics(tuple(self._lines)))
         copied = tr(
-            "Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and "
-            "names of yours. Read them through, and paste them into a new issue."
+            "Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, "
+            "and paste them into a new issue."
         )
         return f"{copied} {tracker_url()}".strip()
