@@ -2368,10 +2368,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Erstellt</translation>
   </message>
   <message>
-   <source>Made of: {sources}</source>
-   <translation>Hergestellt aus: {sources}</translation>
-  </message>
-  <message>
    <source>Make a reference database of polygons…</source>
    <translation>Aus Polygonen eine Referenzdatenbank machen…</translation>
   </message>
@@ -2858,10 +2854,6 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Of the image’s center, in degrees (WGS 84)</source>
    <translation>Der Bildmitte, in Grad (WGS 84)</translation>
-  </message>
-  <message>
-   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
-   <translation>Aus dem Ordner „core“ des Plugins braucht das Flugzeug: {rooms}.</translation>
   </message>
   <message>
    <source>Offset</source>
@@ -3816,8 +3808,8 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisierer selbst lokalisiert; eine Regression überträgt, was sie lehren, auf Quadrate mit wenigen Versuchen. Außer der Datenbank wird nichts gebraucht. Es ist eine Erwartung: Zu gering angegebenes Rauschen und Veränderungen im Gelände machen sie zu gut. „Lokalisierung bewerten“ prüft eine Datenbank mit einer Klassenkarte anderen Datums.</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
-   <translation>Signiert die Datei (HMAC-SHA256) mit den Bytes dieser Datei, zum Beispiel 32 zufälligen, sodass „python -m core … --require-signature KEY“ keine Datei nimmt, die andere gemacht oder geändert haben. Halten Sie den Schlüssel geheim: Wer ihn hat, kann signieren.</translation>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>Signiert die Datei (HMAC-SHA256) mit den Bytes dieser Datei, zum Beispiel 32 zufälligen, sodass „semref … --require-signature KEY“ keine Datei nimmt, die andere gemacht oder geändert haben. Halten Sie den Schlüssel geheim: Wer ihn hat, kann signieren.</translation>
   </message>
   <message>
    <source>Simplifying borders</source>
@@ -5344,10 +5336,10 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>World-Datei</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
-   <translation>Schreibt eine Referenzdatenbank als eine kleine Datei (.npz), mit der ein Rechner ohne QGIS lokalisiert: Kopieren Sie den Ordner „core“ des Plugins daneben und rufen Sie „python -m core localize“ auf.
+   <translation>Schreibt eine Referenzdatenbank als eine kleine Datei (.npz), mit der ein Rechner ohne QGIS lokalisiert: Installieren Sie dort das Python-Paket semref und rufen Sie „semref localize“ auf.
 
 Positionen, Flächen und Vektoren werden gerundet; das Protokoll sagt, wie sehr. Eine ältere Borddatei wird ersetzt, was das Protokoll sagt; eine Datei anderer Art wird nie überschrieben.</translation>
   </message>

@@ -2368,10 +2368,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Creado</translation>
   </message>
   <message>
-   <source>Made of: {sources}</source>
-   <translation>Hecho a partir de: {sources}</translation>
-  </message>
-  <message>
    <source>Make a reference database of polygons…</source>
    <translation>Hacer una base de datos de referencia a partir de polígonos…</translation>
   </message>
@@ -2858,10 +2854,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Of the image’s center, in degrees (WGS 84)</source>
    <translation>Del centro de la imagen, en grados (WGS 84)</translation>
-  </message>
-  <message>
-   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
-   <translation>De la carpeta «core» del complemento, la aeronave necesita: {rooms}.</translation>
   </message>
   <message>
    <source>Offset</source>
@@ -3816,8 +3808,8 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Se simulan imágenes de los propios hitos de la base de datos, se degradan y las localiza el mismo localizador; una regresión lleva lo aprendido a los cuadrados con pocos ensayos. No se necesita más que la base de datos. Es una expectativa: un ruido subestimado y los cambios del terreno la hacen demasiado buena. «Evaluar la localización» prueba una base de datos con un mapa de etiquetas de otra fecha.</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
-   <translation>Firma el archivo (HMAC-SHA256) con los bytes de este archivo, por ejemplo 32 aleatorios, para que «python -m core … --require-signature KEY» no acepte ningún archivo que otros hayan hecho o cambiado. Mantenga la clave en secreto: quien la tiene puede firmar.</translation>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>Firma el archivo (HMAC-SHA256) con los bytes de este archivo, por ejemplo 32 aleatorios, para que «semref … --require-signature KEY» no acepte ningún archivo que otros hayan hecho o cambiado. Mantenga la clave en secreto: quien la tiene puede firmar.</translation>
   </message>
   <message>
    <source>Simplifying borders</source>
@@ -5344,10 +5336,10 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Archivo world</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
-   <translation>Escribe una base de datos de referencia en un solo archivo pequeño (.npz) con el que localiza un ordenador sin QGIS: copie al lado la carpeta «core» del complemento y ejecute «python -m core localize».
+   <translation>Escribe una base de datos de referencia en un solo archivo pequeño (.npz) con el que localiza un ordenador sin QGIS: instale allí el paquete de Python semref y ejecute «semref localize».
 
 Las posiciones, las áreas y los vectores se redondean; el registro dice cuánto. Un archivo de a bordo anterior se reemplaza, y el registro lo dice; un archivo de otra clase nunca se sobrescribe.</translation>
   </message>

@@ -2368,10 +2368,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Créé</translation>
   </message>
   <message>
-   <source>Made of: {sources}</source>
-   <translation>Fait à partir de : {sources}</translation>
-  </message>
-  <message>
    <source>Make a reference database of polygons…</source>
    <translation>Faire une base de données de référence à partir de polygones…</translation>
   </message>
@@ -2858,10 +2854,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Of the image’s center, in degrees (WGS 84)</source>
    <translation>Du centre de l’image, en degrés (WGS 84)</translation>
-  </message>
-  <message>
-   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
-   <translation>Du dossier « core » de l’extension, l’aéronef a besoin de : {rooms}.</translation>
   </message>
   <message>
    <source>Offset</source>
@@ -3816,8 +3808,8 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Des images des repères visuels de la base sont simulées, dégradées et localisées par le localiseur lui-même ; une régression étend ce qu’elles apprennent aux carrés peu essayés. Rien d’autre que la base n’est nécessaire. C’est une attente : un bruit sous-estimé et des changements du terrain la rendent trop bonne. « Évaluer la localisation » éprouve une base avec une carte d’étiquettes d’une autre date.</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
-   <translation>Signe le fichier (HMAC-SHA256) avec les octets de ce fichier, par exemple 32 octets aléatoires, pour que « python -m core … --require-signature KEY » n’accepte aucun fichier fait ou modifié par d’autres. Gardez la clé secrète : qui l’a peut signer.</translation>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>Signe le fichier (HMAC-SHA256) avec les octets de ce fichier, par exemple 32 octets aléatoires, pour que « semref … --require-signature KEY » n’accepte aucun fichier fait ou modifié par d’autres. Gardez la clé secrète : qui l’a peut signer.</translation>
   </message>
   <message>
    <source>Simplifying borders</source>
@@ -5344,10 +5336,10 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Fichier world</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
-   <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) avec lequel un ordinateur sans QGIS localise : copiez à côté le dossier « core » de l’extension et lancez « python -m core localize ».
+   <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) avec lequel un ordinateur sans QGIS localise : installez-y le paquet Python semref et lancez « semref localize ».
 
 Les positions, les surfaces et les vecteurs sont arrondis ; le journal dit de combien. Un fichier de bord plus ancien est remplacé, ce que dit le journal ; un fichier d’une autre sorte n’est jamais écrasé.</translation>
   </message>

@@ -2368,10 +2368,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>制作</translation>
   </message>
   <message>
-   <source>Made of: {sources}</source>
-   <translation>来源：{sources}</translation>
-  </message>
-  <message>
    <source>Make a reference database of polygons…</source>
    <translation>由多边形制作参考数据库…</translation>
   </message>
@@ -2858,10 +2854,6 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Of the image’s center, in degrees (WGS 84)</source>
    <translation>影像中心，单位为度 (WGS 84)</translation>
-  </message>
-  <message>
-   <source>Of the plugin’s folder “core” the aircraft needs: {rooms}.</source>
-   <translation>飞行器需要插件文件夹“core”中的：{rooms}。</translation>
   </message>
   <message>
    <source>Offset</source>
@@ -3816,8 +3808,8 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 以数据库自身的地标模拟影像，加入噪声，并由定位器本身定位；回归把所得结果推广到试验少的方格。除数据库外无需其他数据。这是预期：噪声填得过小或地面有变化都会使其偏高。“评估定位”可用其他日期的标签图检验数据库。</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “python -m core … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
-   <translation>用此文件的字节（例如 32 个随机字节）为文件签名（HMAC-SHA256），使“python -m core … --require-signature KEY”不接受他人制作或更改的文件。请妥善保密密钥：持有者即可签名。</translation>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <translation>用此文件的字节（例如 32 个随机字节）为文件签名（HMAC-SHA256），使“semref … --require-signature KEY”不接受他人制作或更改的文件。请妥善保密密钥：持有者即可签名。</translation>
   </message>
   <message>
    <source>Simplifying borders</source>
@@ -5344,10 +5336,10 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>世界文件</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: copy the plugin’s folder “core” beside it and run “python -m core localize”.
+   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
-   <translation>将参考数据库写成一个小文件 (.npz)，没有 QGIS 的计算机可用它定位：把插件的“core”文件夹复制到旁边，运行“python -m core localize”。
+   <translation>将参考数据库写成一个小文件 (.npz)，没有 QGIS 的计算机可用它定位：在该计算机上安装 Python 包 semref，运行“semref localize”。
 
 位置、面积和向量会被舍入，日志会说明舍入多少。较旧的机载文件会被替换，日志会予以说明；其他类型的文件绝不会被覆盖。</translation>
   </message>
