@@ -125,6 +125,8 @@ def _require_tables(path: Path, tables: Collection[str]) -> None:
         with contextlib.closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", uri=True)) as connection:
             rows = connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')").fetchall()
     except sqlite3.Error as error:
+        if "locked" in str(error):
+            raise ParameterError("storage.not_replaceable", path=path) from None
         raise ParameterError("storage.older_unreadable", path=path, reason=str(error)) from None
     names = {name for (name,) in rows if not name.startswith(_OF_GEOPACKAGE)}
     others = sorted(names - {*_OF_A_LAYER, *tables})

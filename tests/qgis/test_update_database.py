@@ -279,3 +279,26 @@ def test_an_update_in_place_after_a_kept_one_is_not_undone_with_it(update, old, 
     with pytest.raises(DatabaseError, match="can't be undone"):
         undo_update(place)
     assert [Path(path).read_bytes() for path in (place, file_before(place))] == before
+
+
+@pytest.mark.parametrize("begin", ["BEGIN IMMEDIATE", "BEGIN EXCLUSIVE"])
+def test_a_database_that_another_program_locks_before_the_end_is_not_replaced(
+    update, old, tmp_path, monkeypatch, begin
+):
+    """What the other program commits then would go into a file that nobody sees any more."""
+    from semref.storage.database.editor import DatabaseEditor
+
+    place = str(shutil.copy(old, tmp_path / "area.gpkg"))
+    steps = DatabaseEditor.steps
+    with contextlib.closing(sqlite3.connect(place, isolation_level=None)) as other:
+
+        def lock_at_the_end(editor):
+            yield from steps(editor)
+            other.execute(begin)
+            other.execute("UPDATE classes SET name = 'tower' WHERE fid = 2")
+
+        monkeypatch.setattr(DatabaseEditor, "steps", lock_at_the_end)
+        with pytest.raises(QgsProcessingException, match="another program"):
+            update(DATABASE=place, OUTPUT=place)
+        other.execute("COMMIT")
+    assert rows(place, "SELECT name FROM classes WHERE fid = 2") == [("tower",)]
