@@ -72,10 +72,14 @@ def watched_downloads(layer: QgsRasterLayer) -> Iterator[Downloads]:
 
 
 def _check_request(request: QNetworkRequest) -> None:
-    """Takes the address out of a request that a redirect made, in the thread that asks."""
+    """Takes the address out of a request that a redirect made, or that follows too large an answer.
+
+    It runs in the thread that asks.
+    """
     for downloads in tuple(_watched) if _is_for_raster(request) else ():
         if request.url().scheme().lower() not in {*downloads.schemes, ""}:
             downloads.refused = request.url().toString()
+        if downloads.is_broken:
             request.setUrl(QUrl())
 
 
@@ -84,15 +88,19 @@ def _limit_reply(request: QNetworkRequest, reply: QNetworkReply) -> None:
     if not _watched or not _is_for_raster(request):
         return
 
-    def look(received: int, _total: int) -> None:
-        if received > MOST_ANSWER_BYTES:
-            for downloads in tuple(_watched):
+    def look() -> None:
+        # QGIS reads a reply only when it is whole.
+        watched = tuple(_watched)
+        if reply.bytesAvailable() >= MOST_ANSWER_BYTES or any(downloads.is_too_large for downloads in watched):
+            for downloads in watched:
                 downloads.is_too_large = True
             reply.abort()
 
     # Qt reads no further than this ahead, however fast the server is.
-    reply.setReadBufferSize(MOST_ANSWER_BYTES + 1)
-    reply.downloadProgress.connect(look)
+    reply.setReadBufferSize(2 * MOST_ANSWER_BYTES)
+    # Not downloadProgress: Qt leaves out some of its signals, perhaps that for the bytes that fill the buffer, after
+    # which QGIS would wait for its timeout.
+    reply.readyRead.connect(look)
 
 
 def _is_for_raster(request: QNetworkRequest) -> bool:

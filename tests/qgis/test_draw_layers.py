@@ -125,11 +125,13 @@ def test_a_cancel_ends_the_drawing_within_a_second(segment, tiles, feedback):
 
 
 def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, tiles, tmp_path):
-    sent = []
+    sent, began = [], time.monotonic()
     with pytest.raises(QgsProcessingException, match="more than 20 MB for one tile"):
         segment(tiles(sent=sent))
-    # Of six tiles at a time, with what the system's buffers hold.
-    assert 20e6 < sum(sent) < 6 * 40e6
+    # Not only when QGIS's own timeout of a minute ends the wait.
+    assert time.monotonic() - began < 30
+    # Some tiles at a time, and what the buffers of the system hold; a minute of them would be many gigabytes.
+    assert 20e6 < sum(sent) < 1e9
     assert list(tmp_path.iterdir()) == []
 
 
