@@ -29,11 +29,11 @@ from qgis_session import load_plugin_package  # noqa: E402
 load_plugin_package()
 
 from benchmarks import results  # noqa: E402
-from fuzz import in_qgis  # noqa: E402
+from fuzz import in_qgis, strangers  # noqa: E402
 from fuzz.contract import ACCEPTED, REFUSED, Verdict, World, limit_memory, tried  # noqa: E402
 from fuzz.doors import DOORS, FAULTY, Door  # noqa: E402
 
-ALL = (*DOORS, *in_qgis.DOORS)
+ALL = (*DOORS, *in_qgis.DOORS, *strangers.DOORS)
 LONGEST_S = 3600
 WORKPLACE = "/dev/shm" if os.path.isdir("/dev/shm") else None
 
