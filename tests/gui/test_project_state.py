@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from dock_area import corners, localize, messages, settle, shown_outline, start, table, wait_until
@@ -184,3 +185,26 @@ def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(
     assert handler.handleFileDrop(saved) and not handler.handleFileDrop(area.image)
     names = sorted(layer.name() for layer in QgsProject.instance().mapLayers().values())
     assert {"SemRef footprints", "SemRef positions", "SemRef matches"} <= set(names)
+
+
+def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list(
+    dock, iface, area, tmp_path, monkeypatch, tab
+):
+    from qgis.core import QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    saved = tmp_path / "elsewhere" / "results.gpkg"
+    saved.parent.mkdir()
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
+    localize(dock, area.database, [area.image])
+    tab.results.save.trigger()
+    state = tab.state_now()
+    QgsProject.instance().clear()
+    drawn = []
+    monkeypatch.setattr(tab.hit._picture_reader, "read", lambda *given: drawn.append(given[2].image))
+    tab.show_state(replace(state, images=[]))
+    assert drawn == [] and "not in their folder" in tab.results.image.canvas._text
+    tab.hit.drape(tab.results.table.selected())
+    assert any("not in their folder" in text for text in messages(iface))
+    tab.show_state(replace(state, images=[area.image]))
+    assert drawn == [area.image]
