@@ -36,6 +36,8 @@ def side_cars(world: World) -> Tools:
 
     from semref.storage.rasters import open_raster, require_own_pixels
 
+    # The host never answers: what asks it is found soon. This process tries nothing else.
+    gdal.SetConfigOption("GDAL_HTTP_TIMEOUT", "1")
     raster = str(world.folder / "labels.tif")
     memory = gdal.GetDriverByName("MEM").Create("", EDGE, EDGE, 1)
     memory.GetRasterBand(1).WriteArray(np.random.default_rng(1).integers(0, 5, (EDGE, EDGE), np.uint8))
