@@ -168,8 +168,8 @@
    <translation>Ein neuer oder leerer Ordner: die Klassen jedes Bildes, wie es lokalisiert wurde, als GeoTIFF mit der Klassentabelle.</translation>
   </message>
   <message>
-   <source>A new or empty folder; one of an earlier export is replaced.</source>
-   <translation>Ein neuer oder leerer Ordner; der eines früheren Exports wird ersetzt.</translation>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>Ein neuer oder leerer Ordner; einer mit Dateien bleibt unberührt.</translation>
   </message>
   <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
@@ -996,8 +996,8 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Gerät</translation>
   </message>
   <message>
-   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
-   <translation>Die Diagnose liegt in der Zwischenablage: Versionen, Pakete, Geräte und die letzten Meldungen, ohne Ihre Pfade und Namen. Lesen Sie sie durch und fügen Sie sie in eine neue Meldung ein.</translation>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, and paste them into a new issue.</source>
+   <translation>Die Diagnose liegt in der Zwischenablage: Versionen, Pakete, Geräte und die letzten Meldungen. Lesen Sie sie durch und fügen Sie sie in eine neue Meldung ein.</translation>
   </message>
   <message>
    <source>Direction of its longer semi-axis (°)</source>
@@ -6696,6 +6696,14 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} gibt es nicht; eine Modelldatei (.onnx) wählen.</translation>
   </message>
   <message>
+   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
+   <translation>{path} gibt es schon und kann nicht gelesen werden ({reason}), sodass unbekannt ist, was verloren ginge; entfernen oder einen anderen Namen wählen.</translation>
+  </message>
+  <message>
+   <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
+   <translation>{path} gibt es schon und ist eine Datei anderer Art, die verloren ginge; einen anderen Namen wählen.</translation>
+  </message>
+  <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
    <translation>{path} scheitert an einem Bild von {width} × {height} Pixeln: {reason}.</translation>
   </message>
@@ -6880,8 +6888,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} enthält Werte vom Typ {name}; Trainingskacheln entstehen aus Bildern mit 8 oder 16 Bit.</translation>
   </message>
   <message>
-   <source>{path} is a file; choose a folder.</source>
-   <translation>{path} ist eine Datei; einen Ordner wählen.</translation>
+   <source>{path} is a file or a link; choose a folder.</source>
+   <translation>{path} ist eine Datei oder eine Verknüpfung; einen Ordner wählen.</translation>
   </message>
   <message>
    <source>{path} is a folder; give a file name.</source>
@@ -7132,6 +7140,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} wurde nicht mit dem Schlüssel dieses Flugs geschrieben (--require-signature, sonst das Geheimnis dieses Benutzers) oder seither geändert.</translation>
   </message>
   <message>
+   <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
+   <translation>{path} würde für einen Teil der neuen Datei {name} gehalten, gehört aber zu einer anderen; entfernen oder einen anderen Namen wählen.</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
    <translation>{placed} von {images} Bildern haben eine Position; Spuren: {tracks}.</translation>
   </message>
@@ -7196,8 +7208,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{python} fehlt das Python-Paket {package}; ein anderes Python wählen oder SemRef unter Einstellungen ▸ Optionen ▸ SemRef eines zum Trainieren anlegen lassen.</translation>
   </message>
   <message>
-   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
-   <translation>{python}, das Python von QGIS, hat kein pip; {how_to_get_pip} oder verwenden Sie stattdessen „{command}“.</translation>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}.</source>
+   <translation>{python}, das Python von QGIS, hat kein pip; {how_to_get_pip}.</translation>
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
@@ -7478,6 +7490,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>„{output}“ ist dieselbe Datei wie „{input}“, {path}, die verloren ginge; einen anderen Ort für „{output}“ wählen.</translation>
+  </message>
+  <message>
+   <source>“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”.</source>
+   <translation>„{output}“ ist {path}, was einen Layer einer Datei nennt; eine Datei wählen oder einen Layer mit „In GeoPackage speichern“ hinzufügen.</translation>
   </message>
   <message>
    <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>

@@ -168,8 +168,8 @@
    <translation>Una carpeta nueva o vacía: las etiquetas de cada imagen tal como se localizaron, un GeoTIFF con la tabla de clases.</translation>
   </message>
   <message>
-   <source>A new or empty folder; one of an earlier export is replaced.</source>
-   <translation>Una carpeta nueva o vacía; la de una exportación anterior se reemplaza.</translation>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>Una carpeta nueva o vacía; una que contiene archivos no se toca.</translation>
   </message>
   <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
@@ -996,8 +996,8 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Dispositivo</translation>
   </message>
   <message>
-   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
-   <translation>El diagnóstico está en el portapapeles: versiones, paquetes, dispositivos y los últimos mensajes, sin sus rutas ni nombres. Léalo y péguelo en una nueva incidencia.</translation>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, and paste them into a new issue.</source>
+   <translation>El diagnóstico está en el portapapeles: versiones, paquetes, dispositivos y los últimos mensajes. Léalo y péguelo en una nueva incidencia.</translation>
   </message>
   <message>
    <source>Direction of its longer semi-axis (°)</source>
@@ -6696,6 +6696,14 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no existe; elija un archivo de modelo (.onnx).</translation>
   </message>
   <message>
+   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
+   <translation>{path} existe y no se puede leer ({reason}), de modo que no se sabe qué se perdería; elimínelo o elija otro nombre.</translation>
+  </message>
+  <message>
+   <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
+   <translation>{path} existe y es otro tipo de archivo, que se perdería; elija otro nombre.</translation>
+  </message>
+  <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
    <translation>{path} falla con una imagen de {width} × {height} píxeles: {reason}.</translation>
   </message>
@@ -6880,8 +6888,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} contiene valores {name}; las teselas de entrenamiento se hacen con imágenes de 8 o 16 bits.</translation>
   </message>
   <message>
-   <source>{path} is a file; choose a folder.</source>
-   <translation>{path} es un archivo; elija una carpeta.</translation>
+   <source>{path} is a file or a link; choose a folder.</source>
+   <translation>{path} es un archivo o un enlace; elija una carpeta.</translation>
   </message>
   <message>
    <source>{path} is a folder; give a file name.</source>
@@ -7132,6 +7140,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no se escribió con la clave de este vuelo (--require-signature; si no, el secreto de este usuario) o se modificó después.</translation>
   </message>
   <message>
+   <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
+   <translation>{path} se tomaría por una parte del nuevo {name}, pero pertenece a otro archivo; elimínelo o elija otro nombre.</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
    <translation>{placed} de {images} imágenes tienen posición; trayectorias: {tracks}.</translation>
   </message>
@@ -7196,8 +7208,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>A {python} le falta el paquete de Python {package}; elija otro Python o haga que SemRef cree uno para entrenar en Configuración ▸ Opciones ▸ SemRef.</translation>
   </message>
   <message>
-   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
-   <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}, o use en su lugar «{command}».</translation>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}.</source>
+   <translation>{python}, el Python de QGIS, no tiene pip; {how_to_get_pip}.</translation>
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
@@ -7478,6 +7490,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>«{output}» es el mismo archivo que «{input}», {path}, que se perdería; elija otro lugar para «{output}».</translation>
+  </message>
+  <message>
+   <source>“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”.</source>
+   <translation>«{output}» es {path}, que nombra una capa de un archivo; elija un archivo o añada una capa con «Guardar en GeoPackage».</translation>
   </message>
   <message>
    <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>

@@ -168,8 +168,8 @@
    <translation>Un dossier nouveau ou vide : les étiquettes de chaque image telles qu’elles ont été localisées, un GeoTIFF avec la table des classes.</translation>
   </message>
   <message>
-   <source>A new or empty folder; one of an earlier export is replaced.</source>
-   <translation>Un dossier nouveau ou vide ; celui d’une exportation précédente est remplacé.</translation>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>Un dossier nouveau ou vide ; un dossier qui contient des fichiers n’est pas touché.</translation>
   </message>
   <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
@@ -996,8 +996,8 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Appareil</translation>
   </message>
   <message>
-   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
-   <translation>Le diagnostic est dans le presse-papiers : versions, paquets, périphériques et derniers messages, sans vos chemins ni vos noms. Relisez-le, puis collez-le dans un nouveau ticket.</translation>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, and paste them into a new issue.</source>
+   <translation>Le diagnostic est dans le presse-papiers : versions, paquets, périphériques et derniers messages. Relisez-le, puis collez-le dans un nouveau ticket.</translation>
   </message>
   <message>
    <source>Direction of its longer semi-axis (°)</source>
@@ -6696,6 +6696,14 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’existe pas ; choisissez un fichier de modèle (.onnx).</translation>
   </message>
   <message>
+   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
+   <translation>{path} existe et ne peut pas être lu ({reason}), si bien qu’on ne sait pas ce qui serait perdu ; supprimez-le ou choisissez un autre nom.</translation>
+  </message>
+  <message>
+   <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
+   <translation>{path} existe et est un autre type de fichier, qui serait perdu ; choisissez un autre nom.</translation>
+  </message>
+  <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
    <translation>{path} échoue sur une image de {width} × {height} pixels : {reason}.</translation>
   </message>
@@ -6880,8 +6888,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} contient des valeurs {name} ; les tuiles d’entraînement sont faites d’images de 8 ou 16 bits.</translation>
   </message>
   <message>
-   <source>{path} is a file; choose a folder.</source>
-   <translation>{path} est un fichier ; choisissez un dossier.</translation>
+   <source>{path} is a file or a link; choose a folder.</source>
+   <translation>{path} est un fichier ou un lien ; choisissez un dossier.</translation>
   </message>
   <message>
    <source>{path} is a folder; give a file name.</source>
@@ -7132,6 +7140,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’a pas été écrit avec la clé de ce vol (--require-signature, sinon le secret de cet utilisateur), ou a été modifié depuis.</translation>
   </message>
   <message>
+   <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
+   <translation>{path} serait pris pour une partie du nouveau {name}, mais appartient à un autre fichier ; supprimez-le ou choisissez un autre nom.</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
    <translation>{placed} images sur {images} ont une position ; traces : {tracks}.</translation>
   </message>
@@ -7196,8 +7208,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>Il manque à {python} le paquet Python {package} ; choisissez un autre Python, ou faites-en créer un par SemRef pour l’entraînement sous Préférences ▸ Options ▸ SemRef.</translation>
   </message>
   <message>
-   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
-   <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}, ou utilisez plutôt « {command} ».</translation>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}.</source>
+   <translation>{python}, le Python de QGIS, n’a pas pip ; {how_to_get_pip}.</translation>
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
@@ -7478,6 +7490,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>« {output} » est le même fichier que « {input} », {path}, qui serait perdu ; choisissez un autre emplacement pour « {output} ».</translation>
+  </message>
+  <message>
+   <source>“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”.</source>
+   <translation>« {output} » est {path}, qui nomme une couche d’un fichier ; choisissez un fichier, ou ajoutez une couche par « Enregistrer dans GeoPackage ».</translation>
   </message>
   <message>
    <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>

@@ -168,8 +168,8 @@
    <translation>新文件夹或空文件夹：每幅图像定位时所用的标签，为带类别表的 GeoTIFF。</translation>
   </message>
   <message>
-   <source>A new or empty folder; one of an earlier export is replaced.</source>
-   <translation>新文件夹或空文件夹；之前导出的文件夹会被替换。</translation>
+   <source>A new or empty folder; one that holds files is left alone.</source>
+   <translation>新文件夹或空文件夹；含有文件的文件夹保持不变。</translation>
   </message>
   <message>
    <source>A page with IoU of each class, confusion matrix, curves and examples side by side.</source>
@@ -996,8 +996,8 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>设备</translation>
   </message>
   <message>
-   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages, without paths and names of yours. Read them through, and paste them into a new issue.</source>
-   <translation>诊断信息已复制到剪贴板：版本、软件包、设备和最近的消息，不含您的路径和名称。请检查一遍，然后粘贴到新的问题报告中。</translation>
+   <source>Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, and paste them into a new issue.</source>
+   <translation>诊断信息已复制到剪贴板：版本、软件包、设备和最近的消息。请检查一遍，然后粘贴到新的问题报告中。</translation>
   </message>
   <message>
    <source>Direction of its longer semi-axis (°)</source>
@@ -6696,6 +6696,14 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不存在；请选择模型文件 (.onnx)。</translation>
   </message>
   <message>
+   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
+   <translation>{path} 已存在但无法读取（{reason}），因此不知道会丢失什么；请将其删除或选择其他名称。</translation>
+  </message>
+  <message>
+   <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
+   <translation>{path} 已存在且是另一种文件，会因此丢失；请选择其他名称。</translation>
+  </message>
+  <message>
    <source>{path} fails on an image of {width} × {height} pixels: {reason}.</source>
    <translation>{path} 处理 {width} × {height} 像元的影像时失败：{reason}。</translation>
   </message>
@@ -6880,8 +6888,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 包含 {name} 值；训练图块由 8 位或 16 位影像制成。</translation>
   </message>
   <message>
-   <source>{path} is a file; choose a folder.</source>
-   <translation>{path} 是文件；请选择文件夹。</translation>
+   <source>{path} is a file or a link; choose a folder.</source>
+   <translation>{path} 是文件或链接；请选择文件夹。</translation>
   </message>
   <message>
    <source>{path} is a folder; give a file name.</source>
@@ -7132,6 +7140,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不是用本次飞行的密钥写入的（--require-signature，否则为该用户的密钥），或在此后被更改。</translation>
   </message>
   <message>
+   <source>{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another name.</source>
+   <translation>{path} 会被当作新文件 {name} 的一部分，但它属于另一个文件；请将其删除或选择其他名称。</translation>
+  </message>
+  <message>
    <source>{placed} of {images} images have a position; tracks: {tracks}.</source>
    <translation>{images} 幅影像中有 {placed} 幅有位置；航迹数：{tracks}。</translation>
   </message>
@@ -7196,8 +7208,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{python} 缺少 Python 包 {package}；请选择其他 Python，或在“设置 ▸ 选项 ▸ SemRef”中让 SemRef 创建一个用于训练的 Python。</translation>
   </message>
   <message>
-   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}, or use “{command}” instead.</source>
-   <translation>QGIS 的 Python {python} 没有 pip；{how_to_get_pip}，或改用“{command}”。</translation>
+   <source>{python}, the Python of QGIS, has no pip; {how_to_get_pip}.</source>
+   <translation>QGIS 的 Python {python} 没有 pip；{how_to_get_pip}。</translation>
   </message>
   <message>
    <source>{python}: torch {version} on {device}</source>
@@ -7478,6 +7490,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for “{output}”.</source>
    <translation>“{output}”与“{input}”是同一个文件 {path}，该文件将会丢失；请为“{output}”选择其他位置。</translation>
+  </message>
+  <message>
+   <source>“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to GeoPackage”.</source>
+   <translation>“{output}”为 {path}，它指向某个文件中的图层；请选择一个文件，或通过“保存到 GeoPackage”添加图层。</translation>
   </message>
   <message>
    <source>“{source}” can't be read to its end: {reason}. Copy or download it again.</source>
