@@ -2,7 +2,7 @@
 
 import pytest
 
-from semref.core.geometry.camera import Camera, Lens
+from semref.core.geometry.camera import Camera, Lens, above_ground
 from semref.core.geometry.leveling import Attitude
 from semref.core.localization import Method, Prior
 from semref.core.localizer.search import Search
@@ -31,7 +31,7 @@ def test_the_heading_of_the_camera_counts_where_the_user_said_nothing(known, hea
 
 
 def test_height_and_lens_tell_the_pixel_size_unless_scales_are_given():
-    camera = Camera(lens=LENS, height=100.0)
+    camera = Camera(lens=LENS, height=above_ground(100.0))
     own = Search(Method.CONSTELLATION).prior_of(Localizer(), camera, SHAPE_HW).pixel_size_range
     assert own == camera.pixel_sizes(SHAPE_HW) and own is not None
     given = Search(Method.CONSTELLATION, scales=(0.5, 2.0)).prior_of(Localizer(), camera, SHAPE_HW)
