@@ -16,11 +16,11 @@ _MOMENT = re.compile(rb"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d(\.\d+)?)?(Z|\+00:00)?
 
 _MADE_UP = re.compile(
     r"\w{3} \w{3} +\d+ \d\d:\d\d:\d\d \d{4}|\{[0-9a-f]{8}-[0-9a-f-]{27}\}"
-    r"|<history>.*?</history>|<elevation.*?</elevation>",
+    r"|(?:<history>.*?</history>(?:\s|\\n)*)+|<elevation.*?</elevation>",
     re.DOTALL,
 )
-"""When QGIS put a style into a GeoPackage, its keys of rules and colors of profiles, and the call, with its
-time, that made a layer."""
+"""When QGIS put a style into a GeoPackage, its keys of rules and colors of profiles, and the calls, with their
+times, that made a layer."""
 
 _TEXTS = (".html", ".json", ".qml", ".qmd", ".csv", ".txt")
 
