@@ -32,7 +32,10 @@ class StandIn(metaclass=StandInType):
 
 def install(profile: str) -> None:
     """Puts the modules into ``sys.modules``; ``profile`` is the folder that QGIS's settings would lie in."""
-    qt = {name: importlib.import_module(f"PyQt6.{name}") for name in ("QtCore", "QtGui", "QtWidgets", "QtNetwork")}
+    qt = {
+        name: importlib.import_module(f"PyQt6.{name}")
+        for name in ("QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml")
+    }
     for name in ACTIONS:
         setattr(qt["QtWidgets"], name, getattr(qt["QtGui"], name))
     pyqt = types.ModuleType("qgis.PyQt")
@@ -40,7 +43,9 @@ def install(profile: str) -> None:
     for name, module in qt.items():
         setattr(pyqt, name, module)
         sys.modules[f"qgis.PyQt.{name}"] = module
-    sys.modules["qgis"] = module_of("qgis", {"PyQt": pyqt})
+    utils = module_of("qgis.utils", {"iface": None})
+    sys.modules["qgis"] = module_of("qgis", {"PyQt": pyqt, "utils": utils})
+    sys.modules["qgis.utils"] = utils
     sys.modules["qgis.core"] = module_of("qgis.core", core_classes(qt, profile))
     sys.modules["qgis.gui"] = module_of("qgis.gui", {"QgsOptionsPageWidget": qt["QtWidgets"].QWidget})
     for name in ("osgeo", "osgeo.gdal", "osgeo.ogr", "osgeo.osr", "processing"):
