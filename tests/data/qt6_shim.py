@@ -10,6 +10,8 @@ import importlib
 import sys
 import types
 
+MODULES = "QtCore", "QtGui", "QtWidgets", "QtNetwork", "QtXml"
+
 ACTIONS = ("QAction", "QActionGroup", "QShortcut")
 """Qt 6 moved them to QtGui; QGIS has them in QtWidgets still."""
 
