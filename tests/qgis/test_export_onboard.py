@@ -161,11 +161,15 @@ def test_an_older_onboard_file_is_replaced_which_is_said(export, feedback):
     assert [entry.name for entry in path.parent.iterdir()] == [path.name]
 
 
-def test_any_other_file_is_left_alone(export, tmp_path):
-    (tmp_path / "area.npz").write_bytes(b"measurements")
-    with pytest.raises(QgsProcessingException, match="is no onboard file"):
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [(b"measurements", "is another kind of file"), (b"PK\x03\x04 somebody's archive", "is no onboard file")],
+)
+def test_any_other_file_is_left_alone(export, tmp_path, content, reason):
+    (tmp_path / "area.npz").write_bytes(content)
+    with pytest.raises(QgsProcessingException, match=reason):
         export()
-    assert (tmp_path / "area.npz").read_bytes() == b"measurements"
+    assert (tmp_path / "area.npz").read_bytes() == content
 
 
 def test_a_foreign_database_is_refused_and_nothing_is_left(export, tmp_path):
