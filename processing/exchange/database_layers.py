@@ -166,6 +166,7 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
     def __init__(self, path: str, labels: str) -> None:
         super().__init__()
         self._path, self._labels = path, labels
+        self.taken = ""
 
     def postProcessLayer(self, layer, context, feedback):
         project = context.project()
@@ -185,7 +186,7 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
         group = next((database_group(layer, project) for layer in database_layers(self._path, project)), None)
         found = [layer for layer in project.mapLayers().values() if self._labels and layer.source() == self._labels]
         if group is not None and found:
-            self._labels = ""
+            self._labels, self.taken = "", found[0].id()
             node = move(project.layerTreeRoot().findLayer(found[0].id()), group, len(group.children()))
             node.setExpanded(False)
             node.setItemVisibilityChecked(False)
@@ -193,7 +194,8 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
 
 def place_new_layer(layer: QgsMapLayer, project: QgsProject | None) -> None:
     """Moves a layer that QGIS has just opened to its place: never into the group of another database."""
-    if project is None:
+    # QGIS 3.40 opens all layers of a run before it passes on the first one.
+    if project is None or any(opener.taken == layer.id() for opener in _KEPT):
         return
     if isinstance(layer, QgsRasterLayer):
         place_at_bottom(layer, project)

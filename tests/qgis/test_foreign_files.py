@@ -173,7 +173,8 @@ for name in ("theirs.csv", "own.csv"):
 @pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() != 0, reason="only root can be two users")
 def test_another_users_file_in_a_shared_folder_stays_whatever_is_planted(tmp_path):
     """A plan in a folder there once had the other user's own SemRef replace what the sticky bit guards."""
-    shared = Path(tempfile.mkdtemp(prefix="semref-shared-"))
+    # Not in TMPDIR, which may be closed to others.
+    shared = Path(tempfile.mkdtemp(prefix="semref-shared-", dir="/tmp"))
     try:
         shared.chmod(0o1777)
         (shared / "theirs.csv").write_text("theirs")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import re
 
 import numpy as np
 import pytest
@@ -95,5 +96,5 @@ def test_a_missing_onnxruntime_is_told_with_how_to_install_it(qgis_app, monkeypa
     possible, reason = registry.createAlgorithmById(SEGMENT).canExecute()
     assert not possible
     # Which command fits which release: test_components.py.
-    assert 'install --no-deps "onnxruntime' in reason or "install python3-onnxruntime" in reason
+    assert re.search('install --no-deps [^“”]*"onnxruntime', reason)
     assert registry.createAlgorithmById(LOCALIZE).canExecute() == (True, "")
