@@ -12,6 +12,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST_S = 900
 
+pytest.importorskip("hypothesis")
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="fuzzing limits memory as Linux lets it")
 
 
