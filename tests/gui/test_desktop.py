@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -26,7 +27,7 @@ def write_layer(path: str, table: str) -> None:
     from osgeo import ogr
 
     driver = ogr.GetDriverByName("GPKG")
-    source = driver.Open(path, 1) or driver.CreateDataSource(path)
+    source = driver.Open(path, 1) if os.path.exists(path) else driver.CreateDataSource(path)
     source.CreateLayer(table, geom_type=ogr.wkbPoint)
     del source
 

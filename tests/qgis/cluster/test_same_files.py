@@ -107,7 +107,7 @@ def annotation(tmp_path_factory):
         x, y = WEST + rng.uniform(0, 4700), NORTH - rng.uniform(0, 8200)
         width, height = rng.uniform(5, 260, 2)
         corners = [(x, y), (x + width, y + 3), (x + width - 2, y + height), (x - 1, y + height)]
-        ring = ", ".join(f"{a!r} {b!r}" for a, b in [*corners, corners[0]])
+        ring = ", ".join(f"{float(a)!r} {float(b)!r}" for a, b in [*corners, corners[0]])
         far = f", (({x + 900} {y}, {x + 950.5} {y}, {x + 950.5} {y + 33}, {x + 900} {y}))" if n % 9 == 0 else ""
         level = None if n % 11 == 0 else float(rng.integers(0, 4))
         name = ("building", "water", "bare_land", "field")[rng.integers(0, 4)]
