@@ -6,6 +6,7 @@ import contextlib
 import hashlib
 import re
 import sqlite3
+import zipfile
 from pathlib import Path
 
 _VOLATILE = ("last_change", "update_time", "timestamp")
@@ -44,9 +45,20 @@ def digest(path: Path) -> str:
     if path.suffix == ".gpkg":
         return _database_digest(path)
     data = path.read_bytes()
+    if path.suffix == ".npz" and zipfile.is_zipfile(path):
+        data = _without_export_date(path)
     if path.suffix == ".qmd":
         data = _MADE_UP.sub("", data.decode("utf-8")).encode()
     return hashlib.sha256(_MOMENT.sub(b"", data) if path.suffix in _TEXTS else data).hexdigest()
+
+
+def _without_export_date(path: Path) -> bytes:
+    """What an onboard file holds but its export date and what is computed with it."""
+    with zipfile.ZipFile(path) as file:
+        members = sorted(set(file.namelist()) - {"content_hash.npy", "signature.npy"})
+        return b"".join(
+            _MOMENT.sub(b"", file.read(name)) if name == "header.npy" else file.read(name) for name in members
+        )
 
 
 def _is_seen(path: Path, folder: Path) -> bool:
