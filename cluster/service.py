@@ -1,8 +1,8 @@
 """Have workers do the tasks that QGIS asks for, and report what comes of them as a line of JSON each.
 
 QGIS writes lines to this process: a task (``task``, ``in_order``, and ``shared``, the file of what all its calls
-share), and then, whenever it reads “next”, the file of a call's arguments or null for the end. Results go into files,
-too. All files are of ``storage.serialization``.
+share), and then, whenever it reads “next”, the file of a call's arguments or null for the end. Result number N
+goes into the file ``result_N`` of the order's folder. All files are of ``storage.serialization``.
 """
 
 from __future__ import annotations
@@ -58,9 +58,8 @@ def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
         else runner(asked["task"], _calls(), shared)
     )
     for number, result in found:
-        file = str(folder / f"result_{number}")
-        write(file, result)
-        _report("result", number=number, file=file)
+        write(str(folder / f"result_{number}"), result)
+        _report("result", number=number)
     _report("end")
 
 

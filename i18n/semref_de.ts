@@ -7132,6 +7132,10 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} wurde von einem anderen Programm halb geschrieben zurückgelassen und lässt sich an diesem Ort nicht reparieren; kopieren Sie die Datei zusammen mit {path}-journal oder {path}-wal an einen Ort, an dem Sie schreiben dürfen.</translation>
   </message>
   <message>
+   <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
+   <translation>{path} stammt nicht von einer Aktualisierung durch SemRef und würde ersetzt. Die Datei an einen anderen Ort verschieben und noch einmal aktualisieren.</translation>
+  </message>
+  <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} wurde nicht mit dem Schlüssel {key} signiert oder seitdem geändert; holen Sie die Datei noch einmal von dort, wo sie exportiert wurde.</translation>
   </message>

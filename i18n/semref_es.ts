@@ -7132,6 +7132,10 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>Otro programa dejó {path} a medio escribir y no se puede reparar donde está; cópielo junto con el archivo {path}-journal o {path}-wal a un lugar donde pueda escribir.</translation>
   </message>
   <message>
+   <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
+   <translation>{path} no se creó en una actualización de SemRef y se reemplazaría. Muévalo a otro lugar y actualice de nuevo.</translation>
+  </message>
+  <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} no se firmó con la clave {key}, o se cambió después; obténgalo de nuevo de donde se exportó.</translation>
   </message>

@@ -7132,6 +7132,10 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} a été laissé à moitié écrit par un autre programme et ne peut être réparé à cet endroit ; copiez-le avec le fichier {path}-journal ou {path}-wal à un endroit où vous pouvez écrire.</translation>
   </message>
   <message>
+   <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
+   <translation>{path} ne vient pas d’une mise à jour de SemRef et serait remplacé. Déplacez-le ailleurs et refaites la mise à jour.</translation>
+  </message>
+  <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} n’a pas été signé avec la clé {key}, ou a été modifié depuis ; récupérez-le à nouveau là où il a été exporté.</translation>
   </message>

@@ -7132,6 +7132,10 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 被另一个程序写了一半，且无法在原处修复；请将它连同 {path}-journal 或 {path}-wal 文件复制到可写的位置。</translation>
   </message>
   <message>
+   <source>{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update again.</source>
+   <translation>{path} 不是由 SemRef 的更新生成的，更新会将其替换。请将其移到别处，然后重新更新。</translation>
+  </message>
+  <message>
    <source>{path} was not signed with the key {key}, or was changed since; fetch it again from where it was exported.</source>
    <translation>{path} 不是用密钥 {key} 签名的，或之后被更改；请从导出处重新获取。</translation>
   </message>

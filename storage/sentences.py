@@ -123,6 +123,10 @@ SENTENCES = {
     ),
     "storage.folder_unwritable": "The folder {folder} can't be written to; choose another place for {name}.",
     "storage.file_unwritable": "{path} can't be written: {reason}; choose another place.",
+    "storage.not_kept_by_update": (
+        "{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and update "
+        "again."
+    ),
     "storage.not_replaceable": (
         "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose "
         "another name."

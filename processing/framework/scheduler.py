@@ -40,7 +40,7 @@ _EVENTS = {
     "ready": {},
     "info": {"text": str},
     "next": {},
-    "result": {"number": int, "file": str},
+    "result": {"number": int},
     "end": {},
     "failed": FAILED,
     "broke": {"reason": str},
@@ -154,8 +154,10 @@ class Workers:
                     given += 1
                 self._tell(file)
             elif event["event"] == "result":
-                result = read(event["file"])
-                os.unlink(event["file"])
+                # Only a file of this run's own folder is read and removed, whatever the process reports.
+                file = os.path.join(self._folder, f"result_{event['number']}")
+                result = read(file)
+                os.unlink(file)
                 yield event["number"], result
 
     def _tell(self, value: object) -> None:

@@ -9,7 +9,7 @@ import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
-from ...core.errors import DatabaseError
+from ...core.errors import DatabaseError, ParameterError
 from ..atomic_output import Batch
 from ..sqlite_copy import copy_whole
 
@@ -44,6 +44,7 @@ def replace_keeping(path: str, updated: str) -> None:
     from .schema import TABLES
 
     made = _checksums(updated)
+    _require_kept_by_us(file_before(path))
     with Batch() as batch:
         kept = batch.file(file_before(path), tables=(*TABLES, "semref_undo"))
         fresh = batch.file(path, tables=TABLES)
@@ -80,6 +81,16 @@ def undo_update(path: str) -> None:
         batch.commit()
     with contextlib.suppress(OSError):
         os.remove(before)
+
+
+def _require_kept_by_us(before: str) -> None:
+    """Raise ParameterError for a file of the user under the name that the kept database will have."""
+    if os.path.isfile(before):
+        try:
+            with contextlib.closing(sqlite3.connect(f"{Path(before).resolve().as_uri()}?mode=ro", uri=True)) as kept:
+                kept.execute("SELECT checksums FROM semref_undo").fetchall()
+        except sqlite3.Error:
+            raise ParameterError("storage.not_kept_by_update", path=before) from None
 
 
 def _checksums(path: str) -> str | None:

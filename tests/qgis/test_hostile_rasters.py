@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import http.server
-import threading
-
 import numpy as np
 import pytest
+from listening import listening
 from made_inputs import scattered_objects, write_raster
 
 from semref.core.errors import SemRefError
@@ -28,24 +26,8 @@ VRT = (
 
 @pytest.fixture
 def host():
-    """A web server of this computer; ``asked`` has the paths that were asked of it."""
-
-    class Handler(http.server.BaseHTTPRequestHandler):
-        def do_GET(self):
-            server.asked.append(self.path)
-            self.send_error(404)
-
-        do_HEAD = do_GET
-
-        def log_message(self, *arguments):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    server.asked = []
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    yield server
-    server.shutdown()
-    server.server_close()
+    with listening() as server:
+        yield server
 
 
 def doors():

@@ -67,6 +67,14 @@ def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
     assert os.listdir(tmp_path / "maps") == ["area.gpkg"] and not can_undo(path)
 
 
+def test_a_copy_of_the_user_s_own_under_the_name_of_the_kept_file_is_not_replaced(path, tmp_path):
+    own = Path(shutil.copy(path, file_before(path)))
+    before = own.read_bytes(), content(path)
+    with pytest.raises(SemRefError, match="was not made by an update"):
+        replace_keeping(path, larger(path, tmp_path, 5))
+    assert (own.read_bytes(), content(path)) == before
+
+
 def test_two_updates_are_undone_by_one(path, tmp_path):
     was = areas(path)
     for _ in range(2):
