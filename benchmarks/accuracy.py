@@ -192,7 +192,7 @@ class Source:
         return told_of(trial, self.row)
 
     def image(self, rng: np.random.Generator, number: int) -> Image:
-        """An image, with what the localizer is told of its labels."""
+        """An image, with what the localizer gets to know of its labels."""
         row, ground = self.row, self.ground
         if self.photos is not None:
             return self.photos.image(rng, number)
@@ -209,7 +209,7 @@ class Source:
             ground.spoiled_values = before
 
     def noise(self, view: View, rng: np.random.Generator) -> tuple[LabelNoise, KnownBiases]:
-        """The noise of one image in its pixels, and what the localizer is told of it."""
+        """Return the noise of one image in its pixels, and the part of it that the localizer gets to know."""
         row, pixel = self.row, view.pixel_size
         noise = NOISES[row.noise]
         if row.noise in OF_NETWORKS:

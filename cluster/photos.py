@@ -23,7 +23,7 @@ class Opening:
         table: A class table's CSV text; empty for none.
         pixel_size_m: Ground meters along a row and a column of a pixel of the photo; None where it has none.
         resolution_m: Of a pixel as the network sees it; None for the photo's.
-        overlap: Share of a tile that lies on each neighbor.
+        overlap: Share of a tile that it shares with each neighbor.
     """
 
     image: str

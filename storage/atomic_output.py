@@ -207,7 +207,7 @@ def _rename_files(staged: _Staged) -> None:
         name for name in dict.fromkeys((*written, *derived_files(final))) if os.path.lexists(final.with_name(name))
     ]
     for path in map(final.with_name, older):
-        # A folder, or a part of no older output, is none of ours.
+        # A folder, or a part of another file, belongs to somebody else.
         if (path.is_dir() and not path.is_symlink()) or not (os.path.lexists(final) or is_note(path)):
             raise ParameterError("storage.stranger_beside", path=path, name=final.name)
     (workplace / _OLDER).mkdir()

@@ -189,7 +189,7 @@ def require_closed(path: str) -> None:
                 for mode in ("PERSIST", "DELETE"):
                     connection.execute(f"PRAGMA journal_mode={mode}").fetchone()
         except sqlite3.Error as error:
-            # Otherwise nobody may write to it, and a journal beside it decides.
+            # If SQLite cannot lock it, a journal beside it decides.
             if "locked" in str(error):
                 raise in_use from None
     if any(os.path.lexists(path + end) for end in _JOURNALS):

@@ -83,8 +83,8 @@ class DockEntry:
     def _open_sample(self) -> None:
         if missing((OPENCV,)):
             sentence = tr("The sample project needs {packages}.").format(packages=OPENCV.title)
-            told = Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
-            self._installer.installed.connect(told.dismiss)
+            notice = Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
+            self._installer.installed.connect(notice.dismiss)
             return
         self._sample_project().ask()
 

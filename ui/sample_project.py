@@ -147,7 +147,7 @@ def sample_folder(picked: Path) -> Path:
 
 
 def copy_sample(folder: Path) -> None:
-    """Copy the files that ship into a new or empty folder; one that has them stays as it is.
+    """Copy the shipped files into a new or empty folder; a folder that has them already is left unchanged.
 
     Raises:
         ParameterError: The folder has other files or can't be written to.

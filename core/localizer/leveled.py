@@ -1,4 +1,4 @@
-"""Images of cameras that were not level: as a level camera sees them, and what is found told for the image itself."""
+"""Images of cameras that were not level: as a level camera sees them, and the result for the image as it was taken."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def of_leveled(prior: Prior, way: Leveling) -> Prior:
 
 
 def as_taken(found: Localization, way: Leveling) -> Localization:
-    """The result of a leveled image told for the image as it was taken.
+    """Return the result of a leveled image for the image as it was taken.
 
     Args:
         found: Of the leveled image.
@@ -47,7 +47,7 @@ def as_taken(found: Localization, way: Leveling) -> Localization:
 
     Returns:
         The position is that of the image's center, heading and pixel size are those there, the heading that of its top
-        as a level camera would have it; footprint and nadir are told, matches are those of the image as it is.
+        as a level camera would have it. Footprint and nadir are set; matches are in pixels of the image as taken.
     """
     if found.matches is not None:
         pixels = way.in_image(found.matches.pixels_xy)

@@ -1,4 +1,4 @@
-"""Reasons that name the network first: of all links of the chain it is the most likely to be the weakest."""
+"""Reasons that name the network first, because it is the most likely cause of a missing position."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _COUNTED = "localization.shows_whole_landmarks", "localization.shows_landmarks"
 
 
 def name_network(found: Localization, trained_on: Sequence[str] | None, classes: Sequence[str]) -> Localization:
-    """Return a result whose reason begins with what the network found and what it was trained on.
+    """Return the result with a reason that begins with what the network found and was trained on.
 
     Args:
         found: Of an image.
@@ -23,15 +23,15 @@ def name_network(found: Localization, trained_on: Sequence[str] | None, classes:
         return found
     reason = _counted_by_network(found.reason, tuple(classes))
     if trained_on:
-        told = Sentence("localization.trained_on", places=tuple(trained_on))
+        ground = Sentence("localization.trained_on", places=tuple(trained_on))
         counts = reason != found.reason
-        first, second = (reason, told) if counts else (told, reason)
+        first, second = (reason, ground) if counts else (ground, reason)
         reason = Sentence("localization.then", first=first, second=second)
     return replace(found, reason=reason)
 
 
 def _counted_by_network(sentence: Sentence, classes: tuple[str, ...]) -> Sentence:
-    """The same sentence, and those in it, where landmarks are what a network found."""
+    """Replace "the image shows" by "the network found" in a sentence and the sentences in it."""
     values = {
         name: _counted_by_network(value, classes) if isinstance(value, Sentence) else value
         for name, value in sentence.values

@@ -138,7 +138,7 @@ class FlightFinding(Finding):
     # --- the state ---
 
     def _keep(self) -> None:
-        """Writes the state; a disk that can't take it is told once, and the flight goes on."""
+        """Write the state. A full disk is logged once, and the flight goes on."""
         if self.state is None:
             return
         memory = self.memory

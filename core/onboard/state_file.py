@@ -37,7 +37,7 @@ _ZIP, _FIRST_NAME = b"PK\x03\x04", b"header.npy"
 
 
 def _looks_like_a_state(path: str) -> bool:
-    """Whether a file begins as states do, or is empty as after a power failure: any other file is the user's."""
+    """Whether a file begins as states do, or is empty as after a power failure. Any other file belongs to the user."""
     with contextlib.suppress(OSError), open(path, "rb", opener=open_at_once) as file:
         first = file.read(_FIRST_BYTES)
         return not first.strip(b"\0") or first.startswith(_ZIP) and _FIRST_NAME in first

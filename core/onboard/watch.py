@@ -1,4 +1,4 @@
-"""``semref watch``: the images of a folder as they come, and what is said of each.
+"""``semref watch``: the images of a folder as they arrive, and the record of each.
 
 Nothing in the folder ends the watching: what can't be looked at is left out, and a folder that is gone is waited for.
 """

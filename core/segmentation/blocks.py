@@ -1,4 +1,4 @@
-"""An image segmented block by block, by whoever does it: the same rows as ``tiling.segment`` gives."""
+"""Segment an image block by block, by threads or workers: the same rows as ``tiling.segment`` gives."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
 """Expected success from hardly ever to very reliably: cividis (Nuñez et al. 2018) at even steps, dark to light."""
 
 _OPACITY = 0.5
-"""Of squares: forest, roads and roofs of a base map stay readable, and the steps of the ramp told apart."""
+"""Of squares: forest, roads and roofs of a base map stay readable, and the steps of the ramp can be distinguished."""
 
 _IN_LEGEND = "make_line(translate($geometry, -7, 0), translate($geometry, 7, 0))"
 """Expression of the line in a legend, which has a point without columns."""

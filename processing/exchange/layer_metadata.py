@@ -57,7 +57,7 @@ class Lineage:
     """How a run makes what it writes.
 
     Attributes:
-        history: One line: when, by which version, and the call that makes it again; empty where nobody told.
+        history: One line: when, by which version, and the call that makes it again; empty where unknown.
         sources: Of the inputs that name licenses or rights: title, with these in brackets.
     """
 
@@ -105,32 +105,32 @@ def _inputs(
             layer = one if isinstance(one, QgsMapLayer) else None
             if isinstance(one, str) and one and definition.type() != "file":
                 layer = QgsProcessingUtils.mapLayerFromString(one, context, False)
-            told = _of_layer(layer) if layer is not None else _of_file(one) if isinstance(one, str) else None
-            if told is not None:
+            known = _of_layer(layer) if layer is not None else _of_file(one) if isinstance(one, str) else None
+            if known is not None:
                 # A database's note is of one of its layers, so that it is called by its file.
-                title = "" if definition.type() == "file" else told.title()
-                yield title or (layer.name() if layer is not None else Path(one).stem), told
+                title = "" if definition.type() == "file" else known.title()
+                yield title or (layer.name() if layer is not None else Path(one).stem), known
 
 
 def _of_layer(layer: QgsMapLayer) -> QgsLayerMetadata:
-    """What a layer tells; one that only algorithms have loaded has not read what lies beside it."""
-    told = layer.metadata()
-    return told if told.title() or told.licenses() or told.rights() else _of_file(layer.source()) or told
+    """Return the metadata of a layer. A layer that only an algorithm loaded has not read the file beside it."""
+    known = layer.metadata()
+    return known if known.title() or known.licenses() or known.rights() else _of_file(layer.source()) or known
 
 
 def _of_file(source: str) -> QgsLayerMetadata | None:
-    """What QGIS has noted of a file that no layer is loaded of: beside a raster, in a GeoPackage; None without it."""
+    """Return the metadata that QGIS stored for a file without a layer: beside a raster, in a GeoPackage; else None."""
     text = metadata_text(source)
-    document, told = QDomDocument(), QgsLayerMetadata()
+    document, known = QDomDocument(), QgsLayerMetadata()
     # Qt 6.5 and later have another type of answer; false in both where it is no XML.
-    if not text or not document.setContent(text) or not told.readMetadataXml(document.documentElement()):
+    if not text or not document.setContent(text) or not known.readMetadataXml(document.documentElement()):
         return None
-    return told
+    return known
 
 
 @dataclass(frozen=True)
 class Note:
-    """What a layer tells about itself; ``earlier``: lines of its history before this run."""
+    """Metadata of a layer. ``earlier``: lines of its history before this run."""
 
     title: str
     abstract: str
@@ -155,10 +155,12 @@ class Note:
         made.setExtent(extent)
         return made
 
-    def after(self, told: QgsLayerMetadata) -> Note:
+    def after(self, known: QgsLayerMetadata) -> Note:
         """Of a layer that this run changed: it stays what it was, and what made it before is its history, too."""
-        lineage = replace(self.lineage, sources=_each_once([*told.rights(), self.lineage.sources]))
-        return replace(self, abstract=told.abstract() or self.abstract, lineage=lineage, earlier=tuple(told.history()))
+        lineage = replace(self.lineage, sources=_each_once([*known.rights(), self.lineage.sources]))
+        return replace(
+            self, abstract=known.abstract() or self.abstract, lineage=lineage, earlier=tuple(known.history())
+        )
 
 
 def _shortened(history: list[str]) -> list[str]:

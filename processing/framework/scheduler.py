@@ -22,7 +22,7 @@ from ..packages.install import python_candidates
 from ..translation import tr
 from .base import check_canceled
 from .declarations import Text
-from .told_process import FAILED, ToldProcess, failure
+from .event_process import FAILED, EventProcess, failure
 from .values import Values
 
 if TYPE_CHECKING:
@@ -94,9 +94,9 @@ class Workers:
             folder: Of files that go to and fro.
             feedback: Takes what the process reports.
         """
-        self.told = ToldProcess(process, _EVENTS)
+        self.reports = EventProcess(process, _EVENTS)
         self._process, self._folder, self._feedback = process, folder, feedback
-        self._events = self.told.read(feedback)
+        self._events = self.reports.read(feedback)
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
         """Yields the number of a call and what it gave, as they are done.
@@ -176,12 +176,12 @@ class Workers:
                 raise SemRefError("cluster.ended", reason=event["reason"].rstrip("."))
             else:
                 return event
-        raise SemRefError("cluster.ended", reason=self.told.reason or self._process.errorString())
+        raise SemRefError("cluster.ended", reason=self.reports.reason or self._process.errorString())
 
     def close(self) -> None:
         """End the process: it clears up what it began, and who asked waits less than a second."""
         self._events.close()
-        self.told.end(_ASKED_TO_END_MS)
+        self.reports.end(_ASKED_TO_END_MS)
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...core.errors import TrainingError
 from ..translation import tr
-from .told_process import FAILED, ToldProcess, failure
+from .event_process import FAILED, EventProcess, failure
 
 PROGRAM = Path(__file__).resolve().parents[2] / "training"
 
@@ -54,16 +54,16 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     process.start(python, [str(PROGRAM), *arguments])
     if not process.waitForStarted():
         raise TrainingError("training.not_started", python=python, reason=process.errorString())
-    told = ToldProcess(process, _EVENTS)
+    reports = EventProcess(process, _EVENTS)
     try:
-        with closing(told.read(feedback)) as events:
+        with closing(reports.read(feedback)) as events:
             for event in events:
                 _require_no_failure(event, feedback)
                 yield event
     finally:
-        told.end()
+        reports.end()
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
-        raise TrainingError("training.ended", python=python, reason=told.reason or process.errorString())
+        raise TrainingError("training.ended", python=python, reason=reports.reason or process.errorString())
 
 
 def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:

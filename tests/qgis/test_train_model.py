@@ -20,7 +20,7 @@ from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
 from tile_server import tile_server
 
-from semref.processing.framework import told_process
+from semref.processing.framework import event_process
 from semref.processing.framework.outputs import Outputs
 
 TRAIN = "semref:trainmodel"
@@ -474,9 +474,9 @@ def test_a_run_whose_job_can_t_be_read_is_not_gone_on_with(train, tmp_path):
 @pytest.mark.skipif(shutil.which("ps") is None, reason="this system has no ps")
 def test_ps_tells_what_proc_tells(monkeypatch):
     """macOS has no /proc."""
-    ours = told_process._descendants(os.getppid())
+    ours = event_process._descendants(os.getppid())
     monkeypatch.setattr(os.path, "isdir", lambda _: False)
-    assert os.getpid() in ours & told_process._descendants(os.getppid())
+    assert os.getpid() in ours & event_process._descendants(os.getppid())
 
 
 def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, tmp_path):

@@ -23,7 +23,7 @@ _IS_NO_CLASS = re.compile(r"name|.*id|.*name|note|comment|description|source", r
 _ANSWERS = {"yes", "no", "true", "false"}
 
 _READ = 1000
-"""Features whose values are looked at."""
+"""Number of features that are read."""
 _MOST_CLASSES = 64
 _FEW_FEATURES = 20
 """Up to so many, each may be of a class of its own."""
@@ -32,7 +32,7 @@ _NEARLY_AS_MANY = 0.8
 
 
 def class_field_of(layer: QgsVectorLayer) -> str:
-    """By which the layer's style tells classes apart, else one that is called so or whose values look so; or empty.
+    """Return the field that the layer's style uses, else one with such a name or such values; or empty.
 
     A key or another field that numbers the features is never taken.
     """
@@ -51,7 +51,7 @@ def class_field_of(layer: QgsVectorLayer) -> str:
 
 
 def named_class_field(layer: QgsVectorLayer) -> str:
-    """A field whose name says that it has the classes, such as “class”; empty for none."""
+    """Return a field with a typical name, such as “class”; empty for none."""
     return _field_of(layer, _CLASS_FIELDS)
 
 

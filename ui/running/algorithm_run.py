@@ -135,7 +135,7 @@ class AlgorithmRun(QObject):
 
 
 def _flags() -> tuple:
-    """From 3.26 on QGIS can be told not to say that a task failed, which it says of canceled ones."""
+    """QGIS reports canceled tasks as failed; from 3.26 a task can be silent."""
     silent = getattr(QgsTask.Flag, "Silent", None)
     return () if silent is None else (QgsTask.Flag.CanCancel | silent,)
 

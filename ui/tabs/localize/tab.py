@@ -197,7 +197,7 @@ class LocalizeTab(QWidget):
             self._idle_shown = self.state.text_shown
 
     def _show_looked(self) -> None:
-        """Show what was found out about the choices, but not in place of what is said about a run."""
+        """Show the faults of the choices, unless a message about a run is shown."""
         if not self.run.running:
             self.localize_button.setEnabled(self._is_ready())
             if self.state.text_shown == self._idle_shown:

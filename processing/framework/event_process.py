@@ -1,4 +1,4 @@
-"""A process beside QGIS that tells by lines of JSON on its output what it does."""
+"""A process beside QGIS that reports what it does as lines of JSON on its output."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from ...core.sentences import Sentence
 from .base import check_canceled
 
 FAILED = {"code": str, "values": dict}
-"""What the event “failed” of any process holds."""
+"""Values of the event “failed” of any process."""
 
 _LOOKED_EVERY_MS, _KILLED_WITHIN_MS = 200, 5000
 _LAST_LINES = 20
-"""Of what it says beside events; the last of them tell why it ended."""
+"""Other lines that are kept; the last ones show why the process ended."""
 
 _LONGEST_LINE = 1 << 20
 _LARGEST_NUMBER = 1e15
 
 
-class ToldProcess:
-    """What a process prints: events on its output, and the last words beside them."""
+class EventProcess:
+    """Read the events of a process, and keep its other last lines."""
 
     def __init__(self, process: QProcess, events: Mapping[str, Mapping[str, type]]) -> None:
         """Nothing is read yet.
@@ -42,7 +42,7 @@ class ToldProcess:
 
     @property
     def reason(self) -> str:
-        """Its last words, as part of a sentence."""
+        """Its last line that is no event, as part of a sentence."""
         return self._said[-1].rstrip(".") if self._said else ""
 
     def read(self, feedback: QgsProcessingFeedback) -> Iterator[dict]:
