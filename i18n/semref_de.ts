@@ -1576,10 +1576,6 @@ Jedes Bild ergibt einen Punkt; ohne gefundenen Standort hat er keine Geometrie, 
    <translation>Von Polygonen der Landbedeckung in einem Lauf zu einer Referenzdatenbank: „Annotation rastern“, dann „Referenzdatenbank erstellen“. Geben Sie eine Klassentabelle an oder nennen Sie die Referenzklassen.</translation>
   </message>
   <message>
-   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>Vom Start bis zum geschriebenen Modell, Lesen und Prüfen eingeschlossen. Zehn Minuten sind ein Anfang, eine Stunde ist besser. 0: keine Grenze.</translation>
-  </message>
-  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>Von {start:.0f} bis {end:.0f} m: {shift:.0f} m weiter links wäre der Erfolg {after:.0%} statt {before:.0%}.</translation>
   </message>
@@ -3092,6 +3088,10 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Pixelgröße (m)</translation>
   </message>
   <message>
+   <source>Pixel size for training, if not that of the image: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>Pixelgröße für das Training, wenn nicht die des Bildes: Die kleinsten Gebäude sollten etwa 14 Pixel breit sein. Gröbere Pixel lernen schneller.</translation>
+  </message>
+  <message>
    <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
    <translation>Pixelgröße, mit der das Netz trainiert wurde; ohne Angabe die aus den Metadaten des Modells. Bilder ohne Georeferenz werden genommen, wie sie sind.</translation>
   </message>
@@ -3102,10 +3102,6 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>Pixels it was trained on</source>
    <translation>Pixel, an denen es trainiert wurde</translation>
-  </message>
-  <message>
-   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
-   <translation>Pixel, an denen das Netz lernt, wenn nicht die des Bildes: Die kleinsten Gebäude sollten etwa 14 Pixel breit sein. Gröbere Pixel lernen schneller.</translation>
   </message>
   <message>
    <source>Place before</source>
@@ -3808,7 +3804,7 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Bilder der Landmarken der Datenbank werden simuliert, verdorben und vom Lokalisierer selbst lokalisiert; eine Regression überträgt, was sie lehren, auf Quadrate mit wenigen Versuchen. Außer der Datenbank wird nichts gebraucht. Es ist eine Erwartung: Zu gering angegebenes Rauschen und Veränderungen im Gelände machen sie zu gut. „Lokalisierung bewerten“ prüft eine Datenbank mit einer Klassenkarte anderen Datums.</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: anyone who has it can sign.</source>
    <translation>Signiert die Datei (HMAC-SHA256) mit den Bytes dieser Datei, zum Beispiel 32 zufälligen, sodass „semref … --require-signature KEY“ keine Datei nimmt, die andere gemacht oder geändert haben. Halten Sie den Schlüssel geheim: Wer ihn hat, kann signieren.</translation>
   </message>
   <message>
@@ -4036,7 +4032,7 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Getestete Versionen</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <source>Text or number field with the class of each polygon. Not needed if all are of one class.</source>
    <translation>Text- oder Zahlenfeld mit der Klasse jedes Polygons. Nicht nötig, wenn alle von einer Klasse sind.</translation>
   </message>
   <message>
@@ -4716,6 +4712,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Spur mit ihren Fehlerellipsen, was wo getragen hat, Kurs und Höhe sowie die Lücken, in einer Datei.</translation>
   </message>
   <message>
+   <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
+   <translation>{folder} kann das Trainierte nicht aufnehmen ({reason}); Platz auf dem Datenträger schaffen und das Training noch einmal starten: Es geht nach der letzten gespeicherten Epoche weiter.</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>Das Training endete ohne ein Wort ({reason}); nachsehen, ob der Speicher aufgebraucht ist, oder ein anderes Python als {python} wählen.</translation>
   </message>
@@ -4846,6 +4846,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Time (UTC)</source>
    <translation>Zeit (UTC)</translation>
+  </message>
+  <message>
+   <source>Time from the start until the model is written. Ten minutes are enough to try; an hour gives a better model. 0: no limit.</source>
+   <translation>Zeit vom Start, bis das Modell geschrieben ist. Zehn Minuten reichen zum Probieren, eine Stunde ergibt ein besseres Modell. 0: keine Grenze.</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -5336,7 +5340,7 @@ Nimmt Auszüge (.osm, .osm.pbf), Layer von QuickOSM, Shapefiles der Geofabrik un
    <translation>World-Datei</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
+   <source>Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
    <translation>Schreibt eine Referenzdatenbank als eine kleine Datei (.npz), mit der ein Rechner ohne QGIS lokalisiert: Installieren Sie dort das Python-Paket semref und rufen Sie „semref localize“ auf.
@@ -6380,10 +6384,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{flights} simulierte Flüge entlang jeder Route, mit einem Bild alle {distance:.0f} m, so wie es im Flug bekannt ist. Die erste Position zählt dort, wo {threshold} der Flüge ihre hatten; Radien sind Mediane der Flüge, die eine Position haben.</translation>
   </message>
   <message>
-   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
-   <translation>{folder} kann das Trainierte nicht aufnehmen ({reason}); Platz auf dem Datenträger schaffen und das Training noch einmal starten: Es geht nach der letzten gespeicherten Epoche weiter.</translation>
-  </message>
-  <message>
    <source>{folder} can’t be read; choose another folder.</source>
    <translation>{folder} kann nicht gelesen werden; wählen Sie einen anderen Ordner.</translation>
   </message>
@@ -6696,8 +6696,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} gibt es nicht; eine Modelldatei (.onnx) wählen.</translation>
   </message>
   <message>
-   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
-   <translation>{path} gibt es schon und kann nicht gelesen werden ({reason}), sodass unbekannt ist, was verloren ginge; entfernen oder einen anderen Namen wählen.</translation>
+   <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
+   <translation>{path} gibt es schon und kann nicht gelesen werden ({reason}), daher ersetzt SemRef es nicht; entfernen oder einen anderen Namen wählen.</translation>
   </message>
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
@@ -6904,8 +6904,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
   </message>
   <message>
-   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
-   <translation>{path} wird schon trainiert; auf dieses Training warten, es abbrechen oder einen anderen OUTPUT wählen.</translation>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another file.</source>
+   <translation>{path} wird schon trainiert; auf dieses Training warten, es abbrechen oder eine andere Datei wählen.</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6920,8 +6920,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; es ohne den früheren Lauf noch einmal starten.</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; RESUME ausschalten, um es noch einmal zu starten.</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
+   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; „Abgebrochenen Lauf fortsetzen“ ausschalten, um es noch einmal zu starten.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

@@ -1576,10 +1576,6 @@ Cada imagen da un punto; si no se encuentra una posición, no tiene geometría y
    <translation>De polígonos de cobertura del suelo a una base de datos de referencia en una sola ejecución: «Rasterizar anotación» y después «Crear base de datos de referencia». Indique una tabla de clases o nombre las clases de referencia.</translation>
   </message>
   <message>
-   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>Desde el inicio hasta el modelo escrito, incluidas la lectura y la comprobación. Diez minutos son un comienzo; una hora es mejor. 0: sin límite.</translation>
-  </message>
-  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} a {end:.0f} m: {shift:.0f} m a la izquierda el acierto sería del {after:.0%} en lugar del {before:.0%}.</translation>
   </message>
@@ -3092,6 +3088,10 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Tamaño de píxel (m)</translation>
   </message>
   <message>
+   <source>Pixel size for training, if not that of the image: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>Tamaño de píxel para el entrenamiento, si no es el de la imagen: los edificios más pequeños deberían tener unos 14 píxeles de ancho. Con píxeles más gruesos se entrena más rápido.</translation>
+  </message>
+  <message>
    <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
    <translation>Tamaño de píxel con el que se entrenó la red; si se omite, el de los metadatos del modelo. Las imágenes sin georreferencia se toman tal cual.</translation>
   </message>
@@ -3102,10 +3102,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>Pixels it was trained on</source>
    <translation>Píxeles con los que se entrenó</translation>
-  </message>
-  <message>
-   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
-   <translation>Píxeles con los que aprende la red, si no son los de la imagen: los edificios más pequeños deberían tener unos 14 píxeles de ancho. Con píxeles más gruesos se entrena más rápido.</translation>
   </message>
   <message>
    <source>Place before</source>
@@ -3808,7 +3804,7 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Se simulan imágenes de los propios hitos de la base de datos, se degradan y las localiza el mismo localizador; una regresión lleva lo aprendido a los cuadrados con pocos ensayos. No se necesita más que la base de datos. Es una expectativa: un ruido subestimado y los cambios del terreno la hacen demasiado buena. «Evaluar la localización» prueba una base de datos con un mapa de etiquetas de otra fecha.</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: anyone who has it can sign.</source>
    <translation>Firma el archivo (HMAC-SHA256) con los bytes de este archivo, por ejemplo 32 aleatorios, para que «semref … --require-signature KEY» no acepte ningún archivo que otros hayan hecho o cambiado. Mantenga la clave en secreto: quien la tiene puede firmar.</translation>
   </message>
   <message>
@@ -4036,7 +4032,7 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Versiones probadas</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <source>Text or number field with the class of each polygon. Not needed if all are of one class.</source>
    <translation>Campo de texto o número con la clase de cada polígono. No hace falta si todos son de una clase.</translation>
   </message>
   <message>
@@ -4716,6 +4712,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La trayectoria con sus elipses de error, qué la sostuvo en cada lugar, rumbo y altura, y las lagunas, en un archivo.</translation>
   </message>
   <message>
+   <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
+   <translation>{folder} no puede guardar lo entrenado ({reason}); libere espacio en el disco y reinicie el entrenamiento: continúa tras la última época guardada.</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>El entrenamiento terminó sin decir nada ({reason}); compruebe si se agotó la memoria o elija otro Python que {python}.</translation>
   </message>
@@ -4846,6 +4846,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Time (UTC)</source>
    <translation>Hora (UTC)</translation>
+  </message>
+  <message>
+   <source>Time from the start until the model is written. Ten minutes are enough to try; an hour gives a better model. 0: no limit.</source>
+   <translation>Tiempo desde el inicio hasta que el modelo está escrito. Diez minutos bastan para probar; una hora da un modelo mejor. 0: sin límite.</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -5336,7 +5340,7 @@ Acepta extractos (.osm, .osm.pbf), capas de QuickOSM, los shapefiles de Geofabri
    <translation>Archivo world</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
+   <source>Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
    <translation>Escribe una base de datos de referencia en un solo archivo pequeño (.npz) con el que localiza un ordenador sin QGIS: instale allí el paquete de Python semref y ejecute «semref localize».
@@ -6380,10 +6384,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{flights} vuelos simulados a lo largo de cada ruta, con una imagen cada {distance:.0f} m, según se sabe en vuelo. La primera posición cuenta donde {threshold} de los vuelos tenían la suya; los radios son medianas de los vuelos que tienen una posición.</translation>
   </message>
   <message>
-   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
-   <translation>{folder} no puede guardar lo entrenado ({reason}); libere espacio en el disco y reinicie el entrenamiento: continúa tras la última época guardada.</translation>
-  </message>
-  <message>
    <source>{folder} can’t be read; choose another folder.</source>
    <translation>No se puede leer {folder}; elija otra carpeta.</translation>
   </message>
@@ -6696,8 +6696,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no existe; elija un archivo de modelo (.onnx).</translation>
   </message>
   <message>
-   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
-   <translation>{path} existe y no se puede leer ({reason}), de modo que no se sabe qué se perdería; elimínelo o elija otro nombre.</translation>
+   <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
+   <translation>{path} existe y no se puede leer ({reason}), por lo que SemRef no lo reemplaza; elimínelo o elija otro nombre.</translation>
   </message>
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
@@ -6904,8 +6904,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
   </message>
   <message>
-   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
-   <translation>{path} ya se está entrenando; espere a ese entrenamiento, cancélelo o elija otro OUTPUT.</translation>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another file.</source>
+   <translation>{path} ya se está entrenando; espere a ese entrenamiento, cancélelo o elija otro archivo.</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6920,8 +6920,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; inícielo de nuevo sin la ejecución anterior.</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; desactive RESUME para iniciarlo de nuevo.</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
+   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; desactive «Continuar una ejecución cancelada» para iniciarlo de nuevo.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

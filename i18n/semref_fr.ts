@@ -1576,10 +1576,6 @@ Chaque image donne un point ; si aucune position n’est trouvée, il n’a pas
    <translation>Des polygones d’occupation du sol à une base de données de référence en une seule exécution : « Rastériser l’annotation », puis « Créer une base de données de référence ». Indiquez une table de classes ou nommez les classes de référence.</translation>
   </message>
   <message>
-   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>Du début jusqu’au modèle écrit, lecture et vérification comprises. Dix minutes sont un début, une heure fait mieux. 0 : sans limite.</translation>
-  </message>
-  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>De {start:.0f} à {end:.0f} m : {shift:.0f} m plus à gauche, la réussite serait de {after:.0%} au lieu de {before:.0%}.</translation>
   </message>
@@ -3092,6 +3088,10 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Taille de pixel (m)</translation>
   </message>
   <message>
+   <source>Pixel size for training, if not that of the image: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>Taille de pixel pour l’entraînement, si ce n’est pas celle de l’image : les plus petits bâtiments devraient avoir environ 14 pixels de large. Des pixels plus grossiers s’entraînent plus vite.</translation>
+  </message>
+  <message>
    <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
    <translation>Taille de pixel sur laquelle le réseau a été entraîné ; en cas d’omission, celle des métadonnées du modèle. Les images sans géoréférence sont prises telles quelles.</translation>
   </message>
@@ -3102,10 +3102,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>Pixels it was trained on</source>
    <translation>Pixels sur lesquels il a été entraîné</translation>
-  </message>
-  <message>
-   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
-   <translation>Pixels sur lesquels le réseau apprend, si ce ne sont pas ceux de l’image : les plus petits bâtiments devraient avoir environ 14 pixels de large. Des pixels plus grossiers s’entraînent plus vite.</translation>
   </message>
   <message>
    <source>Place before</source>
@@ -3808,7 +3804,7 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 Des images des repères visuels de la base sont simulées, dégradées et localisées par le localiseur lui-même ; une régression étend ce qu’elles apprennent aux carrés peu essayés. Rien d’autre que la base n’est nécessaire. C’est une attente : un bruit sous-estimé et des changements du terrain la rendent trop bonne. « Évaluer la localisation » éprouve une base avec une carte d’étiquettes d’une autre date.</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: anyone who has it can sign.</source>
    <translation>Signe le fichier (HMAC-SHA256) avec les octets de ce fichier, par exemple 32 octets aléatoires, pour que « semref … --require-signature KEY » n’accepte aucun fichier fait ou modifié par d’autres. Gardez la clé secrète : qui l’a peut signer.</translation>
   </message>
   <message>
@@ -4036,7 +4032,7 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Versions testées</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <source>Text or number field with the class of each polygon. Not needed if all are of one class.</source>
    <translation>Champ de texte ou de nombre avec la classe de chaque polygone. Inutile s’ils sont tous d’une même classe.</translation>
   </message>
   <message>
@@ -4716,6 +4712,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La trace avec ses ellipses d’erreur, ce qui a tenu où, cap et hauteur, et les lacunes, en un fichier.</translation>
   </message>
   <message>
+   <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
+   <translation>{folder} ne peut pas recevoir ce qui a été entraîné ({reason}) ; libérez de la place sur le disque, puis relancez l’entraînement : il reprend après la dernière époque enregistrée.</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>L’entraînement s’est terminé sans un mot ({reason}) ; voyez si la mémoire est épuisée, ou choisissez un autre Python que {python}.</translation>
   </message>
@@ -4846,6 +4846,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Time (UTC)</source>
    <translation>Heure (UTC)</translation>
+  </message>
+  <message>
+   <source>Time from the start until the model is written. Ten minutes are enough to try; an hour gives a better model. 0: no limit.</source>
+   <translation>Durée du début jusqu’à l’écriture du modèle. Dix minutes suffisent pour essayer ; une heure donne un meilleur modèle. 0 : sans limite.</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -5336,7 +5340,7 @@ Accepte les extraits (.osm, .osm.pbf), les couches de QuickOSM, les shapefiles d
    <translation>Fichier world</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
+   <source>Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
    <translation>Écrit une base de données de référence dans un seul petit fichier (.npz) avec lequel un ordinateur sans QGIS localise : installez-y le paquet Python semref et lancez « semref localize ».
@@ -6380,10 +6384,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{flights} vols simulés le long de chaque route, avec une image tous les {distance:.0f} m, tels que connus en vol. La première position compte là où {threshold} des vols avaient la leur ; les rayons sont des médianes des vols qui ont une position.</translation>
   </message>
   <message>
-   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
-   <translation>{folder} ne peut pas recevoir ce qui a été entraîné ({reason}) ; libérez de la place sur le disque, puis relancez l’entraînement : il reprend après la dernière époque enregistrée.</translation>
-  </message>
-  <message>
    <source>{folder} can’t be read; choose another folder.</source>
    <translation>Impossible de lire {folder} ; choisissez un autre dossier.</translation>
   </message>
@@ -6696,8 +6696,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’existe pas ; choisissez un fichier de modèle (.onnx).</translation>
   </message>
   <message>
-   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
-   <translation>{path} existe et ne peut pas être lu ({reason}), si bien qu’on ne sait pas ce qui serait perdu ; supprimez-le ou choisissez un autre nom.</translation>
+   <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
+   <translation>{path} existe et ne peut pas être lu ({reason}), donc SemRef ne le remplace pas ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
@@ -6904,8 +6904,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
   </message>
   <message>
-   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
-   <translation>{path} est déjà en cours d’entraînement ; attendez sa fin, annulez-le ou choisissez un autre OUTPUT.</translation>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another file.</source>
+   <translation>{path} est déjà en cours d’entraînement ; attendez sa fin, annulez-le ou choisissez un autre fichier.</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6920,8 +6920,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; recommencez-le sans l’exécution précédente.</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; désactivez RESUME pour le recommencer.</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
+   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; désactivez « Poursuivre une exécution annulée » pour le recommencer.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

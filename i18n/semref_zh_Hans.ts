@@ -1576,10 +1576,6 @@ Every image gives one point; without a fix it has no geometry and its reason say
    <translation>一次运行即可从土地覆盖多边形得到参考数据库：先“栅格化标注”，再“构建参考数据库”。请给出类别表，或指定参考类别。</translation>
   </message>
   <message>
-   <source>From the start to the written model, reading and checking included. Ten minutes are a start, an hour does better. 0: no limit.</source>
-   <translation>从开始到写出模型，包括读取和检查。十分钟可作开端，一小时更好。0：不限。</translation>
-  </message>
-  <message>
    <source>From {start:.0f} to {end:.0f} m: {shift:.0f} m to the left success would be {after:.0%} instead of {before:.0%}.</source>
    <translation>{start:.0f} 至 {end:.0f} m：向左平移 {shift:.0f} m，成功率为 {after:.0%}，而不是 {before:.0%}。</translation>
   </message>
@@ -3092,6 +3088,10 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>像元大小（m）</translation>
   </message>
   <message>
+   <source>Pixel size for training, if not that of the image: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
+   <translation>训练所用的像素大小（如果不是影像本身的）：最小的建筑物应约有 14 个像素宽。像素越粗，训练越快。</translation>
+  </message>
+  <message>
    <source>Pixel size the network was trained on; if left out, that of the model’s metadata. Images without georeference are taken as they are.</source>
    <translation>训练网络时所用的像元大小；若留空，则采用模型元数据中的值。没有地理参照的影像按原样处理。</translation>
   </message>
@@ -3102,10 +3102,6 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>Pixels it was trained on</source>
    <translation>训练时的像素大小</translation>
-  </message>
-  <message>
-   <source>Pixels that the network learns at, if not the image’s: the smallest buildings should be about 14 pixels wide. Coarser pixels train faster.</source>
-   <translation>网络学习所用的像素（如果不是影像本身的像素）：最小的建筑物应约有 14 个像素宽。像素越粗，训练越快。</translation>
   </message>
   <message>
    <source>Place before</source>
@@ -3808,7 +3804,7 @@ Images of the database’s own landmarks are simulated, spoiled and localized by
 以数据库自身的地标模拟影像，加入噪声，并由定位器本身定位；回归把所得结果推广到试验少的方格。除数据库外无需其他数据。这是预期：噪声填得过小或地面有变化都会使其偏高。“评估定位”可用其他日期的标签图检验数据库。</translation>
   </message>
   <message>
-   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: who has it can sign.</source>
+   <source>Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that “semref … --require-signature KEY” takes no file that others made or changed. Keep the key secret: anyone who has it can sign.</source>
    <translation>用此文件的字节（例如 32 个随机字节）为文件签名（HMAC-SHA256），使“semref … --require-signature KEY”不接受他人制作或更改的文件。请妥善保密密钥：持有者即可签名。</translation>
   </message>
   <message>
@@ -4036,7 +4032,7 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>已测试的版本</translation>
   </message>
   <message>
-   <source>Text or number field that tells the class of each polygon. Not needed if all are of one class.</source>
+   <source>Text or number field with the class of each polygon. Not needed if all are of one class.</source>
    <translation>包含每个多边形类别的文本或数字字段。如果全部属于同一类别则不需要。</translation>
   </message>
   <message>
@@ -4716,6 +4712,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>航迹及其误差椭圆、各处的定位依据、航向与高度以及间断，汇于一个文件。</translation>
   </message>
   <message>
+   <source>The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it continues after the last saved epoch.</source>
+   <translation>{folder} 无法保存训练结果（{reason}）；请释放磁盘空间后重新开始训练：将从最后保存的一轮继续。</translation>
+  </message>
+  <message>
    <source>The training ended without a word ({reason}); see whether the memory is used up, or choose another Python than {python}.</source>
    <translation>训练无故结束（{reason}）；请检查内存是否耗尽，或选择 {python} 以外的 Python。</translation>
   </message>
@@ -4846,6 +4846,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Time (UTC)</source>
    <translation>时间（UTC）</translation>
+  </message>
+  <message>
+   <source>Time from the start until the model is written. Ten minutes are enough to try; an hour gives a better model. 0: no limit.</source>
+   <translation>从开始到写出模型的时间。十分钟足以试用；一小时可得到更好的模型。0：不限。</translation>
   </message>
   <message>
    <source>Time limit (minutes)</source>
@@ -5336,7 +5340,7 @@ Takes extracts (.osm, .osm.pbf), layers of QuickOSM, Geofabrik’s shapefiles an
    <translation>世界文件</translation>
   </message>
   <message>
-   <source>Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install the Python package semref there and run “semref localize”.
+   <source>Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python package semref there and run “semref localize”.
 
 Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which the log says; a file of any other kind is never overwritten.</source>
    <translation>将参考数据库写成一个小文件 (.npz)，没有 QGIS 的计算机可用它定位：在该计算机上安装 Python 包 semref，运行“semref localize”。
@@ -6380,10 +6384,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>沿每条航线模拟 {flights} 次飞行,每 {distance:.0f} m 一幅图像,按飞行中所知。第一个位置取 {threshold} 的飞行已得到位置之处;半径为有位置的飞行的中位数。</translation>
   </message>
   <message>
-   <source>{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: it goes on after the last epoch that was saved.</source>
-   <translation>{folder} 无法保存训练结果（{reason}）；请释放磁盘空间后重新开始训练：将从最后保存的一轮继续。</translation>
-  </message>
-  <message>
    <source>{folder} can’t be read; choose another folder.</source>
    <translation>无法读取 {folder}，请选择其他文件夹。</translation>
   </message>
@@ -6696,8 +6696,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不存在；请选择模型文件 (.onnx)。</translation>
   </message>
   <message>
-   <source>{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose another name.</source>
-   <translation>{path} 已存在但无法读取（{reason}），因此不知道会丢失什么；请将其删除或选择其他名称。</translation>
+   <source>{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name.</source>
+   <translation>{path} 已存在但无法读取（{reason}），因此 SemRef 不会替换它；请将其删除或选择其他名称。</translation>
   </message>
   <message>
    <source>{path} exists and is another kind of file, which would be lost; choose another name.</source>
@@ -6904,8 +6904,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
   </message>
   <message>
-   <source>{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT.</source>
-   <translation>{path} 正在训练中；请等待其完成、取消它，或选择其他 OUTPUT。</translation>
+   <source>{path} is being trained already; wait for that training, cancel it, or choose another file.</source>
+   <translation>{path} 正在训练中；请等待其完成、取消它，或选择其他文件。</translation>
   </message>
   <message>
    <source>{path} is being written by another program; try again.</source>
@@ -6920,8 +6920,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 已损坏（{reason}），无法继续此训练；请不使用先前的运行重新开始。</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} 已损坏（{reason}），无法继续此训练；请关闭 RESUME 以重新开始。</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
+   <translation>{path} 已损坏（{reason}），无法继续此训练；请关闭“继续已取消的运行”以重新开始。</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

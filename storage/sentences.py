@@ -110,8 +110,7 @@ SENTENCES = {
     ),
     "storage.other_kind": "{path} exists and is another kind of file, which would be lost; choose another name.",
     "storage.older_unreadable": (
-        "{path} exists and can't be read ({reason}), so that nobody knows what would be lost; remove it or choose "
-        "another name."
+        "{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another name."
     ),
     "storage.stranger_beside": (
         "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another "

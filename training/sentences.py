@@ -29,8 +29,8 @@ SENTENCES = {
         "{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run."
     ),
     "training.not_saved": (
-        "{folder} can't take what was trained ({reason}); free some space on the disk, then start the training again: "
-        "it goes on after the last epoch that was saved."
+        "The training can't be saved in {folder} ({reason}). Free some disk space and start the training again; it "
+        "continues after the last saved epoch."
     ),
     "training.other_settings": "The run in {folder} had another {settings}; give the same again, or begin anew.",
     "training.differs_from_torch": (

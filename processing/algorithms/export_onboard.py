@@ -41,8 +41,8 @@ class ExportOnboard(SemRefAlgorithm):
 
     def summary(self) -> str:
         return tr(
-            "Writes a reference database as one small file (.npz) that a computer without QGIS localizes with: install "
-            "the Python package semref there and run “semref localize”.\n\n"
+            "Writes a reference database as one small file (.npz) for a computer without QGIS: install the Python "
+            "package semref there and run “semref localize”.\n\n"
             "Positions, areas and vectors are rounded; the log says how much. An older onboard file is replaced, which "
             "the log says; a file of any other kind is never overwritten."
         )
@@ -101,7 +101,7 @@ class ExportOnboard(SemRefAlgorithm):
                 tr(
                     "Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that "
                     "“semref … --require-signature KEY” takes no file that others made or changed. Keep the "
-                    "key secret: who has it can sign."
+                    "key secret: anyone who has it can sign."
                 ),
                 optional=True,
                 advanced=True,

@@ -145,8 +145,8 @@ class TrainModel(AnnotationAlgorithm):
                 self.MINUTES,
                 tr("Time limit (minutes)"),
                 tr(
-                    "From the start to the written model, reading and checking included. Ten minutes are a start, an "
-                    "hour does better. 0: no limit."
+                    "Time from the start until the model is written. Ten minutes are enough to try; an hour gives a "
+                    "better model. 0: no limit."
                 ),
                 optional=True,
                 default=30,
@@ -156,8 +156,8 @@ class TrainModel(AnnotationAlgorithm):
             replace(
                 offers.resolution(
                     tr(
-                        "Pixels that the network learns at, if not the image’s: the smallest buildings should be about "
-                        "14 pixels wide. Coarser pixels train faster."
+                        "Pixel size for training, if not that of the image: the smallest buildings should be about 14 "
+                        "pixels wide. Coarser pixels train faster."
                     )
                 ),
                 advanced=False,

@@ -137,7 +137,7 @@ def annotation() -> tuple[Parameter, ...]:
         FieldOf(
             CLASS_FIELD,
             tr("Class field"),
-            tr("Text or number field that tells the class of each polygon. Not needed if all are of one class."),
+            tr("Text or number field with the class of each polygon. Not needed if all are of one class."),
             optional=True,
             layer_key=INPUT,
             widget=CLASS_FIELD_WIDGET,

@@ -45,7 +45,7 @@ SENTENCES = {
     "algorithms.annotation_or_labels": "Give either an annotation layer (INPUT) or a label map (LABELS).",
     "algorithms.no_class_field": "Choose the class field of the polygons, or enter the one class that all of them are.",
     "algorithms.training_runs": (
-        "{path} is being trained already; wait for that training, cancel it, or choose another OUTPUT."
+        "{path} is being trained already; wait for that training, cancel it, or choose another file."
     ),
     "algorithms.other_training": (
         "{folder} holds a canceled training with another {settings}; give the same again, choose another OUTPUT, or "
