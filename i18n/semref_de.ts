@@ -6920,8 +6920,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; es ohne den früheren Lauf noch einmal starten.</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
-   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; „Abgebrochenen Lauf fortsetzen“ ausschalten, um es noch einmal zu starten.</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; RESUME ausschalten, um es noch einmal zu starten.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

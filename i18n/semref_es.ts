@@ -6920,8 +6920,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; inícielo de nuevo sin la ejecución anterior.</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
-   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; desactive «Continuar una ejecución cancelada» para iniciarlo de nuevo.</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; desactive RESUME para iniciarlo de nuevo.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

@@ -6920,8 +6920,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; recommencez-le sans l’exécution précédente.</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
-   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; désactivez « Poursuivre une exécution annulée » pour le recommencer.</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; désactivez RESUME pour le recommencer.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

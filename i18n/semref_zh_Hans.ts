@@ -6920,8 +6920,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 已损坏（{reason}），无法继续此训练；请不使用先前的运行重新开始。</translation>
   </message>
   <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to start it again.</source>
-   <translation>{path} 已损坏（{reason}），无法继续此训练；请关闭“继续已取消的运行”以重新开始。</translation>
+   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
+   <translation>{path} 已损坏（{reason}），无法继续此训练；请关闭 RESUME 以重新开始。</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>

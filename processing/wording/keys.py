@@ -26,8 +26,7 @@ SENTENCES_BY_KEY: dict[str, tuple[str, str]] = {
     ),
     "training.damaged": (
         "RESUME",
-        "{path} is damaged ({reason}), so this training can't be continued; switch “Go on with a canceled run” off to "
-        "start it again.",
+        "{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.",
     ),
     "database.levels": (
         "LEVELS",
