@@ -288,30 +288,13 @@ def _date(onboard: OnboardDatabase) -> str:
 
 
 def _localize(options: argparse.Namespace) -> int:
-    find = finding(options)
+    find = _finding(options, read_onboard(options.database, key_file=options.require_signature))
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
-        _write(told(found, options))
+        _write(json_line(found) if options.json else _line(found))
         statuses.add(found["status"])
     return exit_code(statuses)
-
-
-def localize_options(arguments: list[str]) -> argparse.Namespace:
-    """What ``localize`` is asked for, for others who do it; raises ParameterError for values out of range."""
-    options = _parser().parse_args(["localize", *arguments])
-    _check_values(options)
-    return options
-
-
-def finding(options: argparse.Namespace) -> Finding:
-    """How ``localize`` finds an image; raises SemRefError."""
-    return _finding(options, read_onboard(options.database, key_file=options.require_signature))
-
-
-def told(found: dict[str, Any], options: argparse.Namespace) -> str:
-    """A record as ``localize`` writes it."""
-    return json_line(found) if options.json else _line(found)
 
 
 def exit_code(statuses: set[str]) -> int:

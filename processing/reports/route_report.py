@@ -65,11 +65,7 @@ def route_html(
         page.paragraph(assumed(conditions, correlation)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
-        *(
-            []
-            if route.flown is None
-            else [page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint))]
-        ),
+        *_in_flight(route),
         page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings)),
     )
 
