@@ -2188,6 +2188,10 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Verzeichnung des Objektivs (%)</translation>
   </message>
   <message>
+   <source>Less than one epoch fits. Choose a longer time or a coarser resolution.</source>
+   <translation>Weniger als eine Epoche passt hinein. Eine längere Zeit oder eine gröbere Auflösung wählen.</translation>
+  </message>
+  <message>
    <source>Level</source>
    <translation>Stufe</translation>
   </message>

@@ -2188,6 +2188,10 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Distorsión de la lente (%)</translation>
   </message>
   <message>
+   <source>Less than one epoch fits. Choose a longer time or a coarser resolution.</source>
+   <translation>Cabe menos de una época. Elija más tiempo o una resolución más gruesa.</translation>
+  </message>
+  <message>
    <source>Level</source>
    <translation>Nivel</translation>
   </message>

@@ -2188,6 +2188,10 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Distorsion de l’objectif (%)</translation>
   </message>
   <message>
+   <source>Less than one epoch fits. Choose a longer time or a coarser resolution.</source>
+   <translation>Moins d’une époque est possible. Choisissez une durée plus longue ou une résolution plus grossière.</translation>
+  </message>
+  <message>
    <source>Level</source>
    <translation>Niveau</translation>
   </message>

@@ -2188,6 +2188,10 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>镜头畸变（%）</translation>
   </message>
   <message>
+   <source>Less than one epoch fits. Choose a longer time or a coarser resolution.</source>
+   <translation>不足以完成一轮。请选择更长的时间或更粗的分辨率。</translation>
+  </message>
+  <message>
    <source>Level</source>
    <translation>层级</translation>
   </message>

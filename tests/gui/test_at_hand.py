@@ -213,5 +213,7 @@ def test_the_dialog_shows_how_many_epochs_fit_in_the_time_limit(ground, project,
     assert line.text() == "Epochs that fit on this computer: about 69"
     wrappers["MINUTES"].setParameterValue(1, QgsProcessingContext())
     assert line.text() == "Epochs that fit: about 1. Choose a longer time or a coarser resolution."
+    wrappers["MINUTES"].setParameterValue(0.4, QgsProcessingContext())
+    assert line.text() == "Less than one epoch fits. Choose a longer time or a coarser resolution."
     wrappers["MINUTES"].setParameterValue(0, QgsProcessingContext())
     assert line.text() == ""

@@ -43,6 +43,8 @@ def epochs_text(minutes: float, values: dict[str, Any]) -> str:
     fraction = values.get("VALIDATION_FRACTION")
     encoder = SMALL if values.get("NETWORK") == 1 else LITE0
     found = epochs_within(minutes, shape, 0.2 if fraction is None else float(fraction), encoder)
+    if found < 1:
+        return tr("Less than one epoch fits. Choose a longer time or a coarser resolution.")
     if found < ENOUGH:
         text = tr("Epochs that fit: about {count}. Choose a longer time or a coarser resolution.")
         return text.format(count=int(found))
