@@ -128,22 +128,25 @@ def draw(
         ImageError: Nothing of the layer shows there.
         LabelMapError: The file can't be written.
     """
+    name, settings = drawing.layer.name(), _settings(drawing, context)
     height, width = drawing.frame.shape_hw
     places = [(column, row) for row in range(0, height, TILE_PX) for column in range(0, width, TILE_PX)]
     anything, problems = False, []
     with ColorPicture(path, drawing.frame) as picture, watched_downloads(drawing.layer) as downloads:
         for n, (column, row) in enumerate(places, start=1):
             shape_hw = min(TILE_PX, height - row), min(TILE_PX, width - column)
-            pixels_hw4, errors = _drawn(drawing, column, row, shape_hw, context, canceled, downloads)
-            _require_plain_answers(drawing.layer.name(), downloads)
+            settings.setOutputSize(QSize(*reversed(shape_hw)))
+            settings.setExtent(QgsRectangle(*drawing.frame.part(column, row, shape_hw).extent))
+            pixels_hw4, errors = _draw_piece(settings, shape_hw, canceled, downloads, name)
+            _require_plain_answers(name, downloads)
             anything = anything or bool(pixels_hw4[:, :, 3].any())
             problems += errors
             picture.write(column, row, pixels_hw4)
             yield "Drawing the layer", n / len(places)
     if problems:
-        raise ImageError("exchange.not_drawn", layer=drawing.layer.name(), reason=problems[0])
+        raise ImageError("exchange.not_drawn", layer=name, reason=problems[0])
     if not anything:
-        raise ImageError("exchange.nothing_drawn", layer=drawing.layer.name())
+        raise ImageError("exchange.nothing_drawn", layer=name)
 
 
 def _require_plain_answers(layer: str, downloads: Downloads) -> None:
@@ -154,26 +157,28 @@ def _require_plain_answers(layer: str, downloads: Downloads) -> None:
         raise ImageError("exchange.redirected_elsewhere", layer=layer, address=downloads.refused)
 
 
-def _drawn(
-    drawing: Drawing,
-    column: int,
-    row: int,
-    shape_hw: tuple[int, int],
-    context: QgsCoordinateTransformContext,
-    canceled: Callable[[], bool],
-    downloads: Downloads,
-) -> tuple[np.ndarray, list[str]]:
-    """(height, width, 4) uint8 of a piece, red first; what went wrong."""
-    height, width = shape_hw
-    x_min, y_min, x_max, y_max = drawing.frame.part(column, row, shape_hw).extent
+def _settings(drawing: Drawing, context: QgsCoordinateTransformContext) -> QgsMapSettings:
+    """What all pieces of a drawing share.
+
+    The layer is passed to QGIS once: PyQt can take its Python object for deleted while the network thread calls Python.
+    """
     settings = QgsMapSettings()
     settings.setLayers([drawing.layer])
     settings.setDestinationCrs(drawing.crs)
     settings.setTransformContext(context)
-    settings.setOutputSize(QSize(width, height))
-    settings.setExtent(QgsRectangle(x_min, y_min, x_max, y_max))
     settings.setBackgroundColor(QColor(0, 0, 0, 0))
     settings.setFlag(MAP_TILE, True)
+    return settings
+
+
+def _draw_piece(
+    settings: QgsMapSettings,
+    shape_hw: tuple[int, int],
+    canceled: Callable[[], bool],
+    downloads: Downloads,
+    layer: str,
+) -> tuple[np.ndarray, list[str]]:
+    """Draw one piece: (height, width, 4) uint8, red first, and the messages of what failed."""
     job = QgsMapRendererSequentialJob(settings)
     loop, timer = QEventLoop(), QTimer()
     job.finished.connect(loop.quit)
@@ -190,7 +195,7 @@ def _drawn(
         loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
     timer.stop()
     if time.monotonic() > end and not canceled():
-        raise ImageError("exchange.drawing_too_slow", layer=drawing.layer.name(), most_s=int(LONGEST_S))
+        raise ImageError("exchange.drawing_too_slow", layer=layer, most_s=int(LONGEST_S))
     return _pixels(job.renderedImage(), shape_hw), [error.message for error in job.errors()]
 
 
