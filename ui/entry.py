@@ -1,4 +1,4 @@
-"""The ways in: button and menu entries – dock, sample project, guide, diagnostics –, locator bar, options page."""
+"""The ways in: button and menu entries – dock, sample project, guide, diagnostics –, options page."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from .fields.dialog_widgets import offer_widgets, withdraw_widgets
 from .options import PAGE, OptionsFactory
 from .packages.component_installer import ComponentInstaller
 from .widgets.messages import Messages
-from .window_locator import WindowLocator
 
 MENU = "SemRef"
 
@@ -29,7 +28,7 @@ _VISIBLE_SETTING = "semref/dock/visible"
 
 
 class DockEntry:
-    """Adds dock, button, menu entries, locator filter and options page; ``remove`` takes them away in reverse order."""
+    """Adds dock, button, menu entries and options page; ``remove`` takes them away in reverse order."""
 
     def __init__(self, iface: QgisInterface) -> None:
         self._iface = iface
@@ -48,8 +47,6 @@ class DockEntry:
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
         self._preload = Preload(self._dock)
-        self._locator = WindowLocator(self._dock.read_database, self._dock.inspect_window)
-        iface.registerLocatorFilter(self._locator)
         self._drop = DatabaseDrop()
         iface.registerCustomDropHandler(self._drop)
         self._sample = None
@@ -121,7 +118,6 @@ class DockEntry:
         self._sample = self._sample_action = None
         self._iface.unregisterCustomDropHandler(self._drop)
         # QGIS deletes it.
-        self._iface.deregisterLocatorFilter(self._locator)
         QgsSettings().setValue(_VISIBLE_SETTING, not self._dock.isHidden())
         self._dock.shut_down()
         self._iface.removeDockWidget(self._dock)
@@ -130,7 +126,7 @@ class DockEntry:
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
         withdraw_widgets()
-        self._dock = self._action = self._locator = self._drop = self._help = self._options = self._installer = None
+        self._dock = self._action = self._drop = self._help = self._options = self._installer = None
         self._training_installer = self._preload = self._diagnostics = self._diagnostics_action = None
 
     def _show_options(self) -> None:

@@ -21,7 +21,7 @@ from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.database_box import MAKE_DATABASE
 from .widgets.messages import TAG, Messages
-from .widgets.remaining_bar import RemainingBar
+from .widgets.progress import RemainingBar
 
 FOLDER = "semref_sample"
 """Made in the folder that the user picks, unless that one is empty."""

@@ -49,7 +49,7 @@ def empty_plot():
 
 
 def status_line():
-    line = module("ui.widgets.status_line").StatusLine()
+    line = module("ui.widgets.progress").StatusLine()
     line.show_text("a file with a very long name " * 10 + ".png")
     return line
 
@@ -144,7 +144,7 @@ def missing_notice():
 def row_of_buttons():
     from PyQt6.QtWidgets import QWidget
 
-    buttons, layouts = module("ui.widgets.buttons"), module("ui.widgets.layouts")
+    buttons, layouts = module("ui.widgets.controls"), module("ui.widgets.layouts")
     made = QWidget()
     row = layouts.row_of(buttons.tool_button("/mActionAdd.svg", "Add", True), (buttons.split_button("More", "help"), 1))
     made.setLayout(layouts.narrow(row))

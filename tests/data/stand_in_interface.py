@@ -25,7 +25,6 @@ class InterfaceStandIn:
         self.tool_bar_actions = []
         self.menu_actions = []
         self.options_factories = []
-        self.locator_filters = []
         self.drop_handlers = []
         self.options_pages_shown = []
 
@@ -92,13 +91,7 @@ class InterfaceStandIn:
     def unregisterCustomDropHandler(self, handler):
         self.drop_handlers.remove(handler)
 
-    def registerLocatorFilter(self, locator_filter):
-        self.locator_filters.append(locator_filter)
-
-    def deregisterLocatorFilter(self, locator_filter):
-        self.locator_filters.remove(locator_filter)
-
     def leftovers(self) -> list:
         """What a plugin added and did not take away."""
         actions = self.tool_bar_actions + self.menu_actions
-        return self.docks + actions + self.options_factories + self.locator_filters + self.drop_handlers
+        return self.docks + actions + self.options_factories + self.drop_handlers

@@ -203,14 +203,18 @@ def test_a_dock_that_is_opened_first_has_room_for_the_titles_of_its_tabs(plugin,
         assert bar.fontMetrics().horizontalAdvance(bar.tabText(tab)) < bar.tabRect(tab).width()
 
 
-def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(dock, iface, area, issues, tab):
+def test_layers_removed_and_the_project_closed_while_everything_is_shown_break_nothing(
+    dock, iface, area, issues, tab, tmp_path, monkeypatch
+):
     from qgis.core import QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
 
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [area.image])
-    tab.results.keep.click()
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "saved.gpkg"), ""))
+    tab.results.save.click()
     tab.results.drape.click()
     dock.content.inspect.show_window("150_250")
     QgsProject.instance().removeAllMapLayers()

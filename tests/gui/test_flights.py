@@ -78,10 +78,12 @@ def test_playing_goes_through_the_images_and_the_map_follows(flown, iface, monke
     assert iface.canvas.extent().contains(center)
 
 
-def test_its_layers_are_kept_with_their_style(flown):
+def test_its_layers_are_saved_with_their_style(flown, tmp_path, monkeypatch):
     from qgis.core import QgsProject, QgsRuleBasedRenderer
+    from qgis.PyQt.QtWidgets import QFileDialog
 
-    flown.results.keep.click()
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "flown.gpkg"), ""))
+    flown.results.save.click()
     layers = list(QgsProject.instance().mapLayers().values())
     positions = next(layer for layer in layers if layer.geometryType() == 0)
     assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)

@@ -1,4 +1,4 @@
-"""The tab Inspect: windows picked, named, found in the locator bar, compared with an image."""
+"""The tab Inspect: windows picked, named, compared with an image."""
 
 from __future__ import annotations
 
@@ -37,10 +37,12 @@ def test_the_first_press_of_the_next_button_shows_the_first_window(dock, area):
     dock.content.tabs.setCurrentIndex(1)
     dock.content.inspect.after.click()
     wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
-    first = str(dock.read_database().windows.names[0])
+    from semref.storage.database.reader import read_database
+
+    first = str(read_database(area.database).windows.names[0])
     assert dock.content.inspect.name.text() == first
     dock.content.inspect.before.click()
-    assert dock.content.inspect.name.text() == str(dock.read_database().windows.names[-1])
+    assert dock.content.inspect.name.text() == str(read_database(area.database).windows.names[-1])
 
 
 def test_the_tables_fit_a_narrow_dock(dock, area):
@@ -77,38 +79,6 @@ def test_an_image_is_compared_with_the_window_element_by_element(dock, area):
     dock.content.inspect.compare.click()
     assert "distance 0.000, confidence 1.00" in dock.content.inspect.title.text()
     assert {dock.content.inspect.numbers.item(row, 3).text() for row in range(10)} == {"0.000"}
-
-
-def test_the_locator_bar_finds_windows_by_name(dock, iface, area):
-    from qgis.core import QgsFeedback, QgsLocatorContext
-
-    (locator,) = iface.locator_filters
-    found = []
-    searching = locator.clone()
-    searching.resultFetched.connect(found.append)
-    searching.fetchResults("150", QgsLocatorContext(), QgsFeedback())
-    assert found == []
-    dock.content.database.file.setFilePath(area.database)
-    searching.fetchResults("150_2", QgsLocatorContext(), QgsFeedback())
-    assert [result.displayString for result in found] == ["150_200", "150_250"]
-    locator.triggerResult(found[1])
-    wait_until(lambda: dock.content.inspect.numbers.rowCount(), "the window")
-    assert dock.content.inspect.isVisible()
-    assert dock.content.inspect.name.text() == "150_250"
-
-
-def test_qgis_s_own_locator_takes_the_prefix(dock, iface, area):
-    from qgis.core import QgsLocator, QgsLocatorContext
-
-    (ours,) = iface.locator_filters
-    locator, found = QgsLocator(), []
-    locator.registerFilter(ours.clone())
-    locator.foundResult.connect(lambda result: found.append(result.displayString))
-    dock.prepare(area.database, "", [])
-    name = str(dock.read_database().windows.names[0])
-    locator.fetchResults(f"srw {name}", QgsLocatorContext())
-    wait_until(lambda: found and not locator.isRunning(), "QGIS's locator's answer")
-    assert name in found
 
 
 def test_names_of_windows_are_read_from_left_to_right_in_every_language(dock):

@@ -219,18 +219,18 @@ def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow, tab):
     assert tab.state.text() == "Canceled."
 
 
-def test_results_can_be_kept_as_a_layer(dock, area, tab):
+def test_results_are_saved_to_a_file_and_its_positions_join_the_project(dock, area, tab, tmp_path, monkeypatch):
     from qgis.core import QgsProject
+    from qgis.PyQt.QtWidgets import QFileDialog
 
-    assert tab.results.keep.text() == "Earlier results"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "flown"), ""))
+    assert tab.results.save.text() == "Earlier results"
     localize(dock, area.database, [area.image, area.unreadable])
-    assert tab.results.keep.text() == "Keep results as layer"
-    tab.results.keep.click()
+    assert tab.results.save.text() == "Save results…"
+    tab.results.save.click()
     (layer,) = QgsProject.instance().mapLayers().values()
     assert [feature["status"] for feature in layer.getFeatures()] == ["fix", "error"]
-    QgsProject.instance().removeAllMapLayers()
-    tab.results.keep.click()
-    assert len(QgsProject.instance().mapLayers()) == 1
+    assert layer.source().startswith(str(tmp_path / "flown.gpkg"))
 
 
 def test_every_status_has_words(qgis_app):

@@ -53,12 +53,12 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
     QgsProject.instance().clear()
     again = reloaded(plugin, iface)
     results = again.content.localize.results
-    assert table(again) == [] and results.keep.text() == "Earlier results"
+    assert table(again) == [] and results.save.text() == "Earlier results"
     results.earlier.aboutToShow.emit()
     first = results.earlier.actions()[0]
     assert first.text().endswith(" · area (1)")
     first.trigger()
-    assert table(again) == shown and results.keep.text() == "Keep results as layer"
+    assert table(again) == shown and results.save.text() == "Save results…"
     wait_until(lambda: results.image.canvas.scene().items(), "the picture")
 
 

@@ -50,7 +50,7 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     saved = str(tmp_path / "results.gpkg")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
     localize(dock, area.database, [area.image, area.unreadable])
-    tab.results.save.trigger()
+    tab.results.save.click()
     tab.results.image.opacity.setValue(35)
     tab.images.model.setFilePath("")
     tab.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
@@ -78,7 +78,7 @@ def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface,
     saved = tmp_path / "results.gpkg"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
     localize(dock, area.database, [area.image])
-    tab.results.save.trigger()
+    tab.results.save.click()
     QgsProject.instance().write(str(tmp_path / "project.qgs"))
     QgsProject.instance().clear()
     saved.unlink()
@@ -179,7 +179,7 @@ def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(
     saved = str(tmp_path / "results.gpkg")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
     localize(dock, area.database, [area.image])
-    tab.results.save.trigger()
+    tab.results.save.click()
     QgsProject.instance().clear()
     (handler,) = iface.drop_handlers
     assert handler.handleFileDrop(saved) and not handler.handleFileDrop(area.image)
@@ -197,7 +197,7 @@ def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list
     saved.parent.mkdir()
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
     localize(dock, area.database, [area.image])
-    tab.results.save.trigger()
+    tab.results.save.click()
     state = tab.state_now()
     QgsProject.instance().clear()
     drawn = []

@@ -219,7 +219,7 @@ def test_the_details_have_one_decimal_sign(found):
 def test_numbers_are_those_of_the_users_language(qgis_app):
     from qgis.PyQt.QtCore import QLocale
 
-    from semref.ui.widgets.numbers import number_text
+    from semref.ui.widgets.texts import number_text
 
     before = QLocale()
     QLocale.setDefault(QLocale("de_DE"))

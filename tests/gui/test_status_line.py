@@ -9,7 +9,7 @@ SAID, ASIDE = "2 of 2 images have a fix.", "CPU, 11.6 tiles a second."
 
 @pytest.fixture
 def line(qgis_app):
-    from semref.ui.widgets.status_line import StatusLine
+    from semref.ui.widgets.progress import StatusLine
 
     line = StatusLine()
     line.show_text(SAID, ASIDE)

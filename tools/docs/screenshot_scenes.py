@@ -211,7 +211,8 @@ def three_photos(sample: Path, folder: Path) -> list[str]:
 def inspect(session: Session) -> None:
     """A window of the database, with what looks like it."""
     session.show_everything()
-    session.dock.inspect_window(INSPECTED_WINDOW)
+    session.show_tab(INSPECT)
+    session.dock.content.inspect.show_window(INSPECTED_WINDOW)
     wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
     session.show_tab(INSPECT)
     session.take("inspect")
@@ -345,7 +346,7 @@ def all_tabs(session: Session) -> None:
         session.resize(WINDOW[0], TALL, width)
         localized(session)
         session.take(f"{kind}_localize", session.dock)
-        session.dock.inspect_window(INSPECTED_WINDOW)
+        session.dock.content.inspect.show_window(INSPECTED_WINDOW)
         wait_until(lambda: session.dock.content.inspect._window is not None, "the inspected window")
         session.take(f"{kind}_inspect", session.dock)
         session.show_tab(CORRECT)

@@ -9,7 +9,7 @@ from ...core.errors import SemRefError
 from ...processing.inspection.class_tables import ClassRow, is_shipped, read_rows, save_rows
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
-from ..widgets.buttons import tool_button
+from ..widgets.controls import tool_button
 from .editor import ClassTableEditor
 
 

@@ -18,7 +18,7 @@ from ..running.correction_run import RASTERIZE
 from ..tabs.correct.tab import CorrectTab
 from ..tabs.inspect.tab import InspectTab
 from ..tabs.localize.tab import LocalizeTab
-from ..widgets.buttons import tool_button
+from ..widgets.controls import tool_button
 from ..widgets.database_box import DatabaseBox
 from ..widgets.layouts import narrow, row_of
 from ..widgets.messages import Messages

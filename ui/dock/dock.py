@@ -13,16 +13,14 @@ from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
 from ...core.localization import Method
 from ...processing.exchange.database_layers import OPENED, reload_raster
-from ...processing.packages.components import OPENCV, missing
 from ...processing.translation import tr
 from ..packages.missing_notice import MissingNotice
-from ..project_state import DATABASE_SETTING, DockState, ProjectState, remembered_database
+from ..project_state import DATABASE_SETTING, DockState, ProjectState
 from ..running.background import DatabaseShelf
 from ..widgets.layouts import narrow
 from ..widgets.messages import TAG, Messages
 
 if TYPE_CHECKING:
-    from ...core.database.model import ReferenceDatabase
     from .content import DockContent
 
 
@@ -124,28 +122,6 @@ class SemRefDock(QgsDockWidget):
         self._opens = False
         if self._content is not None:
             self._content.shut_down()
-
-    def read_database(self) -> ReferenceDatabase | None:
-        """The chosen database, None without one or what it takes to read it; for background threads.
-
-        Raises:
-            DatabaseError: The file is no database, or can't be read.
-        """
-        if missing([OPENCV]):
-            return None
-        if self._content is not None:
-            path = self._content.database.chosen
-        else:
-            path = remembered_database() if self._wanted_state is None else self._wanted_state.database
-        return self._shelf.read(path) if path else None
-
-    def inspect_window(self, name: str) -> None:
-        """Shows the window of this name in the second tab."""
-        from .content import INSPECT
-
-        self.setUserVisible(True)
-        self.content.tabs.setCurrentIndex(INSPECT)
-        self.content.inspect.show_window(name)
 
     def prepare(self, database: str, model: str, images: list[str]) -> None:
         """Shows the dock with these images, the first one selected, ready to be localized by the automatic method."""

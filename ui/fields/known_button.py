@@ -9,8 +9,8 @@ from qgis.gui import QgsFileWidget
 from qgis.PyQt.QtWidgets import QMenu, QToolButton
 
 from ...processing.translation import tr
-from ..widgets.buttons import tool_button
-from ..widgets.tips import plain_tip
+from ..widgets.controls import tool_button
+from ..widgets.texts import plain_tip
 from .known import DATABASE, MODEL, known_files
 
 

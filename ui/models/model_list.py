@@ -25,7 +25,7 @@ from ...processing.reports.model_card import card_html, card_title, quality_text
 from ...processing.translation import tr
 from ...processing.version import guide_url
 from ..widgets.layouts import row_of
-from ..widgets.tips import plain_tip
+from ..widgets.texts import plain_tip
 
 _SIZE_SETTING = "semref/models/size"
 _SMALLEST_PX = 760, 460

@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QEvent, QModelIndex, QRect, QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QHeaderView, QStyledItemDelegate, QStyleOptionViewItem, QTreeWidget
 
-from ..widgets.rows import changes_font
+from ..widgets.tables import changes_font
 
 
 class _Wrapped(QStyledItemDelegate):

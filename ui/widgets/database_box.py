@@ -18,10 +18,8 @@ from ..fields.known import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
 from ..running.background import Reader
-from .buttons import tool_button
-from .choice_box import ChoiceBox
-from .folding_box import FoldingBox
-from .layouts import content_of, name_fold, narrow, row_of
+from .controls import ChoiceBox, tool_button
+from .layouts import FoldingBox, content_of, name_fold, narrow, row_of
 
 MAKE_DATABASE = "semref:annotationtodatabase"
 

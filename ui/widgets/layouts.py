@@ -1,10 +1,10 @@
-"""Rows and margins that are the same all over the dock."""
+"""Rows, margins and folding boxes that are the same all over the dock."""
 
 from __future__ import annotations
 
 from qgis.gui import QgsCollapsibleGroupBox
 from qgis.PyQt.QtCore import QEvent, QSize
-from qgis.PyQt.QtGui import QResizeEvent
+from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
 from ...processing.translation import tr
@@ -24,6 +24,15 @@ def row_of(*widgets: QWidget | tuple[QWidget, int]) -> QHBoxLayout:
         widget, stretch = entry if isinstance(entry, tuple) else (entry, 0)
         made.addWidget(widget, stretch)
     return made
+
+
+class FoldingBox(QgsCollapsibleGroupBox):
+    """QGIS's box forgets what it was told while it was hidden, such as behind another tab: it stays as it looked."""
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.setCollapsed(self.isCollapsed())
+        self.collapsedStateChanged.emit(self.isCollapsed())
 
 
 class FoldingRow(QWidget):

@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QCoreApplication, QTimer
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ...processing.translation import tr
-from .tips import plain_tip
+from .texts import plain_tip
 
 TAG = "SemRef"
 

@@ -14,11 +14,9 @@ from ....core.annotation.findings import WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.translation import tr
 from ....processing.wording.annotation_messages import kind_titles, severity_title
-from ...widgets.numbers import number_text
-from ...widgets.placeholder import paint_placeholder
-from ...widgets.rows import changes_font, select_row
 from ...widgets.severity_icons import severity_icon
-from ...widgets.tips import plain_tip
+from ...widgets.tables import changes_font, paint_placeholder, select_row
+from ...widgets.texts import number_text, plain_tip
 
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, POSITION_COLUMN = range(4)
 

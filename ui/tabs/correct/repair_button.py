@@ -16,7 +16,7 @@ from ....processing.wording.annotation_messages import kind_titles
 from ....processing.wording.sentences import worded
 from ...running.algorithm_run import AlgorithmRun
 from ...running.correction_run import Correction
-from ...widgets.numbers import number_text
+from ...widgets.texts import number_text
 
 REPAIR = "semref:repairannotation"
 

@@ -20,10 +20,9 @@ from ...canvas.place_mark import PlaceMark
 from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun
-from ...widgets.buttons import shortcut, tool_button
-from ...widgets.choice_box import ChoiceBox
+from ...widgets.controls import ChoiceBox, shortcut, tool_button
 from ...widgets.layouts import FoldingRow, narrow, row_of
-from ...widgets.numbers import number_text
+from ...widgets.texts import number_text
 from .places_table import Place, PlacesTable, has_severity, is_places, place_text, places_of
 from .repair_button import RepairButton
 from .update_box import UpdateBox

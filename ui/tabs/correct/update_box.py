@@ -16,9 +16,8 @@ from ...fields.class_name_box import ClassNameBox
 from ...fields.guessed import class_field_of, class_of_all, priority_field_of
 from ...running.correction_run import Correction
 from ...widgets.layouts import content_of, name_fold, narrow
-from ...widgets.remaining_bar import RemainingBar
-from ...widgets.status_line import StatusLine
-from ...widgets.tips import plain_tip
+from ...widgets.progress import RemainingBar, StatusLine
+from ...widgets.texts import plain_tip
 from .places_table import is_places
 
 SCOPE = "SemRef"

@@ -38,10 +38,10 @@ from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
 from ...canvas.window_marks import WindowMarks
 from ...canvas.window_tool import WindowTool
-from ...widgets.buttons import tool_button
+from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
-from ...widgets.numbers import number_text
-from ...widgets.rows import changes_font
+from ...widgets.tables import changes_font
+from ...widgets.texts import number_text
 from .vector_plot import VectorPlot
 
 if TYPE_CHECKING:

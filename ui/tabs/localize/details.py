@@ -14,7 +14,7 @@ from ....processing.inspection.image import RunnerUp
 from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
 from ...findings import Finding, error_text, status_text
-from ...widgets.numbers import number_text
+from ...widgets.texts import number_text
 from .position_formats import DATABASE, DEGREES, position_text
 
 _LINES, _LEAST_LINES = 5, 2

@@ -19,8 +19,8 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem,
 
 from ....processing.translation import tr
 from ...layer_files import dropped_files
-from ...widgets.placeholder import paint_placeholder
-from ...widgets.tips import plain_tip
+from ...widgets.tables import paint_placeholder
+from ...widgets.texts import plain_tip
 
 _PATH_ROLE = Qt.ItemDataRole.UserRole
 _VISIBLE_ROWS = 3

@@ -31,7 +31,7 @@ from qgis.PyQt.QtWidgets import (
 from ....processing.translation import tr
 from ...canvas.numbers import nearest_number
 from ...widgets.layouts import FoldingRow, narrow, row_of
-from ...widgets.placeholder import paint_placeholder
+from ...widgets.tables import paint_placeholder
 from .image_marks import LandmarkDots, VectorStar
 from .picture import ImagePicture
 

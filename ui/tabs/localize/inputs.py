@@ -31,10 +31,8 @@ from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...models.model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...running.background import Reader
-from ...widgets.buttons import tool_button
-from ...widgets.choice_box import ChoiceBox
-from ...widgets.folding_box import FoldingBox
-from ...widgets.layouts import content_of, name_fold, narrow, row_of
+from ...widgets.controls import ChoiceBox, tool_button
+from ...widgets.layouts import FoldingBox, content_of, name_fold, narrow, row_of
 from .image_list import ImageList
 
 _METHOD_SETTING = "semref/dock/method"

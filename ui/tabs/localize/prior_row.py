@@ -14,9 +14,9 @@ from qgis.PyQt.QtWidgets import QWidget
 from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
 from ...canvas.prior_tool import PriorTool
-from ...widgets.buttons import tool_button
+from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
-from ...widgets.status_line import StatusLine
+from ...widgets.progress import StatusLine
 
 
 class PriorRow(QWidget):

@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QMenu, QPushButton, QSplitter, QToolButton, QVBo
 
 from ....processing.translation import tr
 from ...findings import Finding
-from ...widgets.buttons import shortcut, split_button, tool_button
+from ...widgets.controls import shortcut, split_button, tool_button
 from ...widgets.layouts import FoldingRow, content_of, name_fold, narrow, row_of
 from .details import Details
 from .image_view import ImageView
@@ -43,7 +43,6 @@ class ResultsBox(QgsCollapsibleGroupBox):
     """Emits ``findingSelected`` with a Finding or None."""
 
     findingSelected = pyqtSignal(object)
-    keepAsked = pyqtSignal()
     saveAsked = pyqtSignal()
     drapeAsked = pyqtSignal(object)
     copied = pyqtSignal(str)
@@ -63,13 +62,12 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.zoom.toggled.connect(self._remember_zoom)
         self.before.clicked.connect(lambda: self.table.step(-1))
         self.after.clicked.connect(lambda: self.table.step(1))
-        self.keep.clicked.connect(self._ask_to_keep)
-        self.save.triggered.connect(self.saveAsked)
+        self.save.clicked.connect(self._ask_to_save)
         self.drape.clicked.connect(self._drape)
         self.copy.clicked.connect(self._copy_as_before)
         self.formats.aboutToShow.connect(self._list_formats)
         self._select(None)
-        self._allow_keeping(False)
+        self._allow_saving(False)
         self.play.setVisible(False)
 
     def _make_buttons(self) -> None:
@@ -85,16 +83,15 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.copy = split_button(tr("Copy position"), tr("Copies the position as chosen last; the arrow shows how"))
         self.formats = QMenu(self.copy)
         self.copy.setMenu(self.formats)
-        self.keep = split_button(
-            tr("Keep results as layer"), tr("Adds the positions to the project as a temporary point layer")
+        self.save = split_button(
+            tr("Save results…"),
+            tr("Positions, footprints and possible places as one GeoPackage, opened with the project"),
         )
-        # Without results it says less: the dock shall not need more room when they come.
-        self.keep.setMinimumWidth(self.keep.sizeHint().width())
-        more = QMenu(self.keep)
-        self.save = more.addAction(tr("Save results to a file…"))
-        self.save.setToolTip(tr("Positions, footprints and possible places as one GeoPackage, opened with the project"))
+        # The dock needs the same width with and without results.
+        self.save.setMinimumWidth(self.save.sizeHint().width())
+        more = QMenu(self.save)
         self.earlier = more.addMenu(tr("Earlier results"))
-        self.keep.setMenu(more)
+        self.save.setMenu(more)
         self.drape = QPushButton(tr("Lay image on map"))
         self.drape.setToolTip(tr("Adds the image to the project as a half-transparent layer, placed by its fix"))
 
@@ -112,7 +109,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.parts, 1)
         layout.addLayout(row_of(self.before, self.after, self.play, self.zoom, (self.copy, 1)))
-        layout.addWidget(FoldingRow(self.drape, self.keep))
+        layout.addWidget(FoldingRow(self.drape, self.save))
         name_fold(self)
 
     def _share_room(self) -> None:
@@ -131,16 +128,16 @@ class ResultsBox(QgsCollapsibleGroupBox):
     def show_findings(self, findings: list[Finding]) -> None:
         """Shows these instead of those before, the first one selected."""
         self.table.show_findings(findings)
-        self._allow_keeping(bool(findings))
+        self._allow_saving(bool(findings))
         self.play.setChecked(False)
         self.play.setVisible(any(finding.track for finding in findings))
 
-    def _allow_keeping(self, on: bool) -> None:
-        """Earlier results are there also before there are any; the button then opens its menu."""
-        self.save.setEnabled(on)
+    def _allow_saving(self, on: bool) -> None:
+        """Earlier results can be opened also without results; the button then opens its menu."""
+        self._can_save = on
         mode = QToolButton.ToolButtonPopupMode
-        self.keep.setPopupMode(mode.MenuButtonPopup if on else mode.InstantPopup)
-        self.keep.setText(tr("Keep results as layer") if on else tr("Earlier results"))
+        self.save.setPopupMode(mode.MenuButtonPopup if on else mode.InstantPopup)
+        self.save.setText(tr("Save results…") if on else tr("Earlier results"))
 
     def _play(self, checked: bool) -> None:
         if checked:
@@ -162,9 +159,9 @@ class ResultsBox(QgsCollapsibleGroupBox):
             button.setEnabled(finding is not None)
         self.findingSelected.emit(finding)
 
-    def _ask_to_keep(self) -> None:
-        if self.save.isEnabled():
-            self.keepAsked.emit()
+    def _ask_to_save(self) -> None:
+        if self._can_save:
+            self.saveAsked.emit()
 
     def _remember_zoom(self, checked: bool) -> None:
         QgsSettings().setValue(_ZOOM_SETTING, checked)

@@ -13,9 +13,8 @@ from ....core.localization import Status
 from ....processing.framework.localized_image import ERROR as UNREAD
 from ....processing.translation import tr
 from ...findings import Finding, error_text, status_text
-from ...widgets.numbers import number_text
 from ...widgets.severity_icons import severity_icon
-from ...widgets.tips import plain_tip
+from ...widgets.texts import number_text, plain_tip
 
 IMAGE, PROBABILITY, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
 COLUMN_COUNT = 9

@@ -17,8 +17,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....processing.translation import tr
 from ...findings import Finding
-from ...widgets.placeholder import paint_placeholder
-from ...widgets.rows import changes_font, select_row
+from ...widgets.tables import changes_font, paint_placeholder, select_row
 from .results_model import COLUMN_COUNT, IMAGE, NAME_ROLE, ORDER, SORT_ROLE, SUMMARY, ResultsModel
 
 _IMAGE_COLUMN_MINIMUM_PX = 120

@@ -6,7 +6,7 @@ import os
 from functools import partial
 from typing import Callable
 
-from qgis.core import QgsFeatureRequest, QgsMapLayerStyle, QgsProject, QgsRasterLayer, QgsSettings, QgsVectorLayer
+from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QUrl, pyqtSignal
 from qgis.PyQt.QtGui import QDesktopServices
@@ -15,8 +15,8 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 from ....core.errors import ParameterError
 from ....core.localization import Status
 from ....core.named_files import named_file
-from ....processing.exchange.flight_styles import flight_look, track_look
-from ....processing.exchange.results_file import open_results, write_results
+from ....processing.exchange.flight_styles import flight_look
+from ....processing.exchange.results_file import write_results
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
 from ...findings import Finding, ResultLayers, read_findings
@@ -27,8 +27,7 @@ from ...running.localization_run import LocalizationRun, named_results
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages
-from ...widgets.remaining_bar import RemainingBar
-from ...widgets.status_line import StatusLine
+from ...widgets.progress import RemainingBar, StatusLine
 from .inputs import ImageBox, MethodRow
 from .map_image import MapImage
 from .prior_row import PriorRow
@@ -94,7 +93,6 @@ class LocalizeTab(QWidget):
         for ended in (self.map_image.failed, self.map_image.broke):
             ended.connect(self._show_idle)
         self.localize_button.clicked.connect(self._localize_or_cancel)
-        self.results.keepAsked.connect(self._keep_results)
         self.results.saveAsked.connect(self._save_results)
         self.results.earlier.aboutToShow.connect(self._list_earlier)
         self.results.copied.connect(self._show_copied)
@@ -293,17 +291,6 @@ class LocalizeTab(QWidget):
         for row in (self.method, self.prior):
             row.setVisible(not folded)
 
-    def _keep_results(self) -> None:
-        # A copy: the user may remove the layer and keep the results again.
-        positions, track = _copy_of(self._layers.positions), self._layers.track
-        if track is not None:
-            flight_look(positions).give(positions)
-            track = _copy_of(track)
-            track_look().give(track)
-            QgsProject.instance().addMapLayer(track)
-        QgsProject.instance().addMapLayer(positions)
-        self._messages.info(tr("The positions are a temporary layer of the project now; export it to keep them."))
-
     def _save_results(self) -> None:
         folder = QgsSettings().value(_RESULTS_FOLDER_SETTING, "", type=str)
         path, _ = QFileDialog.getSaveFileName(self.window(), tr("Save results"), folder, tr("GeoPackage (*.gpkg)"))
@@ -311,14 +298,18 @@ class LocalizeTab(QWidget):
             return
         path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
         QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
+        if self._layers.track is not None:
+            flight_look(self._layers.positions).give(self._layers.positions)
         try:
             write_results(path, self._layers)
-            positions = open_results(path)[0]
+            positions, *_others, track = named_results(path)
         except ParameterError as error:
             self._messages.error(worded(error))
             return
         self._results_file = path
         positions.setName(os.path.splitext(os.path.basename(path))[0])
+        if track is not None:
+            QgsProject.instance().addMapLayer(track)
         QgsProject.instance().addMapLayer(positions)
         self._messages.info(tr("Saved; the dock shows these results again when this project is opened."))
 
@@ -361,15 +352,6 @@ class LocalizeTab(QWidget):
             "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
         )
         self._messages.warning(sentence.format(layers=", ".join(names)))
-
-
-def _copy_of(layer: QgsVectorLayer) -> QgsVectorLayer:
-    """In memory, with the look of the other: the file of a run is not kept for ever."""
-    copy, style = layer.materialize(QgsFeatureRequest()), QgsMapLayerStyle()
-    style.readFromLayer(layer)
-    style.writeToLayer(copy)
-    copy.setName(layer.name())
-    return copy
 
 
 def _open_file(path: str) -> None:

@@ -1,11 +1,13 @@
-"""What tables have in common: rows are selected in any direction of writing, and are as high as the font asks."""
+"""What lists and tables share: a selected row, a change of font, a text where there are no rows."""
 
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QEvent, QItemSelectionModel
-from qgis.PyQt.QtWidgets import QTableView
+from qgis.PyQt.QtCore import QEvent, QItemSelectionModel, QRectF, Qt
+from qgis.PyQt.QtGui import QPainter, QPalette, QTextOption
+from qgis.PyQt.QtWidgets import QAbstractScrollArea, QTableView, QWidget
 
 _FLAGS = QItemSelectionModel.SelectionFlag
+_MARGIN_PX = 12
 
 
 def select_row(view: QTableView, row: int) -> None:
@@ -24,3 +26,13 @@ def select_row(view: QTableView, row: int) -> None:
 def changes_font(event: QEvent) -> bool:
     """Whether an event may bring another font: QGIS's, and its size, come by a style sheet after a widget is made."""
     return event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange, QEvent.Type.Polish)
+
+
+def paint_placeholder(view: QWidget, text: str) -> None:
+    """Writes ``text`` in the middle of a view or widget; to be called in its paintEvent when it is empty."""
+    surface = view.viewport() if isinstance(view, QAbstractScrollArea) else view
+    painter = QPainter(surface)
+    painter.setPen(view.palette().color(QPalette.ColorRole.PlaceholderText))
+    area = surface.rect().adjusted(_MARGIN_PX, 0, -_MARGIN_PX, 0)
+    painter.drawText(QRectF(area), text, QTextOption(Qt.AlignmentFlag.AlignCenter))
+    painter.end()

@@ -1,12 +1,15 @@
-"""What goes on, in one line."""
+"""How far a run is: one line of text, and a bar with the time that is left."""
 
 from __future__ import annotations
 
+import time
+
 from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import QLabel
+from qgis.PyQt.QtWidgets import QLabel, QProgressBar
 
-from .tips import plain_tip
+from ...processing.framework.time_left import remaining_text
+from .texts import plain_tip
 
 
 class StatusLine(QLabel):
@@ -45,3 +48,23 @@ class StatusLine(QLabel):
         text = self.text_shown if fits else self._text
         self.setText(metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, width))
         self.setToolTip(plain_tip(self.text_shown))
+
+
+class RemainingBar(QProgressBar):
+    """``begin`` when a run starts, ``show_percent`` as it goes on."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._began = 0.0
+
+    def begin(self) -> None:
+        """A run starts now."""
+        self._began = time.monotonic()
+        self.setValue(0)
+        self.setFormat("%p%")
+
+    def show_percent(self, percent: float) -> None:
+        """How far it is, and how long it still takes if it goes on as fast."""
+        self.setValue(round(percent))
+        left = remaining_text(time.monotonic() - self._began, percent)
+        self.setFormat(f"%p% · {left}" if left else "%p%")
