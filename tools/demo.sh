@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The main job on the sample area: sets up what is missing, makes the sample, builds a reference database from its
-# shapefile, localizes its pictures, and leaves a QGIS project and a map picture in demo/.
+# shapefile, and localizes its pictures; the layers stay in demo/.
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 "$tools/setup.sh"
-"$tools/../.venv/bin/python" "$tools/demo/demo.py" "$@"
+"$tools/../.venv/bin/python" "$tools/demo.py" "$@"

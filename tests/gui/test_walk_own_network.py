@@ -52,9 +52,8 @@ def walk(request, tool, repository, tmp_path_factory) -> dict:
     return tool.walk(package, home / "home", None, str(python), MINUTES)
 
 
-def test_every_step_is_gone_and_counted(walk, tool):
+def test_every_step_is_gone(walk, tool):
     assert [name for name, _, _ in walk["steps"]] == list(tool.STEPS)
-    assert sum(clicks for _, clicks, _ in walk["steps"]) <= 23
     assert all(seconds < tool.LIMIT_S for _, _, seconds in walk["steps"])
 
 
