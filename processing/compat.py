@@ -7,6 +7,7 @@ from qgis.core import (
     QgsMapSettings,
     QgsProcessing,
     QgsProcessingFeatureSource,
+    QgsProcessingParameterNumber,
     QgsUnitTypes,
     QgsWkbTypes,
 )
@@ -66,11 +67,15 @@ if Qgis.QGIS_VERSION_INT >= 33600:
     SOURCE_POINT = Qgis.ProcessingSourceType.VectorPoint
     SOURCE_LINE = Qgis.ProcessingSourceType.VectorLine
     SOURCE_FILE = Qgis.ProcessingSourceType.File
+    DOUBLE = Qgis.ProcessingNumberParameterType.Double
+    INTEGER = Qgis.ProcessingNumberParameterType.Integer
 else:
     SOURCE_POLYGON = QgsProcessing.TypeVectorPolygon
     SOURCE_POINT = QgsProcessing.TypeVectorPoint
     SOURCE_LINE = QgsProcessing.TypeVectorLine
     SOURCE_FILE = QgsProcessing.TypeFile
+    DOUBLE = QgsProcessingParameterNumber.Double
+    INTEGER = QgsProcessingParameterNumber.Integer
 
 AS_THEY_ARE = (
     Qgis.ProcessingFeatureSourceFlag.SkipGeometryValidityChecks

@@ -16,7 +16,6 @@ from .database_drop import DatabaseDrop
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
-from .fields.dialog_widgets import offer_widgets, withdraw_widgets
 from .options import PAGE, OptionsFactory
 from .packages.component_installer import ComponentInstaller
 from .widgets.messages import Messages
@@ -32,7 +31,6 @@ class DockEntry:
 
     def __init__(self, iface: QgisInterface) -> None:
         self._iface = iface
-        offer_widgets()
         window = iface.mainWindow()
         self._action = QAction(QIcon(str(ICON_PATH)), "SemRef", window)
         self._action.setObjectName("SemRefDockAction")
@@ -125,7 +123,6 @@ class DockEntry:
         self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
         self._action.deleteLater()
-        withdraw_widgets()
         self._dock = self._action = self._drop = self._help = self._options = self._installer = None
         self._training_installer = self._preload = self._diagnostics = self._diagnostics_action = None
 

@@ -7,14 +7,21 @@ from collections.abc import Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsGeometry, QgsRectangle
+from qgis.core import (
+    QgsGeometry,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
+    QgsRectangle,
+)
 
 from ...core.errors import ParameterError
-from ..compat import POLYGON
-from ..framework import offers
+from ..compat import DOUBLE, INTEGER, POLYGON, SOURCE_POLYGON
+from ..framework import parameters
 from ..framework.assessing import AssessAlgorithm, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
-from ..framework.declarations import Number, NumberResult, PolygonOutput, Text
+from ..framework.parameters import with_help
 from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
 from ..translation import tr
 from ..wording.numbers import shown
@@ -63,48 +70,41 @@ class AssessDatabase(AssessAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(),
-            Text(
-                self.FOOTPRINT,
-                tr("Footprints (map units)"),
+            parameters.database(),
+            with_help(
+                QgsProcessingParameterString(self.FOOTPRINT, tr("Footprints (map units)"), optional=True),
                 tr(
                     "Edge of the ground that an image shows; several separated by “;” for several heights. The window "
                     "size if left out."
                 ),
-                optional=True,
             ),
-            Number(
-                self.SPACING,
-                tr("Spacing (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.SPACING, tr("Spacing (map units)"), type=DOUBLE, optional=True, minValue=0.0
+                ),
                 tr("Edge of the squares; half the smallest footprint if left out."),
-                optional=True,
                 advanced=True,
-                minimum=0.0,
             ),
-            Number(
-                self.TRIALS,
-                tr("Simulated images"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.TRIALS, tr("Simulated images"), type=INTEGER, defaultValue=1000, minValue=20, maxValue=100_000
+                ),
                 tr("For each footprint, spread evenly over the ground. More make the intervals narrower."),
                 advanced=True,
-                default=1000,
-                minimum=20,
-                maximum=100_000,
-                is_integer=True,
             ),
             *self.noise_parameters(),
             scheduler(),
-            PolygonOutput(
-                self.OUTPUT,
-                tr("Expected success"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Expected success"), type=SOURCE_POLYGON),
                 tr(
                     "Squares of ground; of several footprints one square each, of which the first footprint’s are "
                     "drawn."
                 ),
             ),
-            offers.report(
+            parameters.report(
                 tr("Map, success by footprint, landmarks and what was assumed, in one file to read and print.")
             ),
-            NumberResult(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")),
+            QgsProcessingOutputNumber(self.LOCALIZABLE_FRACTION, tr("Localizable fraction")),
         )
 
     def check(self, values: Values) -> None:

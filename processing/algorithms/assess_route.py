@@ -5,24 +5,26 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from qgis.core import (
     QgsGeometry,
     QgsPointXY,
     QgsProcessingFeatureSourceDefinition,
-    QgsProcessingParameterDefinition,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterNumber,
 )
 
 from ...core.errors import ParameterError
 from ...storage.route_files import is_waypoint_file
-from ..compat import POINT, SOURCE_LINE
-from ..framework import offers, route_flights
+from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT
+from ..framework import parameters, route_flights
 from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
-from ..framework.declarations import Number, NumberResult, PointOutput, VectorSource
+from ..framework.parameters import with_help
 from ..translation import tr
 from ..wording.numbers import shown
 
@@ -66,12 +68,6 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
         return is_waypoint_file(_plain(value)) or super().checkValueIsAcceptable(value, context)
 
 
-class RouteSource(VectorSource):
-    """A route: a line layer or a waypoint file."""
-
-    KIND: ClassVar[type[QgsProcessingParameterDefinition]] = RouteParameter
-
-
 class AssessRoute(AssessAlgorithm):
     ID = "assessroute"
     GROUP = LOCALIZATION
@@ -103,42 +99,41 @@ class AssessRoute(AssessAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(),
-            RouteSource(
-                self.ROUTE,
-                tr("Route"),
+            parameters.database(),
+            with_help(
+                RouteParameter(self.ROUTE, tr("Route"), types=[SOURCE_LINE]),
                 tr(
                     "A line layer, or the path of a GPX, KML, .plan or .waypoints file. Every line is a route of its "
                     "own."
                 ),
-                kinds=(SOURCE_LINE,),
             ),
             *self._lengths(),
-            Number(
-                self.TRIALS,
-                tr("Simulated images a point"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.TRIALS,
+                    tr("Simulated images a point"),
+                    type=INTEGER,
+                    defaultValue=10,
+                    minValue=1,
+                    maxValue=1000,
+                ),
                 tr("More make the intervals narrower; points near each other learn from each other."),
                 advanced=True,
-                default=10,
-                minimum=1,
-                maximum=1000,
-                is_integer=True,
             ),
             *self.noise_parameters(),
-            PointOutput(
-                self.OUTPUT,
-                tr("Points along the route"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Points along the route"), type=SOURCE_POINT),
                 tr(
                     "What to expect at each point; “gap” is the length of the stretch without an expected fix it lies "
                     "in."
                 ),
             ),
-            offers.report(
+            parameters.report(
                 tr("Profile of expected success along the route, and its gaps, in one file to read and print.")
             ),
             *route_flights.parameters(),
-            NumberResult(self.LONGEST_GAP, tr("Longest gap")),
-            NumberResult(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
+            QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
+            QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
             *route_flights.results(),
         )
 
@@ -166,7 +161,14 @@ class AssessRoute(AssessAlgorithm):
             ),
         )
         rare = self.SPACING, self.SHIFT
-        return tuple(Number(*what, optional=True, advanced=what[0] in rare, minimum=0.0) for what in lengths)
+        return tuple(
+            with_help(
+                QgsProcessingParameterNumber(key, title, type=DOUBLE, optional=True, minValue=0.0),
+                text,
+                advanced=key in rare,
+            )
+            for key, title, text in lengths
+        )
 
     def read_layers(self, values: Values) -> None:
         from ..exchange.routes import read_route, route_of_source

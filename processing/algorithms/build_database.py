@@ -5,10 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
+)
+
 from ...core.errors import ClassTableError, ParameterError
-from ..framework import offers
+from ..compat import DOUBLE, INTEGER
+from ..framework import parameters
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
-from ..framework.declarations import FileOutput, Number, NumberResult, Text
+from ..framework.parameters import with_help
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..threads import worker_threads
 from ..translation import tr
@@ -59,10 +67,10 @@ class BuildDatabase(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.label_map(
+            parameters.label_map(
                 tr("Single-band raster of class values in a metric CRS, as “Rasterize annotation” makes it.")
             ),
-            offers.reference_classes(
+            parameters.reference_classes(
                 tr(
                     "Classes whose regions are landmarks: names or values separated by “;”, for example "
                     "building;bare_land;water. If left out, the classes with the role “reference” in the map’s class "
@@ -70,76 +78,75 @@ class BuildDatabase(SemRefAlgorithm):
                 )
             ),
             *self._windows(),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area (m²)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_AREA, tr("Minimum area (m²)"), type=DOUBLE, defaultValue=100.0, minValue=0.0
+                ),
                 tr("Smaller regions are no landmarks."),
-                default=100.0,
-                minimum=0.0,
             ),
-            FileOutput(
-                self.DATABASE,
-                tr("Reference database"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.DATABASE, tr("Reference database"), fileFilter=tr("GeoPackage (*.gpkg)")
+                ),
                 tr("One GeoPackage with the layers windows, references, overview, classes and parameters."),
-                filter=tr("GeoPackage (*.gpkg)"),
             ),
-            Number(
-                self.MAP_ACCURACY,
-                tr("Accuracy of the map (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MAP_ACCURACY,
+                    tr("Accuracy of the map (map units)"),
+                    type=DOUBLE,
+                    defaultValue=1.1,
+                    optional=True,
+                    minValue=0.0,
+                    maxValue=10000.0,
+                ),
                 tr(
                     "Standard deviation along each axis of where landmarks are on the map. Neighbors are displaced "
                     "alike, so that it limits how exactly images are located; the radius of fixes reckons with it. "
                     "1.1 m was measured between maps of two dates."
                 ),
-                optional=True,
                 advanced=True,
-                default=1.1,
-                minimum=0.0,
-                maximum=10000.0,
             ),
-            offers.open_output(),
-            NumberResult(self.WINDOW_COUNT, tr("Number of windows")),
-            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
+            parameters.open_output(),
+            QgsProcessingOutputNumber(self.WINDOW_COUNT, tr("Number of windows")),
+            QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
             scheduler(),
         )
 
     def _windows(self) -> tuple[Declared, ...]:
         """How windows lie and what describes them."""
         return (
-            Number(
-                self.WINDOW_SIZE,
-                tr("Window size (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.WINDOW_SIZE, tr("Window size (map units)"), type=DOUBLE, defaultValue=1280.0, minValue=0.001
+                ),
                 tr("Edge length of a window on the ground: about what an image shows."),
-                default=1280.0,
-                minimum=0.001,
             ),
-            Number(
-                self.STRIDE,
-                tr("Stride (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.STRIDE, tr("Stride (map units)"), type=DOUBLE, defaultValue=350.0, minValue=0.001
+                ),
                 tr("Distance from window to window; at most the window size."),
-                default=350.0,
-                minimum=0.001,
             ),
-            Text(
-                self.LEVELS,
-                tr("Levels"),
+            with_help(
+                QgsProcessingParameterString(self.LEVELS, tr("Levels"), defaultValue="1", optional=True),
                 tr(
                     "Multipliers of window size and stride, separated by “;”: 1;2 adds windows twice as large for "
                     "flights twice as high."
                 ),
-                optional=True,
                 advanced=True,
-                default="1",
             ),
-            Number(
-                self.REFERENCES_PER_VECTOR,
-                tr("Landmarks per vector"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.REFERENCES_PER_VECTOR,
+                    tr("Landmarks per vector"),
+                    type=INTEGER,
+                    defaultValue=10,
+                    minValue=3,
+                    maxValue=1000,
+                ),
                 tr("How many of the landmarks nearest to the center a vector holds."),
                 advanced=True,
-                default=10,
-                minimum=3,
-                maximum=1000,
-                is_integer=True,
             ),
         )
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+
 from ...core.annotation.findings import CHECKED_KINDS, ERROR
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
-from ..compat import MULTI_POLYGON, wkt_for_gdal
-from ..framework import offers
+from ..compat import DOUBLE, MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
+from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm, geometry_of
 from ..framework.base import Declared, cancelable, check_canceled, follow, interruptible
-from ..framework.declarations import Number, NumberResult, PolygonOutput
+from ..framework.parameters import with_help
 from ..packages.components import OPENCV, SHAPELY
 from ..translation import tr
 from ..wording.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
@@ -57,41 +59,41 @@ class CheckAnnotation(AnnotationAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            *offers.annotation(),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area (m²)"),
+            *parameters.annotation(),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_AREA,
+                    tr("Minimum area (m²)"),
+                    type=DOUBLE,
+                    defaultValue=100.0,
+                    optional=True,
+                    minValue=0.0,
+                ),
                 tr("Smaller landmarks are reported: “Build reference database” leaves them out."),
-                optional=True,
-                default=100.0,
-                minimum=0.0,
             ),
-            Number(
-                self.PIXEL_SIZE,
-                tr("Pixel size (m)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.PIXEL_SIZE, tr("Pixel size (m)"), type=DOUBLE, optional=True, minValue=0.001
+                ),
                 tr(
                     "The pixel size that the layer is to be rasterized with: landmarks that such pixels would lose, "
                     "merge or split are reported too. Not looked at if left out."
                 ),
-                optional=True,
-                minimum=0.001,
             ),
-            Number(
-                self.MAXIMUM_GAP,
-                tr("Largest gap (m²)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MAXIMUM_GAP, tr("Largest gap (m²)"), type=DOUBLE, defaultValue=1.0, minValue=0.0
+                ),
                 tr("Uncovered places up to this area, enclosed by polygons, are gaps; thin ones are at any area."),
                 advanced=True,
-                default=1.0,
-                minimum=0.0,
             ),
-            PolygonOutput(
-                self.ISSUES,
-                tr("Issues"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.ISSUES, tr("Issues"), type=SOURCE_POLYGON),
                 tr("One feature a finding, in the coordinate reference system of the label map."),
             ),
-            offers.report(tr("Findings by kind and class in one file to read and print."), by_default=False),
-            NumberResult(self.ISSUE_COUNT, tr("Number of findings")),
-            NumberResult(self.ERROR_COUNT, tr("Number of errors")),
+            parameters.report(tr("Findings by kind and class in one file to read and print."), by_default=False),
+            QgsProcessingOutputNumber(self.ISSUE_COUNT, tr("Number of findings")),
+            QgsProcessingOutputNumber(self.ERROR_COUNT, tr("Number of errors")),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

@@ -7,13 +7,20 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsFeatureRequest
+from qgis.core import (
+    QgsFeatureRequest,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterString,
+)
 
 from ...core.errors import ParameterError
 from ...core.values import LONGEST_NAME
 from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_POLYGON, is_null
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import File, NumberResult, PolygonOutput, Text, VectorSource
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -61,36 +68,28 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            VectorSource(
-                self.INPUT,
-                tr("OpenStreetMap polygons"),
+            with_help(
+                QgsProcessingParameterFeatureSource(self.INPUT, tr("OpenStreetMap polygons"), types=[SOURCE_POLYGON]),
                 tr("A layer with tags as columns, or an extract; of an extract its areas are taken."),
-                kinds=(SOURCE_POLYGON,),
             ),
-            File(
-                self.RULES,
-                tr("Rules"),
+            with_help(
+                QgsProcessingParameterFile(self.RULES, tr("Rules"), fileFilter=tr("CSV files (*.csv)"), optional=True),
                 tr(
                     "CSV with the columns key, value, class, priority; * stands for any value, an empty class leaves "
                     "polygons out. If left out, the rules that come with SemRef."
                 ),
-                optional=True,
                 advanced=True,
-                filter=tr("CSV files (*.csv)"),
             ),
-            Text(
-                self.OTHER_CLASS,
-                tr("Class of all others"),
+            with_help(
+                QgsProcessingParameterString(self.OTHER_CLASS, tr("Class of all others"), optional=True),
                 tr("For polygons that no rule fits, such as building outlines without tags; left out if empty."),
-                optional=True,
                 advanced=True,
             ),
-            PolygonOutput(
-                self.OUTPUT,
-                tr("Land cover"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Land cover"), type=SOURCE_POLYGON),
                 tr("The polygons that have a class, with the fields class, priority, tag, osm_id and name."),
             ),
-            NumberResult(self.FEATURE_COUNT, tr("Number of polygons with a class")),
+            QgsProcessingOutputNumber(self.FEATURE_COUNT, tr("Number of polygons with a class")),
         )
 
     def read_layers(self, values: Values) -> None:

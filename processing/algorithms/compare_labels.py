@@ -5,13 +5,20 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+)
 
 from ...core.errors import ParameterError
-from ..compat import POLYGON
-from ..framework import offers
+from ..compat import DOUBLE, POLYGON, SOURCE_POLYGON
+from ..framework import parameters
 from ..framework.annotation import geometry_of
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import FileOutput, Number, NumberResult, PolygonOutput, RasterLayer
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -43,7 +50,7 @@ class CompareLabels(SemRefAlgorithm):
     MINIMUM_AREA = "MINIMUM_AREA"
     DISAGREEMENTS = "DISAGREEMENTS"
     REPORT = "REPORT"
-    MODEL, SUN_DIRECTION, MODEL_OUTPUT = offers.MODEL, offers.SUN_DIRECTION, "MODEL_OUTPUT"
+    MODEL, SUN_DIRECTION, MODEL_OUTPUT = parameters.MODEL, parameters.SUN_DIRECTION, "MODEL_OUTPUT"
     MEAN_IOU = "MEAN_IOU"
     OVERALL_ACCURACY = "OVERALL_ACCURACY"
 
@@ -64,60 +71,57 @@ class CompareLabels(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterLayer(
-                self.REFERENCE,
-                tr("Annotated label map"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.REFERENCE, tr("Annotated label map")),
                 tr("What is held to be true: single-band class values, for example from “Rasterize annotation”."),
             ),
-            RasterLayer(
-                self.PREDICTED,
-                tr("Predicted label map"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.PREDICTED, tr("Predicted label map")),
                 tr("What is checked, for example from “Segment image”. It must be in the CRS of the annotated map."),
             ),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_AREA, tr("Minimum area"), type=DOUBLE, defaultValue=10.0, optional=True, minValue=0.0
+                ),
                 tr(
                     "Smaller disagreements give no polygon, and landmarks so small are not counted; square map units, "
                     "pixels without georeference."
                 ),
-                optional=True,
-                default=10.0,
-                minimum=0.0,
             ),
-            PolygonOutput(
-                self.DISAGREEMENTS,
-                tr("Disagreements"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.DISAGREEMENTS, tr("Disagreements"), type=SOURCE_POLYGON),
                 tr("One polygon a connected place where the same two classes are confused, ranked by area."),
             ),
-            offers.report(
+            parameters.report(
                 tr(
                     "A page with the confusion matrix as a picture, the figures of each class and the landmarks that "
                     "were missed, invented and misnamed. Assessments take it as COMPARISON."
                 ),
                 by_default=False,
             ),
-            offers.model(
+            parameters.model(
                 tr("The network that made the predicted map, if the bias of its classes is to be written into a copy."),
                 optional=True,
             ),
-            offers.sun_direction(
+            parameters.sun_direction(
                 tr(
                     "Where the sun stood when the predicted image was taken, in degrees clockwise from grid north: a "
                     "bias that shadows make turns with it. If left out, the bias is the same under any sun."
                 )
             ),
-            FileOutput(
-                self.MODEL_OUTPUT,
-                tr("Model with bias"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.MODEL_OUTPUT,
+                    tr("Model with bias"),
+                    fileFilter=tr("ONNX models (*.onnx)"),
+                    optional=True,
+                    createByDefault=False,
+                ),
                 tr("A copy of the model whose metadata say how far off it shows its classes, in meters."),
-                optional=True,
                 advanced=True,
-                by_default=False,
-                filter=tr("ONNX models (*.onnx)"),
             ),
-            NumberResult(self.MEAN_IOU, tr("Mean IoU")),
-            NumberResult(self.OVERALL_ACCURACY, tr("Overall accuracy")),
+            QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
+            QgsProcessingOutputNumber(self.OVERALL_ACCURACY, tr("Overall accuracy")),
         )
 
     def read_layers(self, values: Values) -> None:

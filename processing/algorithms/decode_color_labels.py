@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from qgis.core import (
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+)
+
 from ...core.labels.class_table import UNLABELED
-from ..framework import offers
+from ..framework import parameters
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import Choice, RasterLayer, RasterOutput
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -44,24 +50,30 @@ class DecodeColorLabels(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterLayer(
-                self.INPUT, tr("Color label image"), tr("Image with at least three bands (red, green, blue) of 8 bits.")
+            with_help(
+                QgsProcessingParameterRasterLayer(self.INPUT, tr("Color label image")),
+                tr("Image with at least three bands (red, green, blue) of 8 bits."),
             ),
-            offers.class_table(
+            parameters.class_table(
                 tr(
                     "CSV with the columns value, name, color, role and, for HSV ranges, hsv_min and hsv_max (“h s v”, "
                     "h 0–180, s and v 0–255; the hue may wrap)."
                 ),
                 optional=False,
             ),
-            Choice(
-                self.METHOD,
-                tr("Method"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.METHOD,
+                    tr("Method"),
+                    options=(tr("HSV ranges"), tr("Nearest color")),
+                    defaultValue=self.HSV_RANGES,
+                ),
                 tr("HSV ranges follow the publication; nearest color forgives blended edges."),
-                default=self.HSV_RANGES,
-                options=(tr("HSV ranges"), tr("Nearest color")),
             ),
-            RasterOutput(self.OUTPUT, tr("Label map"), tr("GeoTIFF, 8 bits a pixel, on the grid of the image.")),
+            with_help(
+                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
+                tr("GeoTIFF, 8 bits a pixel, on the grid of the image."),
+            ),
         )
 
     def read_layers(self, values: Values) -> None:

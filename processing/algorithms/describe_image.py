@@ -6,13 +6,21 @@ import json
 from math import hypot
 from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsGeometry, QgsPointXY
+from qgis.core import (
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+)
 
 from ...core.errors import ParameterError
-from ..compat import POINT
-from ..framework import offers
+from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
+from ..framework import parameters
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import FileOutput, Number, NumberResult, PointOutput, RasterLayer
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -64,59 +72,56 @@ class DescribeImage(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterLayer(
-                self.INPUT,
-                tr("Label image"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.INPUT, tr("Label image")),
                 tr("Single-band class values, or colors decoded by the class table. It needs no georeference."),
             ),
-            offers.database(
+            parameters.database(
                 tr("The image is described as this database’s windows are; the settings below are then not used."),
                 optional=True,
             ),
             *self._without_database(),
-            PointOutput(
-                self.REFERENCES,
-                tr("Landmarks"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.REFERENCES, tr("Landmarks"), type=SOURCE_POINT),
                 tr("Points with class, area and pixel position; in pixels (y up, negative) without georeference."),
             ),
-            FileOutput(
-                self.VECTOR,
-                tr("Topology vector"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.VECTOR,
+                    tr("Topology vector"),
+                    fileFilter=tr("JSON files (*.json)"),
+                    optional=True,
+                    createByDefault=False,
+                ),
                 tr("Distance ratios, angle differences and class ranks, with the classes used."),
-                optional=True,
-                by_default=False,
-                filter=tr("JSON files (*.json)"),
             ),
-            NumberResult(self.REFERENCE_COUNT, tr("Number of landmarks")),
+            QgsProcessingOutputNumber(self.REFERENCE_COUNT, tr("Number of landmarks")),
         )
 
     def _without_database(self) -> tuple[Declared, ...]:
         """What a database would tell."""
         return (
-            offers.class_table(
+            parameters.class_table(
                 tr("Without a database: the classes. If left out, those that the label image itself carries.")
             ),
-            offers.reference_classes(
+            parameters.reference_classes(
                 tr(
                     "Without a database: names or values separated by “;”. If left out, the role in the class table "
                     "counts."
                 )
             ),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_AREA, tr("Minimum area"), type=DOUBLE, defaultValue=100.0, minValue=0.0
+                ),
                 tr("Without a database: smallest landmark in square map units, in pixels without georeference."),
-                default=100.0,
-                minimum=0.0,
             ),
-            Number(
-                self.REFERENCES_PER_VECTOR,
-                tr("Landmarks per vector"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.REFERENCES_PER_VECTOR, tr("Landmarks per vector"), type=INTEGER, defaultValue=10, minValue=3
+                ),
                 tr("Without a database: how many of the landmarks nearest to the center the vector holds."),
                 advanced=True,
-                default=10,
-                minimum=3,
-                is_integer=True,
             ),
         )
 

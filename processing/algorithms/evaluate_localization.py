@@ -7,14 +7,23 @@ import time
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsGeometry, QgsPointXY
+from qgis.core import (
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRange,
+)
 
 from ...core.errors import LabelMapError, ParameterError
 from ...core.localization import Method
-from ..compat import POINT
-from ..framework import offers
+from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
+from ..framework import parameters
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.declarations import Choice, FileOutput, Number, NumberRange, NumberResult, PointOutput
+from ..framework.parameters import with_help
 from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
 from ..translation import tr
 from ..wording.sentences import worded
@@ -35,16 +44,16 @@ USUAL: dict[str, tuple[float, float]] = {
     "SCALE": (0.8, 1.25),
     "ROTATION": (0.0, 360.0),
     "OFFSET": (0.0, 0.5),
-    offers.MISSED: (20.0, 20.0),
-    offers.INVENTED: (20.0, 20.0),
-    offers.MISNAMED: (5.0, 5.0),
-    offers.RAGGED: (0.0, 1.0),
-    offers.BACKGROUND: (5.0, 5.0),
-    offers.DISPLACED: (1.1, 1.1),
-    offers.SHIFTED: (0.5, 0.5),
-    offers.LEANING: (0.0, 1.0),
-    offers.LENS: (0.0, 1.0),
-    offers.TILT: (0.0, 3.0),
+    parameters.MISSED: (20.0, 20.0),
+    parameters.INVENTED: (20.0, 20.0),
+    parameters.MISNAMED: (5.0, 5.0),
+    parameters.RAGGED: (0.0, 1.0),
+    parameters.BACKGROUND: (5.0, 5.0),
+    parameters.DISPLACED: (1.1, 1.1),
+    parameters.SHIFTED: (0.5, 0.5),
+    parameters.LEANING: (0.0, 1.0),
+    parameters.LENS: (0.0, 1.0),
+    parameters.TILT: (0.0, 3.0),
 }
 """Default ranges by key."""
 
@@ -60,10 +69,10 @@ class EvaluateLocalization(SemRefAlgorithm):
     GROUP = LOCALIZATION
     TAGS = ("accuracy", "trials", "benchmark", "success rate", "false accept", "noise", "report", "table")
 
-    DATABASE, LABELS, REPORT, SEED = offers.DATABASE, offers.LABELS, offers.REPORT, offers.SEED
-    MISSED, INVENTED, MISNAMED, RAGGED = offers.MISSED, offers.INVENTED, offers.MISNAMED, offers.RAGGED
-    BACKGROUND, DISPLACED, SHIFTED = offers.BACKGROUND, offers.DISPLACED, offers.SHIFTED
-    LEANING, LENS, TILT = offers.LEANING, offers.LENS, offers.TILT
+    DATABASE, LABELS, REPORT, SEED = parameters.DATABASE, parameters.LABELS, parameters.REPORT, parameters.SEED
+    MISSED, INVENTED, MISNAMED, RAGGED = parameters.MISSED, parameters.INVENTED, parameters.MISNAMED, parameters.RAGGED
+    BACKGROUND, DISPLACED, SHIFTED = parameters.BACKGROUND, parameters.DISPLACED, parameters.SHIFTED
+    LEANING, LENS, TILT = parameters.LEANING, parameters.LENS, parameters.TILT
     METHODS = "METHODS"
     TRIALS = "TRIALS"
     MIRRORED = "MIRRORED"
@@ -93,80 +102,79 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(),
-            offers.label_map(
+            parameters.database(),
+            parameters.label_map(
                 tr(
                     "The map that images are cut from: the database’s own or another of the same ground, in the "
                     "database’s CRS and with its classes; the pixel size may differ."
                 )
             ),
-            Choice(
-                self.METHODS,
-                tr("Methods"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.METHODS,
+                    tr("Methods"),
+                    options=[worded(method.title) for method in Method],
+                    allowMultiple=True,
+                    defaultValue=[0, 1],
+                ),
                 tr(
                     "Tried on the same images, side by side. The outputs’ rates and the grid of noise are those of the "
                     "first of automatic, constellation, map correlation, topology vector that is chosen."
                 ),
-                default=[0, 1],
-                options=[worded(method.title) for method in Method],
-                several=True,
             ),
             *self._numbers(),
-            *self._ranges_offered(),
+            *self._range_parameters(),
             *self._judging(),
-            offers.network(),
-            offers.comparison(),
+            parameters.network(),
+            parameters.comparison(),
             scheduler(),
-            PointOutput(
-                self.OUTPUT,
-                tr("Trials"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Trials"), type=SOURCE_POINT),
                 tr(
                     "A point for each trial and method at the true position, with what was found and how far off it is."
                 ),
             ),
-            offers.report(tr("Tables and charts in one file to read and print.")),
-            FileOutput(
-                self.JSON,
-                tr("Numbers"),
+            parameters.report(tr("Tables and charts in one file to read and print.")),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.JSON, tr("Numbers"), fileFilter=tr("JSON files (*.json)"), optional=True, createByDefault=False
+                ),
                 tr("All that the report shows, for scripts."),
-                optional=True,
-                by_default=False,
-                filter=tr("JSON files (*.json)"),
             ),
-            NumberResult(self.SUCCESS_RATE, tr("Success rate")),
-            NumberResult(self.MEDIAN_ERROR, tr("Median error")),
-            NumberResult(self.FALSE_ACCEPT_RATE, tr("False accept rate")),
+            QgsProcessingOutputNumber(self.SUCCESS_RATE, tr("Success rate")),
+            QgsProcessingOutputNumber(self.MEDIAN_ERROR, tr("Median error")),
+            QgsProcessingOutputNumber(self.FALSE_ACCEPT_RATE, tr("False accept rate")),
         )
 
-    def _numbers(self) -> tuple[Number, ...]:
+    def _numbers(self) -> tuple[Declared, ...]:
         """How many images are tried."""
         return (
-            Number(
-                self.TRIALS,
-                tr("Trials"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.TRIALS, tr("Trials"), type=INTEGER, defaultValue=200, minValue=1, maxValue=1_000_000
+                ),
                 tr(
                     "Number of images. The report needs about 1.5 times as many again for noise and offset, and 66 for "
                     "its tables."
                 ),
-                default=200,
-                minimum=1,
-                maximum=1_000_000,
-                is_integer=True,
             ),
-            Number(
-                self.MIRRORED,
-                tr("Mirrored images (%)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MIRRORED,
+                    tr("Mirrored images (%)"),
+                    type=DOUBLE,
+                    defaultValue=25.0,
+                    minValue=0.0,
+                    maxValue=90.0,
+                ),
                 tr(
                     "Part of the trials that show a mirrored piece of the map. They look like the map but can never be "
                     "right: a fix of one is a false accept."
                 ),
-                default=25.0,
-                minimum=0.0,
-                maximum=90.0,
             ),
         )
 
-    def _ranges_offered(self) -> list[NumberRange]:
+    def _range_parameters(self) -> list[Declared]:
         """What trials draw their values from."""
         defaults = {key: f"{low:g},{high:g}" for key, (low, high) in USUAL.items()}
         ranges = (
@@ -180,38 +188,39 @@ class EvaluateLocalization(SemRefAlgorithm):
                 ),
             ),
             (self.ROTATION, tr("Rotation (°)"), tr("Heading of an image’s top, clockwise from grid north.")),
-            *offers.noises(),
-            *offers.shared_errors(),
+            *parameters.noises(),
+            *parameters.shared_errors(),
         )
         # Optional, because QGIS ignores the default of a range that is not.
         return [
-            NumberRange(key, title, text, True, key not in (self.SCALE, self.OFFSET), defaults[key])
+            with_help(
+                QgsProcessingParameterRange(key, title, type=DOUBLE, defaultValue=defaults[key], optional=True),
+                text,
+                advanced=key not in (self.SCALE, self.OFFSET),
+            )
             for key, title, text in ranges
         ]
 
-    def _judging(self) -> tuple[Number, ...]:
+    def _judging(self) -> tuple[Declared, ...]:
         """Where trials lie, and what is right."""
         return (
-            Number(
-                self.MINIMUM_REFERENCES,
-                tr("Landmarks in the window"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_REFERENCES, tr("Landmarks in the window"), type=INTEGER, defaultValue=3, minValue=0
+                ),
                 tr("Trials lie around windows that have at least so many landmarks; 20 leaves open country out."),
-                default=3,
-                minimum=0,
-                is_integer=True,
             ),
-            Number(
-                self.RIGHT_WITHIN,
-                tr("Right within (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.RIGHT_WITHIN, tr("Right within (map units)"), type=DOUBLE, optional=True, minValue=0.0
+                ),
                 tr(
                     "How far off a fix may be to count as right. If left out, 2 % of the edge of the ground that the "
                     "image shows. The topology vector is right when it names the nearest window."
                 ),
-                optional=True,
                 advanced=True,
-                minimum=0.0,
             ),
-            offers.seed(),
+            parameters.seed(),
         )
 
     def check(self, values: Values) -> None:
@@ -223,18 +232,18 @@ class EvaluateLocalization(SemRefAlgorithm):
         from ...core.evaluation.evaluation import TrialRanges
         from ..framework.network_noise import compared_network
 
-        factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
+        factor = parameters.NETWORK_FACTORS[values.choice(parameters.NETWORK)]
         compared = compared_network(values)
 
-        def limits(one: NumberRange) -> tuple[float, float]:
-            if one.key in compared:
-                return compared[one.key], compared[one.key]
-            if factor is None or one.key not in offers.OF_NETWORKS:
-                return values.range(one.key)
-            low, high = (factor * float(part) for part in one.default.split(","))
-            return low, high
+        def limits(key: str) -> tuple[float, float]:
+            if key in compared:
+                return compared[key], compared[key]
+            if factor is None or key not in parameters.OF_NETWORKS:
+                return values.range(key)
+            low, high = USUAL[key]
+            return factor * low, factor * high
 
-        return TrialRanges(**{one.key.lower(): limits(one) for one in self._ranges_offered()})
+        return TrialRanges(**{key.lower(): limits(key) for key in USUAL})
 
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.LABELS)

@@ -7,10 +7,20 @@ from dataclasses import replace
 from datetime import datetime, timezone
 from typing import TYPE_CHECKING
 
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+)
+
 from ...core.errors import ParameterError
-from ..framework import offers
+from ..compat import DOUBLE
+from ..framework import parameters
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.declarations import File, FileOutput, Number, NumberResult, Switch, VectorSource
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -49,63 +59,56 @@ class ExportOnboard(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(),
-            VectorSource(
-                self.CLIP,
-                tr("Area or route"),
+            parameters.database(),
+            with_help(
+                QgsProcessingParameterFeatureSource(self.CLIP, tr("Area or route"), optional=True),
                 tr("Only what lies in these polygons, or along these lines, is exported; without it the whole map."),
-                optional=True,
             ),
-            Number(
-                self.DISTANCE,
-                tr("Distance around it (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.DISTANCE, tr("Distance around it (map units)"), type=DOUBLE, defaultValue=0.0, minValue=0.0
+                ),
                 tr("Half the width of the corridor along a route; give what an image shows at least."),
-                default=0.0,
-                minimum=0.0,
             ),
-            Switch(
-                self.OVERVIEW,
-                tr("With the overview"),
+            with_help(
+                QgsProcessingParameterBoolean(self.OVERVIEW, tr("With the overview"), defaultValue=True),
                 tr(
                     "The reduced label map, which map correlation searches; without it the file is several times "
                     "smaller."
                 ),
-                default=True,
             ),
             *self._file_parameters(),
-            FileOutput(
-                self.OUTPUT,
-                tr("Onboard file"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.OUTPUT, tr("Onboard file"), fileFilter=tr("Onboard files (*.npz)")
+                ),
                 tr("Arrays in numpy’s format, zipped; the documentation describes it for readers in other languages."),
-                filter=tr("Onboard files (*.npz)"),
             ),
-            NumberResult(self.BYTES, tr("Size in bytes")),
+            QgsProcessingOutputNumber(self.BYTES, tr("Size in bytes")),
         )
 
     def _file_parameters(self) -> tuple[Declared, ...]:
         return (
-            Number(
-                self.PRECISION,
-                tr("Precision (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.PRECISION, tr("Precision (map units)"), type=DOUBLE, optional=True, minValue=1e-6
+                ),
                 tr(
                     "Largest rounding error of a landmark’s x and y; a hundredth of a pixel of the label map if left "
                     "out."
                 ),
-                optional=True,
                 advanced=True,
-                minimum=1e-6,
             ),
-            File(
-                self.KEY_FILE,
-                tr("Key file"),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.KEY_FILE, tr("Key file"), fileFilter=tr("All files (*)"), optional=True
+                ),
                 tr(
                     "Signs the file (HMAC-SHA256) with the bytes of this file, 32 random ones for example, so that "
                     "“semref … --require-signature KEY” takes no file that others made or changed. Keep the "
                     "key secret: anyone who has it can sign."
                 ),
-                optional=True,
                 advanced=True,
-                filter=tr("All files (*)"),
             ),
         )
 

@@ -5,10 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+)
+
 from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION
-from ..framework import offers
+from ..compat import INTEGER
+from ..framework import parameters
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, follow
-from ..framework.declarations import FolderOutput, Number, NumberResult, RasterLayer
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -27,7 +35,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
     LABELS = "LABELS"
     TILE_SIZE = "TILE_SIZE"
     STRIDE = "STRIDE"
-    VALIDATION_FRACTION = offers.VALIDATION_FRACTION
+    VALIDATION_FRACTION = parameters.VALIDATION_FRACTION
     CLASS_TABLE = "CLASS_TABLE"
     OUTPUT = "OUTPUT"
     TILE_COUNT = "TILE_COUNT"
@@ -46,41 +54,37 @@ class ExportTrainingTiles(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterLayer(
-                self.IMAGE,
-                tr("Image"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.IMAGE, tr("Image")),
                 tr(
                     "Aerial image of 8 or 16 bits. Networks of SemRef take three bands; further bands are exported too."
                 ),
             ),
-            offers.label_map(tr("Single-band raster of class values, 0 where nothing is known, of the same ground.")),
-            Number(
-                self.TILE_SIZE,
-                tr("Tile size (pixels)"),
+            parameters.label_map(
+                tr("Single-band raster of class values, 0 where nothing is known, of the same ground.")
+            ),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.TILE_SIZE, tr("Tile size (pixels)"), type=INTEGER, defaultValue=512, minValue=32
+                ),
                 tr("Edge of a tile; a multiple of 32 suits networks."),
-                default=512,
-                minimum=32,
-                is_integer=True,
             ),
-            Number(
-                self.STRIDE,
-                tr("Stride (pixels)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.STRIDE, tr("Stride (pixels)"), type=INTEGER, defaultValue=512, minValue=1
+                ),
                 tr("Step from tile to tile; less than the tile size makes tiles overlap."),
-                default=512,
-                minimum=1,
-                is_integer=True,
             ),
-            offers.validation_fraction(optional=True),
-            offers.class_table(
+            parameters.validation_fraction(optional=True),
+            parameters.class_table(
                 tr("CSV with the columns value, name, color, role, for a label map that brings no classes of its own."),
                 advanced=True,
             ),
-            FolderOutput(
-                self.OUTPUT,
-                tr("Folder for the tiles"),
+            with_help(
+                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for the tiles")),
                 tr("A new or empty folder; one that holds files is left alone."),
             ),
-            NumberResult(self.TILE_COUNT, tr("Number of tiles")),
+            QgsProcessingOutputNumber(self.TILE_COUNT, tr("Number of tiles")),
         )
 
     def read_layers(self, values: Values) -> None:

@@ -6,12 +6,20 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterMultipleLayers,
+)
+
 from ...core.errors import ImageError, SemRefError
 from ...core.sentences import legible
-from ..compat import SOURCE_POINT, SOURCE_POLYGON
+from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.declarations import Choice, Files, FolderOutput, NumberResult, VectorSource
 from ..framework.localized_image import unique_names
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -54,50 +62,47 @@ class GeoreferenceImages(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            VectorSource(
-                self.POSITIONS,
-                tr("Positions"),
+            with_help(
+                QgsProcessingParameterFeatureSource(self.POSITIONS, tr("Positions"), types=[SOURCE_POINT]),
                 tr("What “Localize images” wrote, with all its columns."),
-                kinds=(SOURCE_POINT,),
             ),
-            Choice(
-                self.FORMAT,
-                tr("Format"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.FORMAT,
+                    tr("Format"),
+                    options=(tr("GeoTIFF"), tr("World file"), tr("Control points (.points)")),
+                    defaultValue=GEOTIFF,
+                ),
                 tr(
                     "GeoTIFF: the image turned north up, transparent around it. World file: a copy of the image, its "
                     "pixels as they are, with a world file and the CRS beside it. Control points: a copy of the image "
                     "with a .points file, which the Georeferencer opens along with it."
                 ),
-                default=GEOTIFF,
-                options=(tr("GeoTIFF"), tr("World file"), tr("Control points (.points)")),
             ),
-            VectorSource(
-                self.FOOTPRINTS,
-                tr("Footprints"),
+            with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.FOOTPRINTS, tr("Footprints"), types=[SOURCE_POLYGON], optional=True
+                ),
                 tr("Those of the same run: how images lie that were taken with a tilted camera."),
-                optional=True,
-                kinds=(SOURCE_POLYGON,),
             ),
-            VectorSource(
-                self.MATCHES,
-                tr("Matches"),
+            with_help(
+                QgsProcessingParameterFeatureSource(self.MATCHES, tr("Matches"), types=[SOURCE_POINT], optional=True),
                 tr(
                     "Those of the same run: the landmarks that agree become control points, with how far each is off. "
                     "Without them, where an image has fewer than four, or where map correlation placed it, the "
                     "corners, edges and middle as the fix puts them do."
                 ),
-                optional=True,
-                kinds=(SOURCE_POINT,),
             ),
-            Files(
-                self.IMAGES,
-                tr("Images"),
+            with_help(
+                QgsProcessingParameterMultipleLayers(self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=True),
                 tr("The images or their folder. Needed where they are not in the folder of the positions."),
-                optional=True,
                 advanced=True,
             ),
-            FolderOutput(self.OUTPUT, tr("Folder for the georeferenced images"), tr("A new or empty folder.")),
-            NumberResult(self.IMAGE_COUNT, tr("Number of images")),
+            with_help(
+                QgsProcessingParameterFolderDestination(self.OUTPUT, tr("Folder for the georeferenced images")),
+                tr("A new or empty folder."),
+            ),
+            QgsProcessingOutputNumber(self.IMAGE_COUNT, tr("Number of images")),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

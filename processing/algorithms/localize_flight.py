@@ -7,16 +7,24 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterNumber,
+)
+
 from ...core.errors import ParameterError
 from ...core.localization import Method
-from ..framework import offers, priors
+from ..compat import DOUBLE, SOURCE_LINE, SOURCE_POINT
+from ..framework import parameters, priors
 from ..framework.base import Declared, cancelable, check_canceled, interruptible
-from ..framework.declarations import File, LineOutput, Number, NumberResult, PointOutput
 from ..framework.flight_images import FlightReader, in_order, localized_of, say_pose, with_log
 from ..framework.flight_layers import FlownImage, report_points, tracks_of, write_flight_positions, write_tracks
 from ..framework.localized_image import LabelImages, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches
 from ..framework.localizing import LocalizeAlgorithm
+from ..framework.parameters import with_help
 from ..framework.photo_labels import pace_results
 from ..framework.photo_positions import with_far_photos
 from ..translation import tr
@@ -44,7 +52,7 @@ class LocalizeFlight(LocalizeAlgorithm):
     ODOMETRY = "ODOMETRY"
     LOG = "LOG"
     TRACK = "TRACK"
-    REPORT = offers.REPORT
+    REPORT = parameters.REPORT
     TRACK_COUNT = "TRACK_COUNT"
 
     def title(self) -> str:
@@ -61,33 +69,35 @@ class LocalizeFlight(LocalizeAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(),
+            parameters.database(),
             *self.image_parameters(optional=False),
             *priors.parameters(),
             self.camera_parameter(),
-            File(
-                self.ODOMETRY,
-                tr("Odometry table"),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.ODOMETRY, tr("Odometry table"), fileFilter=tr("CSV (*.csv *.txt)"), optional=True
+                ),
                 tr(
                     "A CSV with the columns image, dx_m, dy_m and dheading_deg: how far the camera moved since the "
                     "row before, to the right and towards the top of that image in meters, and how far it turned "
                     "clockwise in degrees; optionally sigma_m, sigma_heading_deg, scale and sigma_scale. A row without "
                     "numbers says that the motion is not known. It counts before what pixels say."
                 ),
-                optional=True,
                 advanced=True,
-                filter=tr("CSV (*.csv *.txt)"),
             ),
-            Number(
-                self.MAXIMUM_SPEED,
-                tr("Maximum speed (map units per second)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MAXIMUM_SPEED,
+                    tr("Maximum speed (map units per second)"),
+                    type=DOUBLE,
+                    optional=True,
+                    minValue=0.001,
+                ),
                 tr(
                     "For images whose times are known: a position that can’t be reached in time from those before and "
                     "after it is marked as jump, with the reason. It stays a position and is counted."
                 ),
-                optional=True,
                 advanced=True,
-                minimum=0.001,
             ),
             *self._output_parameters(),
             self.risk_parameter(
@@ -98,45 +108,44 @@ class LocalizeFlight(LocalizeAlgorithm):
                 ),
             ),
             self.sun_parameter(),
-            File(
-                self.LOG,
-                tr("Flight log"),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.LOG,
+                    tr("Flight log"),
+                    fileFilter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
+                    optional=True,
+                ),
                 tr(
                     "The log of an autopilot (ArduPilot .bin, PX4 .ulg, .tlog), subtitles of DJI (.SRT) or a geo.txt: "
                     "heading, height and attitude that neither camera table nor photos tell, and motion between "
                     "images where neither pixels nor the odometry table tell it. Its positions are left alone."
                 ),
-                optional=True,
                 advanced=True,
-                filter=tr("Flight logs (*.bin *.ulg *.tlog *.srt *.SRT *.txt)"),
             ),
         )
 
     def _output_parameters(self) -> tuple[Declared, ...]:
         """What is written, and the numbers that are told."""
         return (
-            PointOutput(
-                self.OUTPUT,
-                tr("Positions of the flight"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions of the flight"), type=SOURCE_POINT),
                 tr(
                     "One point an image, in the order of the flight: as of “Localize images”, with what the position "
                     "rests on (source: own or flight), its track, and whether a fix of its own was outvoted. Images "
                     "whose times are known can be played with QGIS’s temporal controller."
                 ),
             ),
-            LineOutput(
-                self.TRACK,
-                tr("Track"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.TRACK, tr("Track"), type=SOURCE_LINE, optional=True),
                 tr("One line a track, from image to image."),
-                optional=True,
             ),
             self.footprints_parameter(tr("One polygon an image with a position: the ground that it shows.")),
-            offers.report(
+            parameters.report(
                 tr("The track with its error ellipses, what held where, heading and height, and the gaps, in one file.")
             ),
             *self.shown_parameters(),
-            NumberResult(self.FIX_COUNT, tr("Number of images with a position")),
-            NumberResult(self.TRACK_COUNT, tr("Number of tracks")),
+            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of images with a position")),
+            QgsProcessingOutputNumber(self.TRACK_COUNT, tr("Number of tracks")),
             *pace_results(),
         )
 

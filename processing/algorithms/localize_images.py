@@ -7,22 +7,23 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ...core.errors import ParameterError
-from ..compat import SOURCE_POLYGON
-from ..framework import offers, priors
-from ..framework.base import Declared, cancelable, check_canceled
-from ..framework.declarations import (
-    MapExtent,
-    Number,
-    NumberResult,
-    PointOutput,
-    PolygonOutput,
-    RasterLayer,
-    VectorSource,
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
 )
+
+from ...core.errors import ParameterError
+from ..compat import DOUBLE, SOURCE_POINT, SOURCE_POLYGON
+from ..framework import parameters, priors
+from ..framework.base import Declared, cancelable, check_canceled
 from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
 from ..framework.localizing import LocalizeAlgorithm, localize_image, scheduled_images
+from ..framework.parameters import with_help
 from ..framework.photo_labels import pace_results
 from ..framework.photo_positions import with_far_photos
 from ..framework.photo_source import PhotoSource
@@ -44,8 +45,8 @@ class LocalizeImages(LocalizeAlgorithm):
 
     ALTERNATIVES = "ALTERNATIVES"
     LAYER = "LAYER"
-    EXTENT = offers.EXTENT
-    MASK = offers.MASK
+    EXTENT = parameters.EXTENT
+    MASK = parameters.MASK
 
     def title(self) -> str:
         return tr("Localize images")
@@ -61,20 +62,23 @@ class LocalizeImages(LocalizeAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(),
+            parameters.database(),
             *self.image_parameters(optional=True),
             *priors.parameters(),
             self.camera_parameter(),
-            Number(
-                self.MAXIMUM_SPEED,
-                tr("Maximum speed (map units per second)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MAXIMUM_SPEED,
+                    tr("Maximum speed (map units per second)"),
+                    type=DOUBLE,
+                    optional=True,
+                    minValue=0.001,
+                ),
                 tr(
                     "For images of one flight whose times are known: a fix that can’t be reached in time from the "
                     "fixes before and after it is marked as jump, with the reason. It stays a fix and is counted."
                 ),
-                optional=True,
                 advanced=True,
-                minimum=0.001,
             ),
             *self._output_parameters(),
             self.risk_parameter(
@@ -94,39 +98,33 @@ class LocalizeImages(LocalizeAlgorithm):
     def _layer_parameters(self) -> tuple[Declared, ...]:
         """What is localized instead of images, or with them."""
         return (
-            RasterLayer(
-                self.LAYER,
-                tr("Layer to try"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.LAYER, tr("Layer to try"), optional=True),
                 tr(
                     "A raster or a map of tiles, of which the extent is localized as if it were an image, at the "
                     "model’s resolution (label colors: at the database’s): would this place be found?"
                 ),
-                optional=True,
                 advanced=True,
             ),
-            MapExtent(
-                self.EXTENT,
-                tr("Extent of the layer to try"),
+            with_help(
+                QgsProcessingParameterExtent(self.EXTENT, tr("Extent of the layer to try"), optional=True),
                 tr("Needed for maps of tiles, else all of the layer."),
-                optional=True,
                 advanced=True,
             ),
-            VectorSource(
-                self.MASK,
-                tr("Mask of the layer to try"),
+            with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.MASK, tr("Mask of the layer to try"), types=[SOURCE_POLYGON], optional=True
+                ),
                 tr("Polygons: ground outside of them has no label. Without an extent, what lies around them is tried."),
-                optional=True,
                 advanced=True,
-                kinds=(SOURCE_POLYGON,),
             ),
         )
 
     def _output_parameters(self) -> tuple[Declared, ...]:
         """What is written, and the number that is told."""
         return (
-            PointOutput(
-                self.OUTPUT,
-                tr("Positions"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Positions"), type=SOURCE_POINT),
                 tr(
                     "One point an image: status, position, confidence, distance, window and, without a fix, the reason."
                 ),
@@ -137,15 +135,14 @@ class LocalizeImages(LocalizeAlgorithm):
                     "method."
                 )
             ),
-            PolygonOutput(
-                self.ALTERNATIVES,
-                tr("Possible places"),
+            with_help(
+                QgsProcessingParameterFeatureSink(
+                    self.ALTERNATIVES, tr("Possible places"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                ),
                 tr("For ambiguous images: the ground of each place that fits, the best one first."),
-                optional=True,
-                by_default=False,
             ),
             *self.shown_parameters(),
-            NumberResult(self.FIX_COUNT, tr("Number of fixes")),
+            QgsProcessingOutputNumber(self.FIX_COUNT, tr("Number of fixes")),
         )
 
     def check(self, values: Values) -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterEnum, QgsProcessingParameterFileDestination
+
 from ...core.errors import ClassTableError, ParameterError
-from ..framework import offers
+from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import Declared, check_canceled
 from ..framework.class_presets import PRESETS
-from ..framework.declarations import Choice, FileOutput, NumberResult
+from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ class MakeClassTable(AnnotationAlgorithm):
     ID = "classtable"
     TAGS = ("class table", "classes", "legend", "colors", "csv", "nomenclature", "openstreetmap", "corine", "lcdb")
 
-    REFERENCE_CLASSES = offers.REFERENCE_CLASSES
+    REFERENCE_CLASSES = parameters.REFERENCE_CLASSES
     OUTPUT = "OUTPUT"
     PRESET = "PRESET"
     CLASS_COUNT = "CLASS_COUNT"
@@ -42,31 +44,33 @@ class MakeClassTable(AnnotationAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            *offers.annotation()[:3],
-            offers.reference_classes(
+            *parameters.annotation()[:3],
+            parameters.reference_classes(
                 tr(
                     "Names or values of the classes whose regions are landmarks, separated by “;”. If left out, those "
                     "that usually are compact and stay where they are: buildings, water, bare land, orchards."
                 )
             ),
-            FileOutput(
-                self.OUTPUT,
-                tr("Class table"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.OUTPUT, tr("Class table"), fileFilter=tr("CSV files (*.csv)")
+                ),
                 tr("CSV with the columns value, name, color, role, draw_order, hsv_min, hsv_max."),
-                filter=tr("CSV files (*.csv)"),
             ),
-            Choice(
-                self.PRESET,
-                tr("Nomenclature"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.PRESET,
+                    tr("Nomenclature"),
+                    options=(tr("None"), *(preset.title for preset in PRESETS)),
+                    defaultValue=0,
+                ),
                 tr(
                     "Whose values, colors and roles the classes get. The class field may hold the names, or the codes "
                     "that names begin with; classes that the nomenclature lacks come behind its own."
                 ),
                 advanced=True,
-                default=0,
-                options=(tr("None"), *(preset.title for preset in PRESETS)),
             ),
-            NumberResult(self.CLASS_COUNT, tr("Number of classes")),
+            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes")),
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:

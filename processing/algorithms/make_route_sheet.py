@@ -6,12 +6,19 @@ import re
 from itertools import groupby
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qgis.core import QgsProcessingAlgorithm, QgsProject
+from qgis.core import (
+    QgsProcessingAlgorithm,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterString,
+    QgsProject,
+)
 
 from ...core.errors import ParameterError
 from ..compat import SOURCE_POINT, SOURCE_POLYGON, is_null
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import FileOutput, RasterLayer, Text, VectorSource
+from ..framework.parameters import with_help
 from ..translation import tr
 from ..wording.numbers import Local, shown
 
@@ -51,33 +58,29 @@ class MakeRouteSheet(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            VectorSource(
-                self.ROUTE,
-                tr("Points along the route"),
+            with_help(
+                QgsProcessingParameterFeatureSource(self.ROUTE, tr("Points along the route"), types=[SOURCE_POINT]),
                 tr("The points that “Assess route” wrote."),
-                kinds=(SOURCE_POINT,),
             ),
-            VectorSource(
-                self.ASSESSMENT,
-                tr("Expected success"),
+            with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.ASSESSMENT, tr("Expected success"), types=[SOURCE_POLYGON], optional=True
+                ),
                 tr("The squares that “Assess reference database” wrote, drawn below the route."),
-                optional=True,
-                kinds=(SOURCE_POLYGON,),
             ),
-            RasterLayer(
-                self.BASE_MAP,
-                tr("Base map"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.BASE_MAP, tr("Base map"), optional=True),
                 tr("An orthophoto, map tiles, or the overview of the database, drawn below everything."),
-                optional=True,
             ),
-            Text(
-                self.TITLE, tr("Title"), tr("Heading of the sheet; the route layer’s name if left out."), optional=True
+            with_help(
+                QgsProcessingParameterString(self.TITLE, tr("Title"), optional=True),
+                tr("Heading of the sheet; the route layer’s name if left out."),
             ),
-            FileOutput(
-                self.OUTPUT,
-                tr("Route sheet"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.OUTPUT, tr("Route sheet"), fileFilter=tr("PDF files (*.pdf)")
+                ),
                 tr("A PDF to print and to file."),
-                filter=tr("PDF files (*.pdf)"),
             ),
         )
 

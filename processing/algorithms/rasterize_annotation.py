@@ -6,14 +6,22 @@ from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+)
 
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
-from ..compat import wkt_for_gdal
-from ..framework import offers
+from ..compat import DOUBLE, wkt_for_gdal
+from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm, filling_polygon
 from ..framework.base import Declared, follow
-from ..framework.declarations import Crs, MapExtent, Number, NumberResult, RasterOutput, Switch
+from ..framework.parameters import with_help
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..translation import tr
 
@@ -55,43 +63,37 @@ class RasterizeAnnotation(AnnotationAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            *offers.annotation(),
-            Number(
-                self.PIXEL_SIZE,
-                tr("Pixel size (m)"),
+            *parameters.annotation(),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.PIXEL_SIZE, tr("Pixel size (m)"), type=DOUBLE, defaultValue=1.0, minValue=0.001
+                ),
                 tr("Edge length of a pixel in meters. The smallest landmark should cover some 50 pixels."),
-                default=1.0,
-                minimum=0.001,
             ),
-            MapExtent(
-                self.EXTENT,
-                tr("Extent"),
+            with_help(
+                QgsProcessingParameterExtent(self.EXTENT, tr("Extent"), optional=True),
                 tr("Area to rasterize, widened to whole pixels; the extent of the polygons if left out."),
-                optional=True,
             ),
-            Crs(
-                self.TARGET_CRS,
-                tr("Target CRS"),
+            with_help(
+                QgsProcessingParameterCrs(self.TARGET_CRS, tr("Target CRS"), optional=True),
                 tr("Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone."),
-                optional=True,
             ),
-            Switch(
-                self.OTHER_GROUND,
-                tr("Treat ground without a polygon as class “other”"),
+            with_help(
+                QgsProcessingParameterBoolean(
+                    self.OTHER_GROUND, tr("Treat ground without a polygon as class “other”"), defaultValue=False
+                ),
                 tr(
                     "Applies within the extent of the polygons. Choose it where all areas of the classes were drawn. "
                     "SemRef always does it for a layer with a single class, such as buildings."
                 ),
-                default=False,
             ),
-            RasterOutput(
-                self.OUTPUT,
-                tr("Label map"),
+            with_help(
+                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
                 tr("GeoTIFF, 8 bits a pixel, with the class table, colors and class names."),
             ),
             scheduler(),
-            NumberResult(self.CLASS_COUNT, tr("Number of classes on the map")),
-            NumberResult(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")),
+            QgsProcessingOutputNumber(self.CLASS_COUNT, tr("Number of classes on the map")),
+            QgsProcessingOutputNumber(self.LABELED_FRACTION, tr("Fraction of the map that is labeled")),
         )
 
     def check(self, values: Values) -> None:

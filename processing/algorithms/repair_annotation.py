@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterNumber
+
 from ...core.annotation.findings import ERROR, OUTSIDE_CRS
 from ...core.errors import ParameterError
-from ..compat import MULTI_POLYGON, POLYGON
-from ..framework import offers
+from ..compat import DOUBLE, MULTI_POLYGON, POLYGON, SOURCE_POLYGON
+from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm, geometry_of
 from ..framework.base import Declared, check_canceled, follow, interruptible
-from ..framework.declarations import Number, PolygonOutput
+from ..framework.parameters import with_help
 from ..packages.components import OPENCV, SHAPELY
 from ..translation import tr
 from ..wording.annotation_messages import FIELDS, change_sentence, row_of
@@ -50,37 +52,36 @@ class RepairAnnotation(AnnotationAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            *offers.annotation(),
-            Number(
-                self.MAXIMUM_GAP,
-                tr("Largest gap (m²)"),
+            *parameters.annotation(),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MAXIMUM_GAP, tr("Largest gap (m²)"), type=DOUBLE, defaultValue=1.0, optional=True, minValue=0.0
+                ),
                 tr("Uncovered places up to this area, enclosed by polygons, are filled; thin ones are at any area."),
-                optional=True,
-                default=1.0,
-                minimum=0.0,
             ),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area (m²)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_AREA,
+                    tr("Minimum area (m²)"),
+                    type=DOUBLE,
+                    defaultValue=0.0,
+                    optional=True,
+                    minValue=0.0,
+                ),
                 tr(
                     "Smaller pieces that touch a neighbor are merged with it; pieces that stand alone stay. Thin "
                     "pieces are merged at any area."
                 ),
-                optional=True,
-                default=0.0,
-                minimum=0.0,
             ),
-            PolygonOutput(
-                self.OUTPUT,
-                tr("Repaired annotation"),
+            with_help(
+                QgsProcessingParameterFeatureSink(self.OUTPUT, tr("Repaired annotation"), type=SOURCE_POLYGON),
                 tr("Valid single polygons with the fields of the annotation layer, in meters."),
             ),
-            PolygonOutput(
-                self.CHANGES,
-                tr("Changes"),
+            with_help(
+                QgsProcessingParameterFeatureSink(
+                    self.CHANGES, tr("Changes"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                ),
                 tr("One feature a change: what was changed where, and which features it concerns."),
-                optional=True,
-                by_default=False,
             ),
         )
 

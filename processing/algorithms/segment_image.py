@@ -8,11 +8,19 @@ from contextlib import closing
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from ..compat import wkt_for_gdal
-from ..framework import offers
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+)
+
+from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
+from ..framework import parameters
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.declarations import Number, NumberResult, PolygonOutput, RasterLayer, RasterOutput
 from ..framework.label_polygons import write_polygons
+from ..framework.parameters import with_help
 from ..framework.photo_labels import Pace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
@@ -41,14 +49,14 @@ class SegmentImage(SemRefAlgorithm):
     INPUT = "INPUT"
     MODEL = "MODEL"
     OVERLAP = "OVERLAP"
-    RESOLUTION = offers.RESOLUTION
+    RESOLUTION = parameters.RESOLUTION
     CLASS_TABLE = "CLASS_TABLE"
-    EXTENT = offers.EXTENT
+    EXTENT = parameters.EXTENT
     OUTPUT = "OUTPUT"
     POLYGONS = "POLYGONS"
     MINIMUM_AREA = "MINIMUM_AREA"
     TOLERANCE = "TOLERANCE"
-    MASK = offers.MASK
+    MASK = parameters.MASK
     CONFIDENCE = "CONFIDENCE"
     PROBABILITIES = "PROBABILITIES"
     CERTAINTY = "CERTAINTY"
@@ -66,52 +74,48 @@ class SegmentImage(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterLayer(
-                self.INPUT,
-                tr("Photo or orthophoto"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.INPUT, tr("Photo or orthophoto")),
                 tr(
                     "Any raster with or without georeference, or any map of tiles. Red, green and blue are found by "
                     "color interpretation or wavelength, else they are the first three bands; a single band is taken "
                     "as gray. Bands of more than 8 bits are stretched from their 2nd to their 98th percentile."
                 ),
             ),
-            offers.model(
+            parameters.model(
                 tr("A segmentation network with its classes in its metadata; models made for Deepness will do.")
             ),
             *self._tile_parameters(),
-            offers.class_table(
+            parameters.class_table(
                 tr(
                     "Values and colors for the model’s classes, found by name; for a model that does not name its "
                     "classes: one line an output of the network, in order of value."
                 ),
                 advanced=True,
             ),
-            offers.extent(),
-            RasterOutput(
-                self.OUTPUT,
-                tr("Label map"),
+            parameters.extent(),
+            with_help(
+                QgsProcessingParameterRasterDestination(self.OUTPUT, tr("Label map")),
                 tr("GeoTIFF, 8 bits a pixel, with the classes of the model; pixels without data are 0."),
             ),
             *self._polygon_parameters(),
-            offers.mask(),
+            parameters.mask(),
             *self._certainty_parameters(),
             *pace_results(),
-            NumberResult(self.CERTAINTY, tr("How sure the network is of its labels (%, mean)")),
+            QgsProcessingOutputNumber(self.CERTAINTY, tr("How sure the network is of its labels (%, mean)")),
             scheduler(),
         )
 
     def _tile_parameters(self) -> tuple[Declared, ...]:
         return (
-            Number(
-                self.OVERLAP,
-                tr("Overlap of tiles (%)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.OVERLAP, tr("Overlap of tiles (%)"), type=DOUBLE, optional=True, minValue=0, maxValue=75
+                ),
                 tr("If left out: that of the model’s metadata, else 20. More takes longer and hides seams better."),
-                optional=True,
                 advanced=True,
-                minimum=0,
-                maximum=75,
             ),
-            offers.resolution(
+            parameters.resolution(
                 tr(
                     "Pixel size the network was trained on; if left out, that of the model’s metadata. Images without "
                     "georeference are taken as they are."
@@ -121,52 +125,51 @@ class SegmentImage(SemRefAlgorithm):
 
     def _polygon_parameters(self) -> tuple[Declared, ...]:
         return (
-            PolygonOutput(
-                self.POLYGONS,
-                tr("Polygons"),
+            with_help(
+                QgsProcessingParameterFeatureSink(
+                    self.POLYGONS, tr("Polygons"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+                ),
                 tr("The label map as polygons with class, name and area, without gaps and overlaps between them."),
-                optional=True,
-                by_default=False,
             ),
-            Number(
-                self.MINIMUM_AREA,
-                tr("Minimum area of polygons (square map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINIMUM_AREA,
+                    tr("Minimum area of polygons (square map units)"),
+                    type=DOUBLE,
+                    optional=True,
+                    minValue=0,
+                ),
                 tr("Smaller regions go to their largest neighbor; square pixels for images without georeference."),
-                optional=True,
                 advanced=True,
-                minimum=0,
             ),
-            Number(
-                self.TOLERANCE,
-                tr("Tolerance of polygons (map units)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.TOLERANCE, tr("Tolerance of polygons (map units)"), type=DOUBLE, optional=True, minValue=0
+                ),
                 tr(
                     "Borders are straightened by about this much, alike on both sides; if left out by 1.5 pixels, 0 "
                     "keeps the pixels’ edges."
                 ),
-                optional=True,
                 advanced=True,
-                minimum=0,
             ),
         )
 
     def _certainty_parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterOutput(
-                self.CONFIDENCE,
-                tr("Confidence"),
+            with_help(
+                QgsProcessingParameterRasterDestination(
+                    self.CONFIDENCE, tr("Confidence"), optional=True, createByDefault=False
+                ),
                 tr(
                     "GeoTIFF, percent: how probable the network takes the class that a pixel has to be; 255 where it "
                     "did not look. Networks are often surer than they should be."
                 ),
-                optional=True,
-                by_default=False,
             ),
-            RasterOutput(
-                self.PROBABILITIES,
-                tr("Probabilities"),
+            with_help(
+                QgsProcessingParameterRasterDestination(
+                    self.PROBABILITIES, tr("Probabilities"), optional=True, createByDefault=False
+                ),
                 tr("GeoTIFF, percent, one band for each class of the model, by its name; 255 where it did not look."),
-                optional=True,
-                by_default=False,
             ),
         )
 

@@ -9,22 +9,23 @@ from contextlib import closing
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from qgis.core import (
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+)
+
 from ...core.errors import ImageError, ParameterError, TrainingError
 from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
-from ..framework import offers
+from ..compat import DOUBLE, INTEGER
+from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm
 from ..framework.base import Canceled, Declared, check_canceled, follow
-from ..framework.declarations import (
-    PHOTO_WIDGET,
-    TIME_LIMIT_WIDGET,
-    Choice,
-    File,
-    FileOutput,
-    Number,
-    NumberResult,
-    RasterLayer,
-    Switch,
-)
+from ..framework.parameters import with_help
 from ..framework.photo_source import PhotoSource
 from ..translation import tr
 
@@ -59,22 +60,22 @@ class TrainModel(AnnotationAlgorithm):
 
     IMAGE = "IMAGE"
     LABELS = "LABELS"
-    EXTENT = offers.EXTENT
+    EXTENT = parameters.EXTENT
     UNLABELED = "UNLABELED"
     BASE_MODEL = "BASE_MODEL"
     MINUTES = "MINUTES"
     EPOCHS = "EPOCHS"
     PATIENCE = "PATIENCE"
     NETWORK = "NETWORK"
-    RESOLUTION = offers.RESOLUTION
-    VALIDATION_FRACTION = offers.VALIDATION_FRACTION
+    RESOLUTION = parameters.RESOLUTION
+    VALIDATION_FRACTION = parameters.VALIDATION_FRACTION
     RESUME = "RESUME"
     PYTHON = "PYTHON"
     SEED = "SEED"
     OUTPUT = "OUTPUT"
     REPORT = "REPORT"
     MEAN_IOU = "MEAN_IOU"
-    MASK = offers.MASK
+    MASK = parameters.MASK
 
     _has_single_class = False
 
@@ -92,128 +93,116 @@ class TrainModel(AnnotationAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            RasterLayer(
-                self.IMAGE,
-                tr("Orthophoto"),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.IMAGE, tr("Orthophoto")),
                 tr(
                     "Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map "
                     "tiles and web maps are drawn by QGIS; they need extent and resolution."
                 ),
-                widget=PHOTO_WIDGET,
+                widget="PhotoWidget",
             ),
-            *(replace(parameter, optional=True) for parameter in offers.annotation()),
-            replace(
-                offers.label_map(
-                    tr("Instead of an annotation: a raster of class values of the same ground, 0 without a label.")
-                ),
+            *parameters.annotation(optional=True),
+            parameters.label_map(
+                tr("Instead of an annotation: a raster of class values of the same ground, 0 without a label."),
                 optional=True,
             ),
             *self._choices(),
             *self._details(),
-            FileOutput(
-                self.OUTPUT,
-                tr("Model"),
+            with_help(
+                QgsProcessingParameterFileDestination(self.OUTPUT, tr("Model"), fileFilter=tr("ONNX models (*.onnx)")),
                 tr("ONNX file. While it is trained, a folder beside it keeps what a canceled run can go on with."),
-                filter=tr("ONNX models (*.onnx)"),
             ),
-            offers.report(tr("A page with IoU of each class, confusion matrix, curves and examples side by side.")),
-            NumberResult(self.MEAN_IOU, tr("Mean IoU")),
-            offers.mask(),
+            parameters.report(tr("A page with IoU of each class, confusion matrix, curves and examples side by side.")),
+            QgsProcessingOutputNumber(self.MEAN_IOU, tr("Mean IoU")),
+            parameters.mask(),
         )
 
     def _choices(self) -> tuple[Declared, ...]:
         return (
-            Choice(
-                self.UNLABELED,
-                tr("Ground without a label"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.UNLABELED,
+                    tr("Ground without a label"),
+                    options=(tr("is unknown"), tr("is class “other”")),
+                    defaultValue=UNKNOWN,
+                ),
                 tr(
                     "Unknown ground is left out of training. Choose class “other” only where everything that is of a "
                     "class was drawn; the extent then keeps away ground where nothing was drawn. SemRef always does it "
                     "for a layer with a single class, such as buildings."
                 ),
-                default=UNKNOWN,
-                options=(tr("is unknown"), tr("is class “other”")),
             ),
-            File(
-                self.BASE_MODEL,
-                tr("Base model"),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.BASE_MODEL,
+                    tr("Base model"),
+                    fileFilter=tr("Models that SemRef trained (*.onnx *.pt)"),
+                    optional=True,
+                ),
                 tr("A model that SemRef trained, to go on from: its classes are matched by name. Optional."),
-                optional=True,
-                filter=tr("Models that SemRef trained (*.onnx *.pt)"),
             ),
-            Number(
-                self.MINUTES,
-                tr("Time limit (minutes)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.MINUTES, tr("Time limit (minutes)"), type=DOUBLE, defaultValue=30, optional=True, minValue=0
+                ),
                 tr(
                     "Time from the start until the model is written. Ten minutes are enough to try; an hour gives a "
                     "better model. 0: no limit."
                 ),
-                optional=True,
-                default=30,
-                minimum=0,
-                widget=TIME_LIMIT_WIDGET,
+                widget="TimeLimitWidget",
             ),
-            replace(
-                offers.resolution(
-                    tr(
-                        "Pixel size for training, if not that of the image: the smallest buildings should be about 14 "
-                        "pixels wide. Coarser pixels train faster."
-                    )
+            parameters.resolution(
+                tr(
+                    "Pixel size for training, if not that of the image: the smallest buildings should be about 14 "
+                    "pixels wide. Coarser pixels train faster."
                 ),
                 advanced=False,
             ),
-            offers.extent(),
+            parameters.extent(),
         )
 
     def _details(self) -> tuple[Declared, ...]:
         return (
             *self._learning_parameters(),
-            offers.validation_fraction(advanced=True),
-            Switch(
-                self.RESUME,
-                tr("Go on with a canceled run"),
+            parameters.validation_fraction(advanced=True),
+            with_help(
+                QgsProcessingParameterBoolean(self.RESUME, tr("Go on with a canceled run"), defaultValue=True),
                 tr("A canceled run with the same output and settings is gone on with; otherwise it is begun anew."),
                 advanced=True,
-                default=True,
             ),
-            File(
-                self.PYTHON,
-                tr("Python that trains"),
+            with_help(
+                QgsProcessingParameterFile(
+                    self.PYTHON, tr("Python that trains"), fileFilter=tr("Programs (*)"), optional=True
+                ),
                 tr("A Python with torch; if left out, that of the options, or the one that SemRef made for training."),
-                optional=True,
                 advanced=True,
-                filter=tr("Programs (*)"),
             ),
-            offers.seed(default=1671),
+            parameters.seed(default=1671),
         )
 
     def _learning_parameters(self) -> tuple[Declared, ...]:
         return (
-            Number(
-                self.EPOCHS,
-                tr("Epochs"),
+            with_help(
+                QgsProcessingParameterNumber(self.EPOCHS, tr("Epochs"), type=INTEGER, defaultValue=200, minValue=1),
                 tr("Rounds over the ground, at most; the time limit may end it earlier."),
                 advanced=True,
-                default=200,
-                minimum=1,
-                is_integer=True,
             ),
-            Number(
-                self.PATIENCE,
-                tr("Patience (epochs)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.PATIENCE, tr("Patience (epochs)"), type=INTEGER, defaultValue=30, minValue=0
+                ),
                 tr("Training stops when ground set aside has not been told better for so many epochs. 0: never."),
                 advanced=True,
-                default=30,
-                minimum=0,
-                is_integer=True,
             ),
-            Choice(
-                self.NETWORK,
-                tr("Network"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.NETWORK,
+                    tr("Network"),
+                    options=(tr("EfficientNet-Lite0, which knows photos"), tr("Small, from scratch")),
+                    defaultValue=LITE0_NETWORK,
+                ),
                 tr("What is trained where there is no base model. The small one is quicker and knows nothing yet."),
                 advanced=True,
-                default=LITE0_NETWORK,
-                options=(tr("EfficientNet-Lite0, which knows photos"), tr("Small, from scratch")),
             ),
         )
 

@@ -5,13 +5,20 @@ from __future__ import annotations
 from math import ceil, floor
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsCsException
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCsException,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterRasterLayer,
+)
 
 from ...core.errors import ClassTableError, LabelMapError, ParameterError
 from ..compat import SOURCE_POLYGON, wkt_for_gdal
-from ..framework import offers
+from ..framework import parameters
 from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
-from ..framework.declarations import FileOutput, RasterLayer, VectorSource
+from ..framework.parameters import with_help
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -52,31 +59,29 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def parameters(self) -> tuple[Declared, ...]:
         return (
-            offers.database(tr("GeoPackage made by “Build reference database” or by this algorithm.")),
-            RasterLayer(
-                self.LABELS,
-                tr("Corrected label map"),
+            parameters.database(tr("GeoPackage made by “Build reference database” or by this algorithm.")),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.LABELS, tr("Corrected label map")),
                 tr("The whole area, rasterized with the pixel size and extent of the old label map."),
             ),
-            VectorSource(
-                self.CHANGED,
-                tr("Changed areas"),
+            with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.CHANGED, tr("Changed areas"), types=[SOURCE_POLYGON], optional=True
+                ),
                 tr(
                     "Polygons that hold everything that was changed, such as the places that were corrected: only the "
                     "blocks of 512 × 512 pixels that they touch are looked at, and changes elsewhere are missed until "
                     "an update without this. If left out, the whole map is compared with the database, which takes "
                     "longer."
                 ),
-                optional=True,
-                kinds=(SOURCE_POLYGON,),
             ),
-            FileOutput(
-                self.OUTPUT,
-                tr("Updated database"),
+            with_help(
+                QgsProcessingParameterFileDestination(
+                    self.OUTPUT, tr("Updated database"), fileFilter=tr("GeoPackage (*.gpkg)")
+                ),
                 tr("It may be the database itself, which is then replaced when the update is complete."),
-                filter=tr("GeoPackage (*.gpkg)"),
             ),
-            offers.open_output(),
+            parameters.open_output(),
         )
 
     def read_layers(self, values: Values) -> None:

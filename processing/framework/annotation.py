@@ -13,7 +13,7 @@ from ...core.annotation.findings import ERROR, UNKNOWN_CLASS
 from ...core.errors import ParameterError
 from ...storage.pixel_grid import Bounds, union_of_bounds
 from ..translation import tr
-from . import offers
+from . import parameters
 from .base import ANNOTATION, SemRefAlgorithm, check_canceled
 
 if TYPE_CHECKING:
@@ -33,11 +33,11 @@ class AnnotationAlgorithm(SemRefAlgorithm):
     GROUP = ANNOTATION
     _source: AnnotationSource
 
-    INPUT = offers.INPUT
-    CLASS_FIELD = offers.CLASS_FIELD
-    CLASS = offers.CLASS
-    PRIORITY_FIELD = offers.PRIORITY_FIELD
-    CLASS_TABLE = offers.CLASS_TABLE
+    INPUT = parameters.INPUT
+    CLASS_FIELD = parameters.CLASS_FIELD
+    CLASS = parameters.CLASS
+    PRIORITY_FIELD = parameters.PRIORITY_FIELD
+    CLASS_TABLE = parameters.CLASS_TABLE
 
     def check(self, values: Values) -> None:
         if values.has(self.INPUT) and not (values.text(self.CLASS_FIELD) or values.text(self.CLASS).strip()):

@@ -7,15 +7,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
+
 from ...core.errors import DatabaseError
 from ...core.localization import Method
+from ..compat import DOUBLE
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
-from . import offers
+from . import parameters
 from .base import SemRefAlgorithm, cancelable, check_canceled
-from .declarations import Number, Parameter, Switch
 from .network_noise import compared_network
+from .parameters import with_help
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -28,50 +31,55 @@ if TYPE_CHECKING:
     from .values import Values
 
 USUAL: dict[str, tuple[float, float | None]] = {
-    offers.MISSED: (20.0, 100.0),
-    offers.INVENTED: (20.0, 100.0),
-    offers.MISNAMED: (5.0, 100.0),
-    offers.RAGGED: (1.0, None),
-    offers.BACKGROUND: (5.0, 100.0),
-    offers.DISPLACED: (1.1, None),
-    offers.SHIFTED: (0.5, None),
-    offers.LEANING: (0.5, 100.0),
-    offers.LENS: (0.5, 10.0),
-    offers.TILT: (2.0, 30.0),
+    parameters.MISSED: (20.0, 100.0),
+    parameters.INVENTED: (20.0, 100.0),
+    parameters.MISNAMED: (5.0, 100.0),
+    parameters.RAGGED: (1.0, None),
+    parameters.BACKGROUND: (5.0, 100.0),
+    parameters.DISPLACED: (1.1, None),
+    parameters.SHIFTED: (0.5, None),
+    parameters.LEANING: (0.5, 100.0),
+    parameters.LENS: (0.5, 10.0),
+    parameters.TILT: (2.0, 30.0),
 }
 """What is assumed by default, and the largest value, by key: percent, map units, degrees."""
 
 
-def _noise(key: str, title: str, text: str) -> Number:
+def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
     usual, most = USUAL[key]
-    return Number(key, title, text, advanced=True, default=usual, minimum=0.0, maximum=most)
+    parameter = QgsProcessingParameterNumber(key, title, type=DOUBLE, defaultValue=usual, minValue=0.0)
+    if most is not None:
+        parameter.setMaximum(most)
+    return with_help(parameter, text, advanced=True)
 
 
 class AssessAlgorithm(SemRefAlgorithm):
     """An algorithm that simulates images of a database."""
 
-    MISSED, INVENTED, MISNAMED, RAGGED = offers.MISSED, offers.INVENTED, offers.MISNAMED, offers.RAGGED
-    BACKGROUND, DISPLACED, SHIFTED = offers.BACKGROUND, offers.DISPLACED, offers.SHIFTED
-    LEANING, LENS, TILT = offers.LEANING, offers.LENS, offers.TILT
-    DATABASE, REPORT, SEED = offers.DATABASE, offers.REPORT, offers.SEED
+    MISSED, INVENTED, MISNAMED, RAGGED = parameters.MISSED, parameters.INVENTED, parameters.MISNAMED, parameters.RAGGED
+    BACKGROUND, DISPLACED, SHIFTED = parameters.BACKGROUND, parameters.DISPLACED, parameters.SHIFTED
+    LEANING, LENS, TILT = parameters.LEANING, parameters.LENS, parameters.TILT
+    DATABASE, REPORT, SEED = parameters.DATABASE, parameters.REPORT, parameters.SEED
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
 
-    def noise_parameters(self) -> tuple[Parameter, ...]:
+    def noise_parameters(self) -> tuple[QgsProcessingParameterDefinition, ...]:
         """What is good enough, how images are localized, and how poor their labels are."""
         return (
-            Number(
-                self.THRESHOLD,
-                tr("Good enough from (%)"),
+            with_help(
+                QgsProcessingParameterNumber(
+                    self.THRESHOLD,
+                    tr("Good enough from (%)"),
+                    type=DOUBLE,
+                    defaultValue=90.0,
+                    minValue=1.0,
+                    maxValue=99.9,
+                ),
                 tr("Expected success from which a place counts as one where localization works."),
                 advanced=True,
-                default=90.0,
-                minimum=1.0,
-                maximum=99.9,
             ),
-            Switch(
-                self.MAP_CORRELATION,
-                tr("With map correlation"),
+            with_help(
+                QgsProcessingParameterBoolean(self.MAP_CORRELATION, tr("With map correlation"), defaultValue=True),
                 tr(
                     "As the method Automatic works: where landmarks give no fix, map correlation is tried on images "
                     "cut from the database’s overview. That takes about a second an image on a large map, so it is "
@@ -79,13 +87,12 @@ class AssessAlgorithm(SemRefAlgorithm):
                     "assessed."
                 ),
                 advanced=True,
-                default=True,
             ),
-            *(_noise(*what) for what in offers.noises()),
-            offers.seed(),
-            *(_noise(*what) for what in offers.shared_errors()),
-            offers.network(),
-            offers.comparison(),
+            *(_noise(*what) for what in parameters.noises()),
+            parameters.seed(),
+            *(_noise(*what) for what in parameters.shared_errors()),
+            parameters.network(),
+            parameters.comparison(),
         )
 
     def check(self, values: Values) -> None:
@@ -95,13 +102,13 @@ class AssessAlgorithm(SemRefAlgorithm):
         """How poor labels and cameras are taken to be, in map units. Raises ParameterError for what can't be."""
         from ...core.assessment.job import conditions_of
 
-        factor = offers.NETWORK_FACTORS[values.choice(offers.NETWORK)]
+        factor = parameters.NETWORK_FACTORS[values.choice(parameters.NETWORK)]
         compared = compared_network(values)
 
         def number(key: str) -> float:
             if key in compared:
                 return compared[key]
-            is_given = factor is None or key not in offers.OF_NETWORKS
+            is_given = factor is None or key not in parameters.OF_NETWORKS
             return values.number(key) if is_given else factor * USUAL[key][0]
 
         return conditions_of({key.lower(): number(key) for key in USUAL})
@@ -217,7 +224,7 @@ def setting_rows(conditions: Conditions, threshold: float, correlation: bool, se
         (tr("Landmarks invented (%)"), shown(100 * noise.spurious, "g")),
         (tr("Landmarks misnamed (%)"), shown(100 * noise.mislabeled, "g")),
         (tr("Ragged edges (map units)"), shown(noise.jitter, "g")),
-        *((title, shown(number, "g")) for (_, title, _), number in zip(offers.shared_errors(), numbers)),
+        *((title, shown(number, "g")) for (_, title, _), number in zip(parameters.shared_errors(), numbers)),
         (tr("Good enough from (%)"), shown(100 * threshold, "g")),
         (tr("Seed"), str(seed)),
     ]

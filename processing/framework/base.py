@@ -15,7 +15,10 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
+    QgsProcessingOutputDefinition,
     QgsProcessingOutputFile,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterFileDestination,
 )
 from qgis.PyQt.QtGui import QIcon
 
@@ -27,12 +30,11 @@ from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
 from .apart import require_outputs_apart
-from .declarations import FileOutput, Parameter, Told
 from .outputs import Outputs
 from .time_left import TellingFeedback
 from .values import Values
 
-Declared = Union[Parameter, Told]
+Declared = Union[QgsProcessingParameterDefinition, QgsProcessingOutputDefinition]
 Result = TypeVar("Result")
 
 ICON_PATH = Path(__file__).resolve().parents[2] / "resources" / "icon.svg"
@@ -108,13 +110,13 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     def initAlgorithm(self, config: dict[str, Any] | None = None) -> None:
         self._reports_as_files = self._reports_as_files or REPORTS_AS_FILES in (config or {})
         for declared in self.parameters():
-            if isinstance(declared, Told):
-                self.addOutput(declared.definition())
-            elif self._reports_as_files and isinstance(declared, FileOutput) and declared.is_page:
-                self.addParameter(declared.definition(), False)
-                self.addOutput(QgsProcessingOutputFile(declared.key, declared.title))
+            if isinstance(declared, QgsProcessingOutputDefinition):
+                self.addOutput(declared)
+            elif self._reports_as_files and _is_page(declared):
+                self.addOutput(QgsProcessingOutputFile(declared.name(), declared.description()))
+                self.addParameter(declared, False)
             else:
-                self.addParameter(declared.definition())
+                self.addParameter(declared)
 
     def name(self) -> str:
         return self.ID
@@ -217,6 +219,11 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
 
 _READ = {"number": Values.number, "distance": Values.number, "range": Values.range}
 """Numbers by type of parameter: read before any work, and refused where they are none."""
+
+
+def _is_page(parameter: QgsProcessingParameterDefinition) -> bool:
+    """Whether it is an output that QGIS shows in its Results Viewer; QGIS goes by the filter as well."""
+    return isinstance(parameter, QgsProcessingParameterFileDestination) and "*.htm" in parameter.fileFilter()
 
 
 def group_title(group: str) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from ...core.landmarks.class_shifts import LEAST_AREA_PX, PIECE_PX
 from ...core.landmarks.compared import LandmarkErrors, piece_errors
 from ..reports.comparison_report import PIXEL, MeasuredErrors, MeasuredShifts
-from . import offers
+from . import parameters
 from .base import check_canceled
 
 if TYPE_CHECKING:
@@ -67,12 +67,12 @@ def _numbers(
     shifted = _shifted(shifts)
     ragged = errors.ragged_px((shifted or 0.0) / size) if shifts.unit != PIXEL else None
     return {
-        offers.MISSED: 100 * errors.missed / of,
-        offers.INVENTED: min(100 * errors.invented / of, MOST_PERCENT),
-        offers.MISNAMED: 100 * errors.misnamed / of,
-        offers.RAGGED: None if ragged is None else size * ragged,
-        offers.BACKGROUND: _misnamed_background(comparison, classes),
-        offers.SHIFTED: shifted,
+        parameters.MISSED: 100 * errors.missed / of,
+        parameters.INVENTED: min(100 * errors.invented / of, MOST_PERCENT),
+        parameters.MISNAMED: 100 * errors.misnamed / of,
+        parameters.RAGGED: None if ragged is None else size * ragged,
+        parameters.BACKGROUND: _misnamed_background(comparison, classes),
+        parameters.SHIFTED: shifted,
     }
 
 

@@ -4,17 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Union
+
+from qgis.core import (
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+)
 
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
+from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from ..translation import tr
 from ..wording.camera_messages import camera_read, camera_remark
 from ..wording.sentences import worded
-from . import offers, priors
+from . import parameters, priors
 from .base import LOCALIZATION, SemRefAlgorithm, cancelable
-from .declarations import Choice, File, Files, FolderOutput, Number, Parameter, PointOutput, PolygonOutput
 from .localized_image import LabelImages, LocalizedImage, is_photo
+from .parameters import with_help
 from .scheduler import counted, workers
 
 if TYPE_CHECKING:
@@ -33,17 +44,14 @@ if TYPE_CHECKING:
     LabelReader = Union[PhotoLabels, LabelImageReader]
 
 
-_LEFT_OUT: dict[str, Any] = {"optional": True, "by_default": False}
-
-
 class LocalizeAlgorithm(SemRefAlgorithm):
     """An algorithm that localizes images in a database."""
 
     GROUP = LOCALIZATION
 
-    DATABASE = offers.DATABASE
-    IMAGES = offers.IMAGES
-    MODEL = offers.MODEL
+    DATABASE = parameters.DATABASE
+    IMAGES = parameters.IMAGES
+    MODEL = parameters.MODEL
     METHOD = "METHOD"
     ATTITUDE = "ATTITUDE"
     MAXIMUM_SPEED = "MAXIMUM_SPEED"
@@ -55,28 +63,32 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     FIX_COUNT = "FIX_COUNT"
     SUN_DIRECTION = "SUN_DIRECTION"
 
-    def image_parameters(self, optional: bool) -> tuple[Parameter, ...]:
+    def image_parameters(self, optional: bool) -> tuple[QgsProcessingParameterDefinition, ...]:
         """The images, what reads them if they are photos, and how; ``optional``: whether the images may be left out."""
         return (
-            Files(
-                self.IMAGES,
-                tr("Images"),
+            with_help(
+                QgsProcessingParameterMultipleLayers(
+                    self.IMAGES, tr("Images"), layerType=SOURCE_FILE, optional=optional
+                ),
                 tr(
                     "Label images, or folders of them: single-band class values, or colors decoded by the database’s "
                     "class table; with a model, photos. They need no georeference."
                 ),
-                optional=optional,
             ),
-            offers.model(
+            parameters.model(
                 tr(
                     "A segmentation network: the images are then photos. Its classes are those of the database by "
                     "name; classes that the database does not have count as unlabeled."
                 ),
                 optional=True,
             ),
-            Choice(
-                self.METHOD,
-                tr("Method"),
+            with_help(
+                QgsProcessingParameterEnum(
+                    self.METHOD,
+                    tr("Method"),
+                    options=[worded(method.title) for method in Method],
+                    defaultValue=Method.AUTOMATIC.number,
+                ),
                 tr(
                     "Automatic takes the constellation of landmarks and, where that finds no place, map correlation; "
                     "each checks what the other finds. Map correlation compares areas instead of landmarks, for poor "
@@ -84,29 +96,35 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                     "Topology vector is the published method: the nearest vector of all windows, accepted up to "
                     "distance 2."
                 ),
-                default=Method.AUTOMATIC.number,
-                options=[worded(method.title) for method in Method],
             ),
         )
 
-    def risk_parameter(self, title: str, text: str) -> Number:
+    def risk_parameter(self, title: str, text: str) -> QgsProcessingParameterDefinition:
         """How rarely what is told may be wrong."""
-        return Number(self.RISK, title, text, advanced=True, default=RISK, minimum=LEAST_RISK, maximum=0.5, decimals=12)
+        risk = QgsProcessingParameterNumber(
+            self.RISK, title, type=DOUBLE, defaultValue=RISK, minValue=LEAST_RISK, maxValue=0.5
+        )
+        risk.setMetadata({"widget_wrapper": {"decimals": 12}})
+        return with_help(risk, text, advanced=True)
 
-    def sun_parameter(self) -> Number:
+    def sun_parameter(self) -> QgsProcessingParameterDefinition:
         """Where the sun stood."""
-        return offers.sun_direction(
+        return parameters.sun_direction(
             tr(
                 "Where the sun stood when the images were taken, in degrees clockwise from grid north: what the "
                 "model states that shadows shift turns with it. Without it such a shift is only added to the error."
             )
         )
 
-    def camera_parameter(self) -> File:
+    def camera_parameter(self) -> QgsProcessingParameterDefinition:
         """How the cameras were held, and when."""
-        return File(
-            self.ATTITUDE,
-            tr("Camera table (roll, pitch, focal length, time, height, heading)"),
+        return with_help(
+            QgsProcessingParameterFile(
+                self.ATTITUDE,
+                tr("Camera table (roll, pitch, focal length, time, height, heading)"),
+                fileFilter=tr("CSV (*.csv *.txt)"),
+                optional=True,
+            ),
             tr(
                 "A CSV with the columns image (file name), roll, pitch (degrees; 0 and 0 is straight down, pitch "
                 "above 0 looks towards the image’s top, roll above 0 towards its right), one of focal_length_px, "
@@ -116,36 +134,39 @@ class LocalizeAlgorithm(SemRefAlgorithm):
                 "does not tell is taken from EXIF and XMP of the image, or of the photo of the same name beside "
                 "it. The topology vector takes images as they are."
             ),
-            optional=True,
             advanced=True,
-            filter=tr("CSV (*.csv *.txt)"),
         )
 
-    def footprints_parameter(self, text: str) -> PolygonOutput:
+    def footprints_parameter(self, text: str) -> QgsProcessingParameterDefinition:
         """The ground that images show."""
-        return PolygonOutput(self.FOOTPRINTS, tr("Footprints"), text, **_LEFT_OUT)
+        return with_help(
+            QgsProcessingParameterFeatureSink(
+                self.FOOTPRINTS, tr("Footprints"), type=SOURCE_POLYGON, optional=True, createByDefault=False
+            ),
+            text,
+        )
 
-    def shown_parameters(self) -> tuple[Parameter, ...]:
+    def shown_parameters(self) -> tuple[QgsProcessingParameterDefinition, ...]:
         """What shows why a fix is one: landmarks that agree, and the labels."""
         return (
-            PointOutput(
-                self.MATCHES,
-                tr("Matches"),
+            with_help(
+                QgsProcessingParameterFeatureSink(
+                    self.MATCHES, tr("Matches"), type=SOURCE_POINT, optional=True, createByDefault=False
+                ),
                 tr(
                     "One point a landmark of the map that agrees with one of an image, for fixes with a heading: where "
                     "the image has it, where the fix puts it, and how far that is off."
                 ),
                 advanced=True,
-                **_LEFT_OUT,
             ),
-            FolderOutput(
-                self.LABELS,
-                tr("Folder for the label images"),
+            with_help(
+                QgsProcessingParameterFolderDestination(
+                    self.LABELS, tr("Folder for the label images"), optional=True, createByDefault=False
+                ),
                 tr(
                     "A new or empty folder: each image’s labels as they were localized, a GeoTIFF with the class table."
                 ),
                 advanced=True,
-                **_LEFT_OUT,
             ),
         )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..reports.network_noise import read_network
-from . import offers
+from . import parameters
 
 if TYPE_CHECKING:
     from .values import Values
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 def compared_network(values: Values) -> dict[str, float]:
     """What a comparison's report says of the network, by key; empty without one. Raises ParameterError."""
-    path = values.file(offers.COMPARISON)
+    path = values.file(parameters.COMPARISON)
     if not path:
         return {}
-    return {key: number for key, number in read_network(path).items() if key in offers.OF_NETWORKS}
+    return {key: number for key, number in read_network(path).items() if key in parameters.OF_NETWORKS}

@@ -25,7 +25,7 @@ from ..compat import make_field
 from ..exchange.database_layers import OPENED, open_when_done
 from ..exchange.layer_metadata import Lineage, Note, keep_in_database
 from ..exchange.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
-from . import offers
+from . import parameters
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
@@ -74,7 +74,7 @@ class Outputs:
         for path in self._rasters:
             OPENED.raster.emit(path)
         for key in self._opened:
-            open_when_done(self.results[key], self._values.raw(offers.LABELS), key, self._values.context)
+            open_when_done(self.results[key], self._values.raw(parameters.LABELS), key, self._values.context)
 
     def require(self, check: Callable[[], None]) -> None:
         """Has ``check`` called before anything is renamed; it may raise."""
@@ -125,7 +125,7 @@ class Outputs:
             yield temporary
             if not keep_in_database(temporary, self._note(key)):
                 raise ParameterError("framework.not_written", name=key)
-        if self._values.switch(offers.OPEN_OUTPUT):
+        if self._values.switch(parameters.OPEN_OUTPUT):
             self._opened.append(key)
 
     def wants(self, key: str) -> bool:

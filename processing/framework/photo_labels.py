@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingFeedback
+from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingOutputString
 
 from ...core.labels.class_table import ClassTable
 from ..packages.components import ONNXRUNTIME, require
@@ -17,7 +17,6 @@ from ..threads import worker_threads
 from ..translation import tr
 from ..wording.sentences import worded
 from .base import check_canceled
-from .declarations import NumberResult, TextResult
 
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
@@ -38,9 +37,12 @@ def open_model(path: str, table: ClassTable | None = None) -> SegmentationModel:
     return SegmentationModel(path, worker_threads(), table, chosen_device())
 
 
-def pace_results() -> tuple[TextResult, NumberResult]:
+def pace_results() -> tuple[QgsProcessingOutputString, QgsProcessingOutputNumber]:
     """What algorithms tell of a network's run, beside what they write."""
-    return TextResult(DEVICE, tr("What ran the network")), NumberResult(TILES_PER_SECOND, tr("Tiles a second"))
+    return (
+        QgsProcessingOutputString(DEVICE, tr("What ran the network")),
+        QgsProcessingOutputNumber(TILES_PER_SECOND, tr("Tiles a second")),
+    )
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsProcessingParameterDefinition, QgsProcessingParameterNumber, QgsProcessingParameterPoint
+
 from ...core.errors import ParameterError
 from ...core.localization import Method, Prior
+from ..compat import DOUBLE
 from ..translation import tr
-from .declarations import MapPoint, Number, Parameter
+from .parameters import with_help
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem
@@ -19,50 +22,48 @@ PRIOR_HEADING, PRIOR_HEADING_RANGE = "PRIOR_HEADING", "PRIOR_HEADING_RANGE"
 SCALE_MINIMUM, SCALE_MAXIMUM = "SCALE_MINIMUM", "SCALE_MAXIMUM"
 
 
-def parameters() -> tuple[Parameter, ...]:
+def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     """Position, heading and scale; none is ever needed."""
     return (
-        MapPoint(
-            PRIOR_POINT,
-            tr("Approximate position"),
+        with_help(
+            QgsProcessingParameterPoint(PRIOR_POINT, tr("Approximate position"), optional=True),
             tr("Where the images are known to be, roughly. It speeds up the search and is never needed."),
-            optional=True,
             advanced=True,
         ),
-        Number(
-            PRIOR_RADIUS,
-            tr("Radius around it (map units)"),
+        with_help(
+            QgsProcessingParameterNumber(
+                PRIOR_RADIUS, tr("Radius around it (map units)"), type=DOUBLE, defaultValue=1000.0, minValue=0.01
+            ),
             tr("Only with an approximate position: places farther away are not searched."),
             advanced=True,
-            default=1000.0,
-            minimum=0.01,
         ),
-        Number(
-            PRIOR_HEADING,
-            tr("Approximate heading (°)"),
+        with_help(
+            QgsProcessingParameterNumber(
+                PRIOR_HEADING, tr("Approximate heading (°)"), type=DOUBLE, optional=True, minValue=-360, maxValue=360
+            ),
             tr(
                 "Where the images’ top points to, roughly, in degrees clockwise from grid north. If it is left "
                 "out: what the camera tells, if it is known (camera table, XMP), within 25°."
             ),
-            optional=True,
             advanced=True,
-            minimum=-360,
-            maximum=360,
         ),
-        Number(
-            PRIOR_HEADING_RANGE,
-            tr("Range around it (± °)"),
+        with_help(
+            QgsProcessingParameterNumber(
+                PRIOR_HEADING_RANGE,
+                tr("Range around it (± °)"),
+                type=DOUBLE,
+                defaultValue=20.0,
+                minValue=1,
+                maxValue=180,
+            ),
             tr("Only with an approximate heading: other headings are not searched."),
             advanced=True,
-            default=20.0,
-            minimum=1,
-            maximum=180,
         ),
         *_scale_parameters(),
     )
 
 
-def _scale_parameters() -> tuple[Parameter, ...]:
+def _scale_parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     scale = tr(
         "Ground that the shorter edge of an image shows, as a multiple of the database’s window size. If both are "
         "left out: what the camera’s height and lens tell, if they are known (camera table, EXIF, XMP), else 0.4 "
@@ -70,7 +71,11 @@ def _scale_parameters() -> tuple[Parameter, ...]:
     )
     titles = {SCALE_MINIMUM: tr("Smallest scale"), SCALE_MAXIMUM: tr("Largest scale")}
     return tuple(
-        Number(key, title, scale, optional=True, advanced=True, minimum=0.01, maximum=100)
+        with_help(
+            QgsProcessingParameterNumber(key, title, type=DOUBLE, optional=True, minValue=0.01, maxValue=100),
+            scale,
+            advanced=True,
+        )
         for key, title in titles.items()
     )
 

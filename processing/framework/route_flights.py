@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
 
+from ..compat import DOUBLE, INTEGER
 from ..translation import tr
-from . import offers
 from .base import check_canceled, interruptible
-from .declarations import Number, NumberResult, Parameter
+from .parameters import SEED, with_help
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
@@ -30,51 +31,45 @@ FLOWN_PERCENT, DONE_PERCENT = 70, 97
 """Progress when single images are assessed, where flights are flown, too, and when those are done."""
 
 
-def parameters() -> tuple[Parameter, ...]:
+def parameters() -> tuple[QgsProcessingParameterDefinition, ...]:
     """How flights are simulated, if any are."""
     return (
-        Number(
-            FLIGHTS,
-            tr("Simulated flights"),
+        with_help(
+            QgsProcessingParameterNumber(
+                FLIGHTS, tr("Simulated flights"), type=INTEGER, defaultValue=0, minValue=0, maxValue=100
+            ),
             tr(
                 "So many flights along every line, as “Localize flight” and watch --flight follow them: where the "
                 "first position comes, how large the error gets, where the track is lost. Each image takes about a "
                 "second until the first position. 0 for none."
             ),
-            default=0,
-            minimum=0,
-            maximum=100,
-            is_integer=True,
             advanced=True,
         ),
-        Number(
-            IMAGE_DISTANCE,
-            tr("Distance between images (map units)"),
+        with_help(
+            QgsProcessingParameterNumber(
+                IMAGE_DISTANCE, tr("Distance between images (map units)"), type=DOUBLE, optional=True, minValue=0.0
+            ),
             tr("Of a simulated flight; a third of the footprint if left out."),
-            optional=True,
-            minimum=0.0,
             advanced=True,
         ),
-        Number(
-            DRIFT,
-            tr("Drift of motion (%)"),
+        with_help(
+            QgsProcessingParameterNumber(
+                DRIFT, tr("Drift of motion (%)"), type=DOUBLE, defaultValue=1.0, minValue=0.0, maxValue=20.0
+            ),
             tr(
                 "What motion from image to image is off by, a share of the distance: of each step by itself, and of "
                 "all of them by as much again."
             ),
-            default=1.0,
-            minimum=0.0,
-            maximum=20.0,
             advanced=True,
         ),
     )
 
 
-def results() -> tuple[NumberResult, ...]:
+def results() -> tuple[QgsProcessingOutputNumber, ...]:
     """Numbers that are told."""
     return (
-        NumberResult(FIRST_POSITION, tr("Distance to the first position of a flight")),
-        NumberResult(LARGEST_RADIUS, tr("Largest 95 % radius of a flight’s positions")),
+        QgsProcessingOutputNumber(FIRST_POSITION, tr("Distance to the first position of a flight")),
+        QgsProcessingOutputNumber(LARGEST_RADIUS, tr("Largest 95 % radius of a flight’s positions")),
     )
 
 
@@ -99,7 +94,7 @@ def flown(
     count = values.integer(FLIGHTS)
     if not count:
         return None
-    plan = FlightPlan(count, footprint, values.number(DRIFT) / 100, values.integer(offers.SEED))
+    plan = FlightPlan(count, footprint, values.number(DRIFT) / 100, values.integer(SEED))
     points = route_points(lines, values.optional_number(IMAGE_DISTANCE) or footprint / 3)
     routes = FlownRoutes(database, localizer, conditions, plan)
     feedback.setProgressText(tr("Flying along the route"))

@@ -12,7 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingFeedback
+from qgis.core import QgsProcessingFeedback, QgsProcessingParameterDefinition, QgsProcessingParameterString
 from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...cluster import sentences
@@ -21,8 +21,8 @@ from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
 from .base import check_canceled
-from .declarations import Text
 from .event_process import FAILED, EventProcess, failure
+from .parameters import with_help
 from .values import Values
 
 if TYPE_CHECKING:
@@ -51,17 +51,15 @@ _LOCAL = re.compile(r"local:(\d{1,4})")
 _REMOTE = re.compile(r"(tcp|tls|ucx|ws|wss)://[^\s:/]+:\d+/?")
 
 
-def scheduler() -> Text:
+def scheduler() -> QgsProcessingParameterDefinition:
     """Who does the work."""
-    return Text(
-        SCHEDULER,
-        tr("Scheduler"),
+    return with_help(
+        QgsProcessingParameterString(SCHEDULER, tr("Scheduler"), optional=True),
         tr(
             "Has the work done by many processes: local:4 starts four on this machine, tcp://ADDRESS:PORT uses the "
             "workers of a Dask scheduler, which read the same files by the same paths. If left out, QGIS does it "
             "itself."
         ),
-        optional=True,
         advanced=True,
     )
 

@@ -11,23 +11,16 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
 from ..version import algorithm_help_url
-from . import offers
+from . import parameters
 from .base import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
-from .declarations import (
-    CLASS_FIELD_WIDGET,
-    CLASS_NAME_WIDGET,
-    CLASS_TABLE_WIDGET,
-    DATABASE_WIDGET,
-    MODEL_WIDGET,
-    WIDGETS,
-)
+from .parameters import widget_metadata
 
 _WIDGETS = {
-    offers.DATABASE: DATABASE_WIDGET,
-    offers.MODEL: MODEL_WIDGET,
-    offers.CLASS_TABLE: CLASS_TABLE_WIDGET,
-    offers.CLASS_FIELD: CLASS_FIELD_WIDGET,
-    offers.CLASS: CLASS_NAME_WIDGET,
+    parameters.DATABASE: "DatabaseWidget",
+    parameters.MODEL: "ModelWidget",
+    parameters.CLASS_TABLE: "ClassTableWidget",
+    parameters.CLASS_FIELD: "ClassFieldWidget",
+    parameters.CLASS: "ClassNameWidget",
 }
 """Widgets of the models' parameters, by name."""
 
@@ -131,8 +124,8 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         model, texts = self.toVariant(), model_texts(self.name())
         for name, definition in model["parameterDefinitions"].items():
             definition["description"] = texts.names.get(name) or tr(definition["description"])
-            if _WIDGETS.get(name) in WIDGETS:
-                definition["metadata"] = {"widget_wrapper": {"class": WIDGETS[_WIDGETS[name]]}}
+            if name in _WIDGETS:
+                definition["metadata"] = widget_metadata(_WIDGETS[name])
         for child in model["children"].values():
             for output in child["outputs"].values():
                 output["component_description"] = tr(output["component_description"])

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from dock_area import settle
 
 
 @pytest.fixture
@@ -92,18 +91,6 @@ def test_any_other_file_goes_into_the_box_and_the_dialog_hears_of_it(wrapper_in,
 @pytest.mark.parametrize(("dialog", "ticked"), [("AlgorithmDialog", True), ("BatchAlgorithmDialog", False)])
 def test_a_dialog_opens_the_database_that_it_builds_and_a_batch_does_not(wrapper_in, dialog, ticked):
     assert wrapper_in(dialog, "semref:builddatabase", "OPEN_OUTPUT").parameterValue() is ticked
-
-
-def test_an_unloaded_plugin_leaves_qgis_its_own_widgets(plugin):
-    from semref.processing.framework.declarations import WIDGETS, File
-    from semref.processing.framework.offers import database
-
-    assert database().definition().metadata() != {}
-    plugin.unload()
-    settle()
-    assert WIDGETS == {} and database().definition().metadata() == {}
-    plugin.initGui()
-    assert isinstance(database(), File) and database().definition().metadata() != {}
 
 
 def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_never_shown(plugin, iface, area):

@@ -3,34 +3,48 @@
 from __future__ import annotations
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingContext
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessingContext,
+    QgsProcessingOutputNumber,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterPoint,
+    QgsProcessingParameterRange,
+    QgsProcessingParameterString,
+)
 
 
 @pytest.fixture
 def read(qgis_app):
     """`read(number=…)` gives the Values of an algorithm with one parameter of each kind."""
-    from semref.processing.framework import declarations as d
+    from semref.processing.compat import DOUBLE, INTEGER, SOURCE_FILE
     from semref.processing.framework.base import SemRefAlgorithm
+    from semref.processing.framework.parameters import with_help
     from semref.processing.framework.values import Values
 
     class Everything(SemRefAlgorithm):
         ID = GROUP = "everything"
 
         def parameters(self):
-            about = "A title", "What it is for."
+            number = QgsProcessingParameterNumber("number", "A title", DOUBLE, 2.5, optional=True)
             return (
-                d.Number("number", *about, optional=True, default=2.5),
-                d.Number("left_out", *about, optional=True),
-                d.Number("integer", *about, default=3, is_integer=True),
-                d.Switch("switch", *about, default=True),
-                d.Choice("choice", *about, default=1, options=("a", "b", "c")),
-                d.NumberRange("range", *about, optional=True, default="0,0.5"),
-                d.Text("text", *about, optional=True),
-                d.MapPoint("point", *about, optional=True),
-                d.File("file", *about, optional=True),
-                d.Files("files", *about, optional=True),
-                d.VectorSource("source", *about, optional=True),
-                d.NumberResult("count", "How many"),
+                with_help(number, "What it is for.", advanced=True),
+                QgsProcessingParameterNumber("left_out", "", DOUBLE, optional=True),
+                QgsProcessingParameterNumber("integer", "", INTEGER, 3),
+                QgsProcessingParameterBoolean("switch", "", True),
+                QgsProcessingParameterEnum("choice", "", ["a", "b", "c"], defaultValue=1),
+                QgsProcessingParameterRange("range", "", DOUBLE, "0,0.5", optional=True),
+                QgsProcessingParameterString("text", "", optional=True),
+                QgsProcessingParameterPoint("point", "", optional=True),
+                QgsProcessingParameterFile("file", "", optional=True),
+                QgsProcessingParameterMultipleLayers("files", "", SOURCE_FILE, optional=True),
+                QgsProcessingParameterFeatureSource("source", "", optional=True),
+                QgsProcessingOutputNumber("count", "How many"),
             )
 
     algorithm = Everything()
@@ -39,10 +53,11 @@ def read(qgis_app):
     return lambda **given: Values(algorithm, given, context)
 
 
-def test_declarations_become_parameters_and_outputs_with_their_help(read):
+def test_an_algorithm_has_its_parameters_with_their_help_and_its_outputs(read):
     algorithm = read()._algorithm
     number = algorithm.parameterDefinition("number")
-    assert (number.type(), number.description(), number.help()) == ("number", "A title", "What it is for.")
+    assert (number.description(), number.help()) == ("A title", "What it is for.")
+    assert number.flags() & number.FlagAdvanced and number.flags() & number.FlagOptional
     assert [output.name() for output in algorithm.outputDefinitions()] == ["count"]
 
 

@@ -1,13 +1,10 @@
 """Widgets of SemRef's parameters in the dialogs of Processing: single runs, batches and the model designer.
 
-QGIS makes them by the name of their class, which ``processing.framework.declarations.WIDGETS`` has while there are
-windows. It calls a class with (parameter, dialog, row, column) and takes what comes for the widget's wrapper.
+QGIS imports a class by the name that ``processing/framework/parameters.py`` states, calls it with (parameter, dialog,
+row, column) and takes what comes for the widget's wrapper.
 """
 
 from __future__ import annotations
-
-from functools import partial
-from typing import Callable
 
 from qgis.core import (
     QgsProcessingContext,
@@ -28,18 +25,7 @@ from qgis.gui import (
 from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from ...processing.framework import offers
-from ...processing.framework.declarations import (
-    CLASS_FIELD_WIDGET,
-    CLASS_NAME_WIDGET,
-    CLASS_TABLE_WIDGET,
-    DATABASE_WIDGET,
-    MODEL_WIDGET,
-    OPEN_WIDGET,
-    PHOTO_WIDGET,
-    TIME_LIMIT_WIDGET,
-    WIDGETS,
-)
+from ...processing.framework import parameters
 from ..class_table.edit_button import EditButton
 from ..layer_files import photo_layer
 from ..widgets.layouts import narrow
@@ -53,43 +39,70 @@ _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Processing's own dialogs, by which it tells them apart itself."""
 
 
-def offer_widgets() -> None:
-    """From now on dialogs have these widgets."""
-    WIDGETS.update(
-        {
-            DATABASE_WIDGET: f"{__name__}.DatabaseWidget",
-            MODEL_WIDGET: f"{__name__}.ModelWidget",
-            OPEN_WIDGET: f"{__name__}.OpenWidget",
-            CLASS_TABLE_WIDGET: f"{__name__}.ClassTableWidget",
-            CLASS_FIELD_WIDGET: f"{__name__}.ClassFieldWidget",
-            CLASS_NAME_WIDGET: f"{__name__}.ClassNameWidget",
-            PHOTO_WIDGET: f"{__name__}.PhotoWidget",
-            TIME_LIMIT_WIDGET: f"{__name__}.TimeLimitWidget",
-        }
-    )
+class _Widget(QgsAbstractProcessingParameterWidgetWrapper):
+    """A box of a dialog; the model designer has QGIS's own, which also offers the model's inputs and earlier steps."""
+
+    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
+        if type(dialog).__name__ != _MODELER:
+            return super().__new__(cls)
+        registry = QgsGui.processingGuiRegistry()
+        wrapper = registry.createModelerParameterWidget(dialog.model, dialog.childId, parameter, dialog.context)
+        wrapper.setDialog(dialog)
+        return wrapper
+
+    def __init__(self, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0) -> None:
+        super().__init__(parameter, _type_of(dialog))
+        self.setDialog(dialog)
+
+    def _kept(self, box: QWidget) -> QWidget:
+        box.setToolTip(self.parameterDefinition().toolTip())
+        # QGIS takes the box over without keeping Python's half of it, which its destructor looks for: the connection
+        # keeps that half until the box is gone.
+        box.destroyed.connect(lambda *_, half=box: None)
+        return box
+
+    def _tell(self, *_value) -> None:
+        self.widgetValueHasChanged.emit(self)
 
 
-def withdraw_widgets() -> None:
-    """From now on dialogs have QGIS's own widgets."""
-    WIDGETS.clear()
+class ClassTableWidget(_Widget):
+    """QGIS's file box with a button that shows the class table in a window, to be edited."""
+
+    def button(self, box: QgsFileWidget) -> QWidget:
+        """The button beside the box."""
+        return EditButton(box)
+
+    def createWidget(self):
+        box = QgsFileWidget()
+        box.setDialogTitle(self.parameterDefinition().description())
+        box.setFilter(self.parameterDefinition().createFileFilter())
+        box.fileChanged.connect(self._tell)
+        self.known = self.button(box)
+        return self._kept(box)
+
+    def setWidgetValue(self, value, context):
+        self.wrappedWidget().setFilePath("" if value is None else str(value))
+
+    def widgetValue(self):
+        return self.wrappedWidget().filePath()
 
 
-class DatabaseWidget:
+class DatabaseWidget(ClassTableWidget):
     """A file box that offers the databases at hand; a dialog begins with the one that the dock has."""
 
     KIND = DATABASE
 
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
-        name = type(dialog).__name__
-        if name == _MODELER:
-            wrapper = _of_designer(parameter, dialog)
+        is_optional = parameter.flags() & QgsProcessingParameterDefinition.FlagOptional
+        if type(dialog).__name__ not in (_BATCH, _MODELER) and not is_optional:
+            parameter.setGuiDefaultValueOverride(chosen(cls.KIND))
+        wrapper = super().__new__(cls, parameter, dialog)
+        if not isinstance(wrapper, cls):
             wrapper.known = [KnownButton(box, cls.KIND) for box in wrapper.findChildren(QgsFileWidget)]
-        else:
-            if name != _BATCH and not parameter.flags() & QgsProcessingParameterDefinition.FlagOptional:
-                parameter.setGuiDefaultValueOverride(chosen(cls.KIND))
-            wrapper = _FileWrapper(parameter, _type_of(name), partial(KnownButton, kind=cls.KIND))
-        wrapper.setDialog(dialog)
         return wrapper
+
+    def button(self, box: QgsFileWidget) -> QWidget:
+        return KnownButton(box, self.KIND)
 
 
 class ModelWidget(DatabaseWidget):
@@ -98,124 +111,20 @@ class ModelWidget(DatabaseWidget):
     KIND = MODEL
 
 
-class ClassTableWidget:
-    """A file box with a button that shows the class table in a window, to be edited."""
+class OpenWidget(_Widget):
+    """QGIS's box, ticked in the dialog of a single run, where somebody sees what is opened."""
 
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
-        name = type(dialog).__name__
-        if name == _MODELER:
-            wrapper = _of_designer(parameter, dialog)
-        else:
-            wrapper = _FileWrapper(parameter, _type_of(name), EditButton)
+        if type(dialog).__name__ == _MODELER:
+            return super().__new__(cls, parameter, dialog)
+        if type(dialog).__name__ != _BATCH:
+            parameter.setGuiDefaultValueOverride(True)
+        wrapper = QgsGui.processingGuiRegistry().createParameterWidgetWrapper(parameter, _type_of(dialog))
         wrapper.setDialog(dialog)
         return wrapper
 
 
-class ClassFieldWidget:
-    """A box of the layer's fields that begins with the one that tells classes, not with the first one."""
-
-    @staticmethod
-    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
-        """The wrapper outside of the model designer."""
-        return _ClassFieldWrapper(parameter, kind_of_dialog)
-
-    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
-        name = type(dialog).__name__
-        wrapper = _of_designer(parameter, dialog) if name == _MODELER else cls.made(parameter, _type_of(name))
-        wrapper.setDialog(dialog)
-        return wrapper
-
-
-class ClassNameWidget(ClassFieldWidget):
-    """A box for the class of all polygons, which a layer of buildings begins with."""
-
-    @staticmethod
-    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
-        """The wrapper outside of the model designer."""
-        return _ClassNameWrapper(parameter, kind_of_dialog)
-
-
-class PhotoWidget(ClassFieldWidget):
-    """A box of rasters that begins with the project's only photo, otherwise empty: QGIS would take the first raster."""
-
-    @staticmethod
-    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
-        """The wrapper outside of the model designer."""
-        photo = photo_layer(QgsProject.instance())
-        if photo is not None and kind_of_dialog == QgsProcessingGui.Standard:
-            parameter.setGuiDefaultValueOverride(photo.id())
-        return _PhotoWrapper(parameter, kind_of_dialog)
-
-
-class TimeLimitWidget(ClassFieldWidget):
-    """A box of minutes that shows how many epochs of training fit in."""
-
-    @staticmethod
-    def made(parameter: QgsProcessingParameterDefinition, kind_of_dialog):
-        """The wrapper outside of the model designer."""
-        return _TimeLimitWrapper(parameter, kind_of_dialog)
-
-
-class OpenWidget:
-    """A box that is ticked in the dialog of a single run, where somebody sees what is opened."""
-
-    def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
-        name = type(dialog).__name__
-        if name == _MODELER:
-            wrapper = _of_designer(parameter, dialog)
-        else:
-            if name != _BATCH:
-                parameter.setGuiDefaultValueOverride(True)
-            wrapper = QgsGui.processingGuiRegistry().createParameterWidgetWrapper(parameter, _type_of(name))
-        wrapper.setDialog(dialog)
-        return wrapper
-
-
-class _FileWrapper(QgsAbstractProcessingParameterWidgetWrapper):
-    """QGIS's file box with a button more."""
-
-    def __init__(
-        self, parameter: QgsProcessingParameterDefinition, kind_of_dialog, button: Callable[[QgsFileWidget], QWidget]
-    ) -> None:
-        super().__init__(parameter, kind_of_dialog)
-        self._button = button
-
-    def createWidget(self):
-        box = QgsFileWidget()
-        box.setToolTip(self.parameterDefinition().toolTip())
-        box.setDialogTitle(self.parameterDefinition().description())
-        box.setFilter(self.parameterDefinition().createFileFilter())
-        box.fileChanged.connect(self._tell)
-        self.known = self._button(box)
-        # QGIS takes the box over without keeping Python's half of it, which its destructor looks for: the connection
-        # keeps that half until the box is gone.
-        box.destroyed.connect(lambda *_, half=box: None)
-        return box
-
-    def setWidgetValue(self, value, context):
-        self.wrappedWidget().setFilePath("" if value is None else str(value))
-
-    def widgetValue(self):
-        return self.wrappedWidget().filePath()
-
-    def _tell(self, *_path) -> None:
-        self.widgetValueHasChanged.emit(self)
-
-
-class _Wrapper(QgsAbstractProcessingParameterWidgetWrapper):
-    """What wrappers of own boxes share."""
-
-    def _kept(self, box: QWidget) -> QWidget:
-        box.setToolTip(self.parameterDefinition().toolTip())
-        # As for the box of a file: the connection keeps Python's half of it until the box is gone.
-        box.destroyed.connect(lambda *_, half=box: None)
-        return box
-
-    def _tell(self, *_value) -> None:
-        self.widgetValueHasChanged.emit(self)
-
-
-class _LayerWrapper(_Wrapper):
+class _LayerWidget(_Widget):
     """A box that follows the annotation layer of its dialog; a value that is given afterwards stays."""
 
     _layer: QgsVectorLayer | None = None
@@ -223,7 +132,7 @@ class _LayerWrapper(_Wrapper):
     def postInitialize(self, wrappers):
         super().postInitialize(wrappers)
         for wrapper in wrappers:
-            if wrapper.parameterDefinition().name() == offers.INPUT:
+            if wrapper.parameterDefinition().name() == parameters.INPUT:
                 wrapper.widgetValueHasChanged.connect(self._use_layer_of)
                 self._use_layer_of(wrapper)
 
@@ -242,8 +151,8 @@ class _LayerWrapper(_Wrapper):
         raise NotImplementedError
 
 
-class _ClassFieldWrapper(_LayerWrapper):
-    """QGIS's box of fields."""
+class ClassFieldWidget(_LayerWidget):
+    """A box of the layer's fields that begins with the one that tells classes, not with the first one."""
 
     def createWidget(self):
         box = QgsFieldComboBox()
@@ -266,8 +175,8 @@ class _ClassFieldWrapper(_LayerWrapper):
         return self._box().currentField() or None
 
 
-class _ClassNameWrapper(_LayerWrapper):
-    """A box that offers “building” and takes any name; while it has one, the box of fields is disabled."""
+class ClassNameWidget(_LayerWidget):
+    """A box for the class of all polygons, which a layer of buildings begins with; a class disables the field's box."""
 
     _fields: QWidget | None = None
 
@@ -278,7 +187,7 @@ class _ClassNameWrapper(_LayerWrapper):
 
     def postInitialize(self, wrappers):
         for wrapper in wrappers:
-            if wrapper.parameterDefinition().name() == offers.CLASS_FIELD:
+            if wrapper.parameterDefinition().name() == parameters.CLASS_FIELD:
                 self._fields = wrapper.wrappedWidget()
         super().postInitialize(wrappers)
         self._tell()
@@ -298,8 +207,14 @@ class _ClassNameWrapper(_LayerWrapper):
         super()._tell()
 
 
-class _PhotoWrapper(_Wrapper):
-    """QGIS's box of rasters and files, which may be empty."""
+class PhotoWidget(_Widget):
+    """A box of rasters that begins with the project's only photo, otherwise empty: QGIS would take the first raster."""
+
+    def __init__(self, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0) -> None:
+        photo = photo_layer(QgsProject.instance())
+        if photo is not None and _type_of(dialog) == QgsProcessingGui.Standard:
+            parameter.setGuiDefaultValueOverride(photo.id())
+        super().__init__(parameter, dialog)
 
     def createWidget(self):
         # The box of an optional layer has an empty entry, and begins with it.
@@ -324,8 +239,8 @@ class _PhotoWrapper(_Wrapper):
         return self._box().value()
 
 
-class _TimeLimitWrapper(_Wrapper):
-    """A box of minutes above a line that follows the other values of the dialog."""
+class TimeLimitWidget(_Widget):
+    """A box of minutes above a line with the epochs of training that fit in, by the other values of the dialog."""
 
     def createWidget(self):
         widget = QWidget()
@@ -373,11 +288,5 @@ def _same(layer: QgsVectorLayer, before: QgsVectorLayer | None) -> bool:
     return before.source() == layer.source()
 
 
-def _of_designer(parameter: QgsProcessingParameterDefinition, dialog):
-    """QGIS's own widget: beside the value it offers the model's inputs and what its steps write."""
-    registry = QgsGui.processingGuiRegistry()
-    return registry.createModelerParameterWidget(dialog.model, dialog.childId, parameter, dialog.context)
-
-
-def _type_of(dialog: str):
-    return QgsProcessingGui.Batch if dialog == _BATCH else QgsProcessingGui.Standard
+def _type_of(dialog):
+    return QgsProcessingGui.Batch if type(dialog).__name__ == _BATCH else QgsProcessingGui.Standard

@@ -1,28 +1,23 @@
-"""Parameters that several algorithms have: one place each for key, title and what they accept."""
+"""QGIS's own parameters with help and widgets, and those that several algorithms share."""
 
 from __future__ import annotations
 
-from ..compat import SOURCE_POLYGON
-from ..translation import tr
-from .declarations import (
-    CLASS_FIELD_WIDGET,
-    CLASS_NAME_WIDGET,
-    CLASS_TABLE_WIDGET,
-    DATABASE_WIDGET,
-    MODEL_WIDGET,
-    OPEN_WIDGET,
-    Choice,
-    FieldOf,
-    File,
-    FileOutput,
-    MapExtent,
-    Number,
-    Parameter,
-    RasterLayer,
-    Switch,
-    Text,
-    VectorSource,
+from qgis.core import (
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterExtent,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterString,
 )
+
+from ..compat import DOUBLE, INTEGER, SOURCE_POLYGON
+from ..translation import tr
 
 DATABASE, MODEL, LABELS, IMAGES = "DATABASE", "MODEL", "LABELS", "IMAGES"
 INPUT, CLASS_FIELD, CLASS = "INPUT", "CLASS_FIELD", "CLASS"
@@ -45,119 +40,179 @@ OF_NETWORKS = (MISSED, INVENTED, MISNAMED, RAGGED, BACKGROUND, SHIFTED)
 """The errors that are a network's; the others are the map's and the camera's."""
 
 
-def database(text: str = "", optional: bool = False) -> File:
+def with_help(
+    parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False, widget: str = ""
+) -> QgsProcessingParameterDefinition:
+    """Return the parameter with its help.
+
+    Args:
+        parameter: It is changed.
+        text: One or two sentences, in the user's language.
+        advanced: Whether dialogs fold it away.
+        widget: A class of ``ui/fields/dialog_widgets.py`` that dialogs show it as; QGIS's own widget if empty.
+    """
+    parameter.setHelp(text)
+    if advanced:
+        parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+    if widget:
+        parameter.setMetadata(widget_metadata(widget))
+    return parameter
+
+
+def widget_metadata(widget: str) -> dict[str, dict[str, str]]:
+    """Return the metadata by which dialogs show a parameter as ``widget``; they import it by this name."""
+    package = __name__.rpartition(".processing.")[0]
+    return {"widget_wrapper": {"class": f"{package}.ui.fields.dialog_widgets.{widget}"}}
+
+
+def database(text: str = "", optional: bool = False) -> QgsProcessingParameterDefinition:
     """A reference database; ``text``: its help where another one is needed."""
     text = text or tr("A GeoPackage made by “Build reference database”.")
     kinds = tr("Reference databases (*.gpkg)")
-    return File(DATABASE, tr("Reference database"), text, optional, filter=kinds, widget=DATABASE_WIDGET)
+    return with_help(
+        QgsProcessingParameterFile(DATABASE, tr("Reference database"), fileFilter=kinds, optional=optional),
+        text,
+        widget="DatabaseWidget",
+    )
 
 
-def label_map(text: str) -> RasterLayer:
+def label_map(text: str, optional: bool = False) -> QgsProcessingParameterDefinition:
     """A label map."""
-    return RasterLayer(LABELS, tr("Label map"), text)
+    return with_help(QgsProcessingParameterRasterLayer(LABELS, tr("Label map"), optional=optional), text)
 
 
-def class_table(text: str, optional: bool = True, advanced: bool = False) -> File:
+def class_table(text: str, optional: bool = True, advanced: bool = False) -> QgsProcessingParameterDefinition:
     """A class table."""
     csv = tr("CSV files (*.csv)")
-    return File(CLASS_TABLE, tr("Class table"), text, optional, advanced, filter=csv, widget=CLASS_TABLE_WIDGET)
+    return with_help(
+        QgsProcessingParameterFile(CLASS_TABLE, tr("Class table"), fileFilter=csv, optional=optional),
+        text,
+        advanced=advanced,
+        widget="ClassTableWidget",
+    )
 
 
-def model(text: str, optional: bool = False) -> File:
+def model(text: str, optional: bool = False) -> QgsProcessingParameterDefinition:
     """A segmentation network."""
-    return File(MODEL, tr("Model"), text, optional, filter=tr("ONNX models (*.onnx)"), widget=MODEL_WIDGET)
+    return with_help(
+        QgsProcessingParameterFile(MODEL, tr("Model"), fileFilter=tr("ONNX models (*.onnx)"), optional=optional),
+        text,
+        widget="ModelWidget",
+    )
 
 
-def open_output() -> Switch:
+def open_output() -> QgsProcessingParameterDefinition:
     """Whether a database is opened in QGIS when it is written; dialogs suggest it, scripts and batches don't."""
     title = tr("Open the database after running")
     text = tr("Adds the database’s layers to the project and chooses it in the dock.")
     # Optional: the model designer finds an error where one that must be given is left to its default.
-    return Switch(OPEN_OUTPUT, title, text, True, True, False, OPEN_WIDGET)
-
-
-def extent() -> MapExtent:
-    """A part of what an image or a layer shows."""
-    text = tr("The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.")
-    return MapExtent(EXTENT, tr("Extent"), text, optional=True)
-
-
-def mask() -> VectorSource:
-    """Polygons that only the ground within is wanted of."""
-    text = tr("Polygons: ground outside of them is not looked at and has no label.")
-    return VectorSource(MASK, tr("Mask"), text, optional=True, kinds=(SOURCE_POLYGON,))
-
-
-def resolution(text: str) -> Number:
-    """The size of the pixels that a network looks at."""
-    return Number(RESOLUTION, tr("Resolution (cm per pixel)"), text, optional=True, advanced=True, minimum=0.1)
-
-
-def reference_classes(text: str) -> Text:
-    """Names or values of classes, separated by “;”."""
-    return Text(REFERENCE_CLASSES, tr("Reference classes"), text, optional=True)
-
-
-def report(text: str, by_default: bool = True) -> FileOutput:
-    """A page to read and print."""
-    return FileOutput(
-        REPORT, tr("Report"), text, optional=True, by_default=by_default, filter=tr("HTML files (*.html)")
+    return with_help(
+        QgsProcessingParameterBoolean(OPEN_OUTPUT, title, defaultValue=False, optional=True),
+        text,
+        advanced=True,
+        widget="OpenWidget",
     )
 
 
-def validation_fraction(optional: bool = False, advanced: bool = False) -> Number:
+def extent() -> QgsProcessingParameterDefinition:
+    """A part of what an image or a layer shows."""
+    text = tr("The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.")
+    return with_help(QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True), text)
+
+
+def mask() -> QgsProcessingParameterDefinition:
+    """Polygons that only the ground within is wanted of."""
+    text = tr("Polygons: ground outside of them is not looked at and has no label.")
+    return with_help(QgsProcessingParameterFeatureSource(MASK, tr("Mask"), types=[SOURCE_POLYGON], optional=True), text)
+
+
+def resolution(text: str, advanced: bool = True) -> QgsProcessingParameterDefinition:
+    """The size of the pixels that a network looks at."""
+    return with_help(
+        QgsProcessingParameterNumber(
+            RESOLUTION, tr("Resolution (cm per pixel)"), type=DOUBLE, optional=True, minValue=0.1
+        ),
+        text,
+        advanced=advanced,
+    )
+
+
+def reference_classes(text: str) -> QgsProcessingParameterDefinition:
+    """Names or values of classes, separated by “;”."""
+    return with_help(QgsProcessingParameterString(REFERENCE_CLASSES, tr("Reference classes"), optional=True), text)
+
+
+def report(text: str, by_default: bool = True) -> QgsProcessingParameterDefinition:
+    """A page to read and print."""
+    return with_help(
+        QgsProcessingParameterFileDestination(
+            REPORT, tr("Report"), fileFilter=tr("HTML files (*.html)"), optional=True, createByDefault=by_default
+        ),
+        text,
+    )
+
+
+def validation_fraction(optional: bool = False, advanced: bool = False) -> QgsProcessingParameterDefinition:
     """How much of the ground a network is tried on instead of trained."""
     text = tr("Share of the labeled ground that is set aside for validation; 0 for none.")
     title = tr("Validation fraction")
-    return Number(VALIDATION_FRACTION, title, text, optional, advanced, default=0.2, minimum=0.0, maximum=0.9)
-
-
-def seed(text: str = "", default: int = 1) -> Number:
-    """What random numbers start from; ``text``: its help where another one is needed."""
-    text = text or tr("Another number gives other trials, the same number the same.")
-    return Number(SEED, tr("Seed"), text, advanced=True, default=default, minimum=0, is_integer=True)
-
-
-def sun_direction(text: str) -> Number:
-    """Where the sun stood."""
-    return Number(
-        SUN_DIRECTION, tr("Direction of the sun (°)"), text, optional=True, advanced=True, minimum=0.0, maximum=360.0
+    return with_help(
+        QgsProcessingParameterNumber(
+            VALIDATION_FRACTION, title, type=DOUBLE, defaultValue=0.2, optional=optional, minValue=0.0, maxValue=0.9
+        ),
+        text,
+        advanced=advanced,
     )
 
 
-def annotation() -> tuple[Parameter, ...]:
+def seed(text: str = "", default: int = 1) -> QgsProcessingParameterDefinition:
+    """What random numbers start from; ``text``: its help where another one is needed."""
+    text = text or tr("Another number gives other trials, the same number the same.")
+    return with_help(
+        QgsProcessingParameterNumber(SEED, tr("Seed"), type=INTEGER, defaultValue=default, minValue=0),
+        text,
+        advanced=True,
+    )
+
+
+def sun_direction(text: str) -> QgsProcessingParameterDefinition:
+    """Where the sun stood."""
+    return with_help(
+        QgsProcessingParameterNumber(
+            SUN_DIRECTION, tr("Direction of the sun (°)"), type=DOUBLE, optional=True, minValue=0.0, maxValue=360.0
+        ),
+        text,
+        advanced=True,
+    )
+
+
+def annotation(optional: bool = False) -> tuple[QgsProcessingParameterDefinition, ...]:
     """An annotation layer: its polygons, their classes, and what decides where they overlap."""
     return (
-        VectorSource(
-            INPUT,
-            tr("Annotation layer"),
+        with_help(
+            QgsProcessingParameterFeatureSource(
+                INPUT, tr("Annotation layer"), types=[SOURCE_POLYGON], optional=optional
+            ),
             tr("Polygons of land cover. They may overlap, be multipart, invalid or three-dimensional."),
-            kinds=(SOURCE_POLYGON,),
         ),
-        FieldOf(
-            CLASS_FIELD,
-            tr("Class field"),
+        with_help(
+            QgsProcessingParameterField(CLASS_FIELD, tr("Class field"), parentLayerParameterName=INPUT, optional=True),
             tr("Text or number field with the class of each polygon. Not needed if all are of one class."),
-            optional=True,
-            layer_key=INPUT,
-            widget=CLASS_FIELD_WIDGET,
+            widget="ClassFieldWidget",
         ),
-        Text(
-            CLASS,
-            tr("All polygons are"),
+        with_help(
+            QgsProcessingParameterString(CLASS, tr("All polygons are"), optional=True),
             tr("The class of every polygon, such as “building”. If you enter one, the class field is not used."),
-            optional=True,
-            widget=CLASS_NAME_WIDGET,
+            widget="ClassNameWidget",
         ),
-        FieldOf(
-            PRIORITY_FIELD,
-            tr("Priority field"),
+        with_help(
+            QgsProcessingParameterField(
+                PRIORITY_FIELD, tr("Priority field"), parentLayerParameterName=INPUT, optional=True
+            ),
             tr(
                 "Number field: where polygons overlap, the one with the higher value lies on top. Without it the draw "
                 "order of the class table counts, else later polygons lie on top."
             ),
-            optional=True,
-            layer_key=INPUT,
         ),
         class_table(
             tr(
@@ -168,7 +223,7 @@ def annotation() -> tuple[Parameter, ...]:
     )
 
 
-def network() -> Choice:
+def network() -> QgsProcessingParameterDefinition:
     """How poor labels are, in a word."""
     options = (tr("as the numbers say"), tr("good"), tr("usable"), tr("poor"))
     text = tr(
@@ -176,17 +231,24 @@ def network() -> Choice:
         "start: 20 % of the landmarks missed, as many invented, 5 % misnamed, edges off by 1 m. Good is half of that, "
         "poor twice as much. Errors of map and camera stay as the numbers say."
     )
-    return Choice(NETWORK, tr("Network"), text, optional=True, default=0, options=options)
+    return with_help(
+        QgsProcessingParameterEnum(NETWORK, tr("Network"), options=options, defaultValue=0, optional=True), text
+    )
 
 
-def comparison() -> File:
+def comparison() -> QgsProcessingParameterDefinition:
     """How poor labels are, as a comparison has measured it."""
     text = tr(
         "The report of “Compare label maps”: the landmarks missed, invented and misnamed, ragged edges, misnamed "
         "background and shifted classes that it found count instead of the network in a word and of these numbers. "
         "Errors of map and camera stay as the numbers say."
     )
-    return File(COMPARISON, tr("Comparison report"), text, True, filter=tr("HTML files (*.html)"))
+    return with_help(
+        QgsProcessingParameterFile(
+            COMPARISON, tr("Comparison report"), fileFilter=tr("HTML files (*.html)"), optional=True
+        ),
+        text,
+    )
 
 
 def noises() -> tuple[tuple[str, str, str], ...]:
