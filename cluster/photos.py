@@ -35,7 +35,7 @@ class Opening:
 
 
 @dataclass(frozen=True)
-class Opened:
+class WorkerPhoto:
     """A photo as the network sees it.
 
     Attributes:
@@ -50,7 +50,7 @@ class Opened:
 
 
 @lru_cache(1)
-def opened(opening: Opening) -> Opened:
+def opened(opening: Opening) -> WorkerPhoto:
     """Open a photo and its network, with one thread of the processor: all workers give the same.
 
     Raises:
@@ -59,4 +59,4 @@ def opened(opening: Opening) -> Opened:
     table = class_table_from_csv(opening.table, "class table") if opening.table else None
     model = SegmentationModel(opening.model, 1, table, "cpu")
     image = at_resolution(GdalImage(opening.image), opening.pixel_size_m, opening.resolution_m)
-    return Opened(model, image, tiles_of(model, image.shape_hw, opening.overlap))
+    return WorkerPhoto(model, image, tiles_of(model, image.shape_hw, opening.overlap))

@@ -20,7 +20,7 @@ MOST_TILES = 100
 
 
 @dataclass(frozen=True)
-class ClassRow:
+class ClassShiftRow:
     """A class' shift along the ground's axes, and along the image's, pixels."""
 
     ground: ClassShift
@@ -35,7 +35,7 @@ class ClassRow:
         return ClassBias(0, east, north, right, down, pixel_m * float(np.hypot(self.ground.spread, self.image.spread)))
 
 
-def measured(answer: Callable[[np.ndarray], np.ndarray], reader: object, channels: int) -> list[ClassRow]:
+def measured(answer: Callable[[np.ndarray], np.ndarray], reader: object, channels: int) -> list[ClassShiftRow]:
     """A row a channel with enough landmarks; channel 0 is none.
 
     answer: image (H, W, 3) to channels (H, W). reader: gives images with their true channels by number, has a length.
@@ -56,7 +56,7 @@ def measured(answer: Callable[[np.ndarray], np.ndarray], reader: object, channel
             own = [shift * (-1j) ** k for k, shift in enumerate(shifts)]
             on_ground.append(PieceShift(value, round(pairs), complex(np.mean(shifts)), float(variance)))
             in_image.append(PieceShift(value, round(pairs), complex(np.mean(own)), float(variance)))
-    return [ClassRow(*pair) for pair in zip(class_shifts(on_ground), class_shifts(in_image))]
+    return [ClassShiftRow(*pair) for pair in zip(class_shifts(on_ground), class_shifts(in_image))]
 
 
 def _turned_answer(answer: Callable[[np.ndarray], np.ndarray], image: np.ndarray, quarters: int) -> np.ndarray:

@@ -9,14 +9,14 @@ import cv2
 import numpy as np
 import torch
 
-from .tiles import ClassRow, TileReader, spread
+from .tiles import TileClass, TileReader, spread
 
 EDGE_PX, GAP_PX, MOST = 256, 8, 4
 UNKNOWN = (200, 200, 200)
 
 
 def write_examples(
-    network: torch.nn.Module, reader: TileReader, classes: Sequence[ClassRow], mean, deviation, folder: Path
+    network: torch.nn.Module, reader: TileReader, classes: Sequence[TileClass], mean, deviation, folder: Path
 ) -> None:
     """Some tiles, spread evenly, as example_N.png: photo, annotation, answer side by side."""
     folder.mkdir(exist_ok=True)

@@ -12,11 +12,11 @@ import torch
 
 from ..core.errors import TrainingError
 from .metrics import confusion_matrix
-from .tiles import ClassRow, TileReader
+from .tiles import TileClass, TileReader
 
 OPSET, IR_VERSION = 17, 8  # what onnxruntime reads from 1.12 on
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
-UNLABELED = ClassRow(0, "unlabeled", "#000000", "background")
+UNLABELED = TileClass(0, "unlabeled", "#000000", "background")
 
 
 def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from .metrics import intersection_over_union, rates
-from .tiles import ClassRow
+from .tiles import TileClass
 
 
 def entries(
-    classes: Sequence[ClassRow],
+    classes: Sequence[TileClass],
     standardization: tuple[np.ndarray, np.ndarray],
     tile_size: int,
     overlap: int,

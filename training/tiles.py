@@ -18,7 +18,7 @@ CACHE_BYTES = 2_000_000_000
 
 
 @dataclass(frozen=True)
-class ClassRow:
+class TileClass:
     value: int
     name: str
     color: str
@@ -51,7 +51,7 @@ class TileFolder:
 
     path: Path
     manifest: dict
-    classes: tuple[ClassRow, ...]
+    classes: tuple[TileClass, ...]
 
     def tiles(self, subset: str) -> list[TilePair]:
         bands, stretch = self.manifest["network_bands"], self.manifest["stretch"]
@@ -80,7 +80,7 @@ def open_folder(path: Path) -> TileFolder:
     try:
         manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
         with (path / "classes.csv").open(encoding="utf-8", newline="") as file:
-            rows = [ClassRow(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
+            rows = [TileClass(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
     except (OSError, ValueError, KeyError) as error:
         raise TrainingError("training.no_tiles", path=path, reason=error) from None
     folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))

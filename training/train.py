@@ -52,7 +52,7 @@ RESTORING_BATCHES = 8
 
 
 @dataclass(frozen=True)
-class Ground:
+class TrainingGround:
     """What is learned from.
 
     Attributes:
@@ -67,7 +67,7 @@ class Ground:
         deviation: (3,) of the same.
     """
 
-    classes: list[tiles.ClassRow]
+    classes: list[tiles.TileClass]
     training: tiles.TileReader
     validation: tiles.TileReader
     pixels: np.ndarray
@@ -147,12 +147,12 @@ def run(job: Job, tell: loop.Tell, began: float | None = None) -> loop.Trainer:
     return trainer
 
 
-def read_ground(job: Job) -> Ground:
+def read_ground(job: Job) -> TrainingGround:
     """Raises TrainingError for tiles that can't be learned from."""
     folders = tiles.open_folders([Path(path) for path in job.tiles])
     classes = [export.UNLABELED, *folders[0].classes]
     if job.learn_unlabeled:
-        classes[0] = tiles.ClassRow(0, "other", "#000000", "background")
+        classes[0] = tiles.TileClass(0, "other", "#000000", "background")
     values = [c.value for c in classes]
     names, complete = [c.name for c in classes], {Path(path): known for path, known in job.complete.items()}
     excluded = {f.path: [names.index(name) for name in complete[f.path]] for f in folders if f.path in complete}
@@ -175,7 +175,7 @@ def read_ground(job: Job) -> Ground:
         for subset in ("train", "validation")
     )
     sizes = {folder.manifest["pixel_size"] for folder in folders}
-    return Ground(
+    return TrainingGround(
         classes,
         training,
         validation,
@@ -187,7 +187,7 @@ def read_ground(job: Job) -> Ground:
     )
 
 
-def settings_of(job: Job, ground: Ground) -> loop.Settings:
+def settings_of(job: Job, ground: TrainingGround) -> loop.Settings:
     covering = len(ground.training) * max(1, (ground.tile_size // min(job.piece_size, ground.tile_size)) ** 2)
     if job.minutes:
         covering = min(max(covering, FEWEST_PIECES), MOST_PIECES)
@@ -225,7 +225,7 @@ def looks_of(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) -> Looks
     return looks
 
 
-def start_of(job: Job, ground: Ground, settings: loop.Settings) -> Start:
+def start_of(job: Job, ground: TrainingGround, settings: loop.Settings) -> Start:
     """The network with what it knows at the start. Raises TrainingError for weights that don't fit."""
     if job.base_model:
         base = base_weights.read_base(Path(job.base_model))
@@ -254,7 +254,9 @@ def _batches(pieces: loop.Pieces, base: base_weights.Base, size: int):
         yield (torch.stack(images).float() - mean) / deviation
 
 
-def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, looks: Looks, tell: loop.Tell) -> None:
+def finish(
+    job: Job, trainer: loop.Trainer, ground: TrainingGround, start: Start, looks: Looks, tell: loop.Tell
+) -> None:
     """Writes the model beside its place, checks it and moves it there; then the result, with pictures."""
     tell("exporting", share=trainer.told_share)
     output, folder = Path(job.output), Path(job.folder)
@@ -304,14 +306,16 @@ def finish(job: Job, trainer: loop.Trainer, ground: Ground, start: Start, looks:
     tell("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
 
 
-def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: Ground, reader: tiles.TileReader) -> dict[str, str]:
+def _biases(
+    answer: Callable[[np.ndarray], np.ndarray], ground: TrainingGround, reader: tiles.TileReader
+) -> dict[str, str]:
     """The entry of the metadata that says how far off classes are shown; none without meters or enough landmarks."""
     rows = class_bias.measured(answer, reader, len(ground.classes)) if ground.pixel_size else []
     biases = {ground.class_names[row.ground.value]: row.bias(ground.pixel_size) for row in rows}
     return {KEY: class_bias_text(biases)} if biases else {}
 
 
-def training_facts(job: Job, trainer: loop.Trainer, ground: Ground) -> dict:
+def training_facts(job: Job, trainer: loop.Trainer, ground: TrainingGround) -> dict:
     """What a model's card tells of any training."""
     return {
         "date": date.today().isoformat(),

@@ -21,7 +21,7 @@ BY_FLIGHT = "flight"
 
 
 @dataclass(frozen=True)
-class Matches:
+class MatchPoints:
     """Landmarks of an image and of the map that agree, the same number of each; number n is the nth of each.
 
     Attributes:
@@ -68,7 +68,7 @@ class Finding:
     crs: QgsCoordinateReferenceSystem
     outline: QgsGeometry | None
     possible: tuple[QgsGeometry, ...] = ()
-    matches: Matches | None = None
+    matches: MatchPoints | None = None
     labels: str = ""
 
     @property
@@ -171,14 +171,14 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
     return findings
 
 
-def _read_matches(layer: QgsVectorLayer | None) -> dict[str, Matches]:
+def _read_matches(layer: QgsVectorLayer | None) -> dict[str, MatchPoints]:
     """Those of each image, by its path."""
     found: dict[str, list[tuple]] = {}
     for feature in layer.getFeatures() if layer is not None else ():
         place = feature.geometry().asPoint()
         pixel, seen = (feature["image_column"], feature["image_row"]), (feature["seen_x"], feature["seen_y"])
         found.setdefault(feature["image"], []).append((pixel, seen, (place.x(), place.y())))
-    return {image: Matches(*zip(*rows)) for image, rows in found.items()}
+    return {image: MatchPoints(*zip(*rows)) for image, rows in found.items()}
 
 
 def error_text(finding: Finding) -> str:

@@ -48,7 +48,7 @@ class RoutePoints:
 
 
 @dataclass(frozen=True)
-class Gap:
+class RouteGap:
     """A stretch of a line without an expected fix.
 
     Attributes:
@@ -126,7 +126,7 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
     )
 
 
-def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[Gap]:
+def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[RouteGap]:
     """Stretches whose points have less success (N,) than ``threshold``, in the order of flight."""
     good, found = success >= threshold, []
     for line, length in enumerate(points.lengths):
@@ -136,7 +136,7 @@ def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[Gap
             if len(run):
                 start = points.along[members[run[0] - 1]] if run[0] else 0.0
                 end = points.along[members[run[-1] + 1]] if run[-1] + 1 < len(members) else length
-                found.append(Gap(line, float(start), float(end), members[run]))
+                found.append(RouteGap(line, float(start), float(end), members[run]))
     return found
 
 

@@ -29,7 +29,7 @@ SCALE_SPREAD = 0.02
 
 
 @dataclass(frozen=True)
-class Step:
+class OdometryRow:
     """A row of the table.
 
     Attributes:
@@ -60,7 +60,7 @@ def check_odometry(columns: Columns) -> None:
     columns.need(COLUMNS)
 
 
-def read_odometry(path: str) -> tuple[Step, ...]:
+def read_odometry(path: str) -> tuple[OdometryRow, ...]:
     """The rows of an odometry table, in their order.
 
     Args:
@@ -69,7 +69,7 @@ def read_odometry(path: str) -> tuple[Step, ...]:
     Raises:
         ParameterError: It can't be used; the line is named.
     """
-    steps: list[Step] = []
+    steps: list[OdometryRow] = []
     named: set[str] = set()
     for row in rows_of(path, check_odometry):
         stem = image_of(row)
@@ -80,7 +80,7 @@ def read_odometry(path: str) -> tuple[Step, ...]:
     return tuple(steps)
 
 
-def step_of(row: Row, is_first: bool) -> Step:
+def step_of(row: Row, is_first: bool) -> OdometryRow:
     """A row's step.
 
     Args:
@@ -93,10 +93,10 @@ def step_of(row: Row, is_first: bool) -> Step:
     stem = image_of(row)
     if is_first or not any(row.texts.get(name) for name in COLUMNS[1:]):
         # Nothing comes before the first row; a row without numbers says that the motion is unknown.
-        return Step(stem, is_break=True)
+        return OdometryRow(stem, is_break=True)
     right, up = (row.within(name, -FARTHEST_M, FARTHEST_M) for name in ("dx_m", "dy_m"))
     usual = max(SHARE * math.hypot(right, up), LEAST_M)
-    return Step(
+    return OdometryRow(
         stem,
         right,
         up,
@@ -108,7 +108,7 @@ def step_of(row: Row, is_first: bool) -> Step:
     )
 
 
-def odometry_links(steps: Sequence[Step], names: Sequence[str]) -> list[Link]:
+def odometry_links(steps: Sequence[OdometryRow], names: Sequence[str]) -> list[Link]:
     """Links between the images of a flight that a table tells the motion of.
 
     Rows of images that the flight lacks are gone through: their steps are put together.
@@ -119,7 +119,7 @@ def odometry_links(steps: Sequence[Step], names: Sequence[str]) -> list[Link]:
     """
     numbers = {stem_of(name): number for number, name in enumerate(names)}
     links: list[Link] = []
-    since: list[Step] = []
+    since: list[OdometryRow] = []
     before: int | None = None
     for step in steps:
         since = [] if step.is_break else [*since, step]
@@ -133,7 +133,7 @@ def odometry_links(steps: Sequence[Step], names: Sequence[str]) -> list[Link]:
     return links
 
 
-def link_over(before: int, after: int, steps: Sequence[Step]) -> Link:
+def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
     """Of the motion that several steps are together; told from the earlier image of the flight.
 
     Args:

@@ -25,7 +25,7 @@ from ..pipeline import Pipeline
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
 from .cameras import opened_cameras
-from .finder import ERROR, Finding, label_reader
+from .finder import ERROR, FinderSettings, label_reader
 from .flight import FlightFinding
 from .format import OnboardDatabase
 from .log import json_line, say, start_log
@@ -304,7 +304,7 @@ def exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
+def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> FinderSettings:
     """How the options ask to localize; everything that can be refused is refused here."""
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
@@ -325,7 +325,7 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> Finding:
     # Watching may come before the end of writing; a restart in the air must not end for a table.
     is_ended = getattr(options, "once", True)
     cameras = opened_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
-    return Finding(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
+    return FinderSettings(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
 
 
 def _is_restart(options: argparse.Namespace) -> bool:
@@ -362,7 +362,7 @@ def _watch(options: argparse.Namespace) -> int:
         raise ParameterError("onboard.no_folder", folder=options.folder)
     onboard = read_onboard(options.database, key_file=options.require_signature)
     is_restart = _is_restart(options)
-    find: Finding = _finding(options, onboard)
+    find: FinderSettings = _finding(options, onboard)
     after = None
     if options.state and not options.flight:
         raise ParameterError("onboard.state_without_flight")

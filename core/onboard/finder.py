@@ -59,7 +59,7 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
 
 
 @dataclass(frozen=True)
-class Finding:
+class FinderSettings:
     """How images are localized.
 
     Attributes:

@@ -26,7 +26,7 @@ from ..flight.table import stem_of
 from ..flight.tracker import FlightTracker
 from ..pipeline import ImageResult
 from ..values import checked, read_json
-from .finder import Finding, time_of
+from .finder import FinderSettings, time_of
 from .format import MAXIMUM_HEADER_BYTES, export_date
 from .log import say
 from .state_file import StateFile
@@ -60,7 +60,7 @@ class _Memory:
 
 
 @dataclass(frozen=True)
-class FlightFinding(Finding):
+class FlightFinding(FinderSettings):
     """Localizes the images of one flight, in order; what is said of each is the best estimate of all up to it.
 
     Attributes:

@@ -12,7 +12,7 @@ from typing import Callable, Generic, TypeVar
 from ..errors import ParameterError
 from ..flight.growing import GrowingTable
 from ..flight.motion import Link
-from ..flight.odometry import Step, check_odometry, link_over, step_of
+from ..flight.odometry import OdometryRow, check_odometry, link_over, step_of
 from ..flight.table import Check, Row, image_of
 from .log import say
 
@@ -125,7 +125,7 @@ class OdometryTable:
             path: Of the table.
             is_ended: Nobody writes any more.
         """
-        self._table: TableOfImages[Step] = TableOfImages(path, check_odometry, step_of, is_ended)
+        self._table: TableOfImages[OdometryRow] = TableOfImages(path, check_odometry, step_of, is_ended)
 
     def check(self) -> None:
         """Reads what is there; raises ParameterError for the first thing that is wrong with it."""

@@ -21,7 +21,7 @@ from ..landmarks.landmarks import class_mask
 from .displacement import displaced, with_leaning_roofs
 from .fields import smooth_noise
 from .noise import LabelNoise
-from .regions import Region, filled_from_around, nearest_zero, regions_of
+from .regions import ClassRegion, filled_from_around, nearest_zero, regions_of
 
 MERGED_LENGTH_PX = 100.0
 """Size of the parts of an image in which landmarks flow together, where they do so in a share of it."""
@@ -95,7 +95,7 @@ def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
 
 
 def _draw_spurious(
-    labels_hw: np.ndarray, donors: list[Region], count: int, rng: np.random.Generator, class_values: Sequence[int]
+    labels_hw: np.ndarray, donors: list[ClassRegion], count: int, rng: np.random.Generator, class_values: Sequence[int]
 ) -> None:
     """Draws ``count`` of the donors into ``labels_hw`` itself, each with a margin of a pixel to other landmarks."""
     taken = np.isin(labels_hw, class_values)

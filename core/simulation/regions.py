@@ -12,7 +12,7 @@ from ..landmarks.landmarks import class_mask
 
 
 @dataclass(frozen=True)
-class Region:
+class ClassRegion:
     """A connected region of one class.
 
     Attributes:
@@ -28,7 +28,7 @@ class Region:
     mask: np.ndarray
 
 
-def regions_of(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> list[Region]:
+def regions_of(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> list[ClassRegion]:
     """The regions of some classes, class after class, none smaller than an area."""
     found = []
     for value in class_values:
@@ -37,7 +37,7 @@ def regions_of(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_
             left, top, width, height, area = stats[number]
             if area >= minimum_area_px:
                 box = (slice(top, top + height), slice(left, left + width))
-                found.append(Region(int(value), int(area), box, numbers[box] == number))
+                found.append(ClassRegion(int(value), int(area), box, numbers[box] == number))
     return found
 
 

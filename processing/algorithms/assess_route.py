@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.assessment.assessment import Assessment, Estimates
-    from ...core.assessment.route import Gap, RoutePoints, ShiftHint
+    from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
     from ...core.database.model import ReferenceDatabase
     from ..framework.outputs import Outputs
     from ..framework.values import Values
@@ -243,7 +243,7 @@ class AssessRoute(AssessAlgorithm):
         assessment: Assessment,
         points: RoutePoints,
         estimates: Estimates,
-        stretches: Sequence[Gap],
+        stretches: Sequence[RouteGap],
         largest: float,
         count: int,
         feedback: QgsProcessingFeedback,
@@ -312,7 +312,7 @@ def _plain(value: Any) -> Any:
     return value.source.staticValue() if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
 
 
-def hint_text(gap: Gap, hint: ShiftHint) -> str:
+def hint_text(gap: RouteGap, hint: ShiftHint) -> str:
     """Where a stretch does better, in a sentence."""
     text = (
         tr(
@@ -339,7 +339,7 @@ def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:
     return (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max)
 
 
-def _values(route: AssessedRoute, n: int, gap: Gap | None, hint: ShiftHint | None) -> dict[str, Any]:
+def _values(route: AssessedRoute, n: int, gap: RouteGap | None, hint: ShiftHint | None) -> dict[str, Any]:
     points, estimates = route.points, route.estimates
     success, error = float(estimates.success[n]), float(estimates.error[n])
     reason = tr("Outside the database’s map.")

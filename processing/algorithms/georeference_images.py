@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...storage.georeferences import ControlPoint
-    from ..exchange.positions import FoundImage
+    from ..exchange.positions import PositionRow
     from ..framework.outputs import Outputs
     from ..framework.values import Values
 
@@ -165,7 +165,7 @@ class GeoreferenceImages(SemRefAlgorithm):
         return file_of
 
 
-def _why_not(image: FoundImage) -> str:
+def _why_not(image: PositionRow) -> str:
     """Why an image can't be laid on the ground; empty where it can."""
     if image.position is None:
         return tr("It has no fix.")
@@ -186,7 +186,7 @@ class _Writer:
     def __init__(self, kind: int, crs_wkt: str, feedback: QgsProcessingFeedback) -> None:
         self._kind, self._crs_wkt, self._feedback = kind, crs_wkt, feedback
 
-    def __call__(self, file: str, image: FoundImage, target: str, points: list[ControlPoint]) -> None:
+    def __call__(self, file: str, image: PositionRow, target: str, points: list[ControlPoint]) -> None:
         from ...storage.draped import write_geotiff
         from ...storage.georeferences import corner_points, write_points, write_world_file
         from ...storage.rasters import open_raster, require_whole_raster

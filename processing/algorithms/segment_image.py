@@ -21,7 +21,7 @@ from ..framework import parameters
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..framework.label_polygons import write_polygons
 from ..framework.parameters import with_help
-from ..framework.photo_labels import Pace, describe, open_model, pace_results
+from ..framework.photo_labels import NetworkPace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..framework.segmented_files import SeenGrid, SegmentedFiles
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
     from ..framework.outputs import Outputs
-    from ..framework.photo_source import Photo
+    from ..framework.photo_source import SourceImage
     from ..framework.values import Values
 
 
@@ -211,7 +211,7 @@ class SegmentImage(SemRefAlgorithm):
         ):
             # The steps are closed first: threads they hold are let go before the files are cleared away.
             files.write(_followed(steps, sure, feedback))
-        pace = Pace(model, time.perf_counter() - begun)
+        pace = NetworkPace(model, time.perf_counter() - begun)
         if values.has(SCHEDULER):
             return self._told(sure, feedback)
         feedback.pushInfo(pace.told())
@@ -222,7 +222,7 @@ class SegmentImage(SemRefAlgorithm):
         self,
         values: Values,
         model: SegmentationModel,
-        images: tuple[Photo, ImageSource],
+        images: tuple[SourceImage, ImageSource],
         resolution_m: float | None,
         overlap: float,
         wanted: Certainty,
@@ -259,7 +259,7 @@ class SegmentImage(SemRefAlgorithm):
         return {self.CERTAINTY: 100 * sure.mean}
 
     def _at_resolution(
-        self, photo: Photo, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback
+        self, photo: SourceImage, resolution_m: float | None, model: SegmentationModel, feedback: QgsProcessingFeedback
     ) -> ImageSource:
         """The photo at that resolution; says how it is read."""
         from ...core.segmentation.resampling import at_resolution

@@ -25,7 +25,7 @@ NEEDED = ("image", "status", "heading", "pixel_size")
 
 
 @dataclass(frozen=True)
-class FoundImage:
+class PositionRow:
     """One row of the positions.
 
     Attributes:
@@ -77,7 +77,7 @@ def folder_of(layer: QgsVectorLayer) -> str | None:
 
 def read_positions(
     source: QgsProcessingFeatureSource, footprints: QgsProcessingFeatureSource | None, key: str, footprints_key: str
-) -> list[FoundImage]:
+) -> list[PositionRow]:
     """The rows of the positions, in their order.
 
     Args:
@@ -107,7 +107,7 @@ def read_positions(
 def read_matches(
     source: QgsProcessingFeatureSource | None,
     positions: QgsProcessingFeatureSource,
-    images: Sequence[FoundImage],
+    images: Sequence[PositionRow],
     key: str,
 ) -> dict[str, list[ControlPoint]]:
     """The landmarks of each image that agree with the map, by the image's path.
@@ -152,10 +152,10 @@ def _require_same_crs(source: QgsProcessingFeatureSource, other: QgsProcessingFe
         raise ParameterError("exchange.other_run", key=key, source=source.sourceName(), crs=one, positions_crs=two)
 
 
-def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> FoundImage:
+def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> PositionRow:
     point = _point(feature)
     path = _text(feature, "image")
-    return FoundImage(
+    return PositionRow(
         path,
         _text(feature, "status"),
         None if point is None else (point.x(), point.y()),

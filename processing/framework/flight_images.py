@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from ...core.flight.model import FlightImage, FlightPose
     from ...core.flight.motion import Link
-    from ...core.flight.odometry import Step
+    from ...core.flight.odometry import OdometryRow
     from ...core.flight.pixel_features import Features
     from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
@@ -148,7 +148,7 @@ class FlightReader:
             if away == 1 and motion.reason is not None:
                 self.unlinked.append((number, worded(motion.reason)))
 
-    def links_with(self, steps: Sequence[Step], log: Telemetry | None) -> list[Link]:
+    def links_with(self, steps: Sequence[OdometryRow], log: Telemetry | None) -> list[Link]:
         """All links: those of an odometry table, of pixels where it tells none, of a log where neither does."""
         from ...core.flight.odometry import odometry_links
         from ...core.flight.table import stem_of

@@ -38,10 +38,10 @@ if TYPE_CHECKING:
     from ...core.localizer.search import Search
     from ...core.pipeline import Pipeline
     from ...storage.label_images import LabelImageReader
-    from .photo_labels import PhotoLabels
+    from .photo_labels import PhotoLabelReader
     from .values import Values
 
-    LabelReader = Union[PhotoLabels, LabelImageReader]
+    LabelReader = Union[PhotoLabelReader, LabelImageReader]
 
 
 class LocalizeAlgorithm(SemRefAlgorithm):
@@ -214,12 +214,12 @@ class LocalizeAlgorithm(SemRefAlgorithm):
     def label_reader(self, values: Values, table: ClassTable, feedback: QgsProcessingFeedback) -> LabelReader:
         """What reads label images, or with a model photos."""
         from ...storage.label_images import LabelImageReader
-        from .photo_labels import PhotoLabels
+        from .photo_labels import PhotoLabelReader
 
         model_path = values.file(self.MODEL)
         if model_path:
             feedback.setProgressText(tr("Loading the model"))
-            return PhotoLabels(model_path, table, feedback)
+            return PhotoLabelReader(model_path, table, feedback)
         return LabelImageReader(table)
 
 

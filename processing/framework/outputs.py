@@ -155,7 +155,7 @@ class Outputs:
         geometry: Any,
         crs: QgsCoordinateReferenceSystem,
         look: Look | None = None,
-    ) -> Iterator[Sink]:
+    ) -> Iterator[FeatureSink]:
         """Gives a sink to fill; one that is not wanted takes features and forgets them.
 
         Args:
@@ -171,7 +171,7 @@ class Outputs:
         fields = schema if isinstance(schema, QgsFields) else _fields(schema)
         wanted = self._values.destination(key)
         beside = self._beside(wanted)
-        sink = Sink(key, fields)
+        sink = FeatureSink(key, fields)
         # The only reference to QGIS's sink is the one in ``sink``: when that goes, the file is closed.
         written = sink.open(*self._values.sink(key, beside, fields, geometry, crs, _NEW_KEYS))
         if not sink.is_wanted and self._values.raw(key) is not None:
@@ -247,7 +247,7 @@ class _Layer:
         style_when_loaded(self.final, self.look, context)
 
 
-class Sink:
+class FeatureSink:
     """A feature sink that says when it can't be written."""
 
     def __init__(self, name: str, fields: QgsFields) -> None:

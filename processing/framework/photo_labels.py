@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ...core.labels.class_shares import SeenLabels
     from ...core.labels.image_source import Photo
     from ...core.segmentation.model import SegmentationModel
-    from ...core.segmentation.photo_labels import PhotoLabels as Labels
+    from ...core.segmentation.photo_labels import PhotoLabels
     from ...storage.images import GdalImage
 
 DEVICE, TILES_PER_SECOND = "DEVICE", "TILES_PER_SECOND"
@@ -46,7 +46,7 @@ def pace_results() -> tuple[QgsProcessingOutputString, QgsProcessingOutputNumber
 
 
 @dataclass(frozen=True)
-class Pace:
+class NetworkPace:
     """What ran a network, and how fast.
 
     Attributes:
@@ -75,7 +75,7 @@ class Pace:
         return text.format(tiles=self.model.tiles_seen, seconds=self.seconds, rate=rate, device=device)
 
 
-class PhotoLabels:
+class PhotoLabelReader:
     """Reads photos, as ``pipeline.LabelReader``; says what the network is and how fast it ran.
 
     Raises ModelError when the model is unusable or does not know a reference class of ``table``, and Canceled.
@@ -106,7 +106,7 @@ class PhotoLabels:
     def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
         return self._read(path, camera, with_pixels)
 
-    def _follow(self, path: str, photo: GdalImage, labels: Labels) -> Iterator[float]:
+    def _follow(self, path: str, photo: GdalImage, labels: PhotoLabels) -> Iterator[float]:
         """Goes through the steps of a photo."""
         if not self._is_described:
             describe(self._model, photo, self._feedback)
@@ -118,7 +118,7 @@ class PhotoLabels:
             yield share
         self._seconds += time.perf_counter() - begun
 
-    def _say_told_size(self, path: str, labels: Labels) -> None:
+    def _say_told_size(self, path: str, labels: PhotoLabels) -> None:
         """Of the first photo: the others are of the same flight."""
         if labels.told_pixel_size_m is None:
             return
@@ -130,9 +130,9 @@ class PhotoLabels:
         self._feedback.pushInfo(text.format(image=os.path.basename(path), size=size, resolution=resolution))
 
     @property
-    def pace(self) -> Pace:
+    def pace(self) -> NetworkPace:
         """What ran, and how fast."""
-        return Pace(self._model, self._seconds)
+        return NetworkPace(self._model, self._seconds)
 
 
 def _opened(path: str) -> Photo:

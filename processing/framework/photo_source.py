@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Photo:
+class SourceImage:
     """An image that is open.
 
     Attributes:
@@ -67,7 +67,7 @@ class PhotoSource:
         else:
             self._file = image_layer(layer, key)
 
-    def open(self, resolution_m: float | None, feedback: QgsProcessingFeedback) -> Photo:
+    def open(self, resolution_m: float | None, feedback: QgsProcessingFeedback) -> SourceImage:
         """The photo; a layer that is no file is drawn with pixels of that size.
 
         Raises:
@@ -79,10 +79,10 @@ class PhotoSource:
         if self._file is None:
             path, crs = self._drawn(resolution_m, feedback)
             file = GdalImage(path)
-            return Photo(file, file, file.geotransform, crs)
+            return SourceImage(file, file, file.geotransform, crs)
         file, crs = GdalImage(self._file.path), self._file.crs
         if not self._values.has(self._extent_key):
-            return Photo(file, file, file.geotransform, crs)
+            return SourceImage(file, file, file.geotransform, crs)
         return self._part(file, crs)
 
     def path(self) -> str:
@@ -152,7 +152,7 @@ class PhotoSource:
             return self._values.extent_as_given(self._extent_key)
         return self._area.extent, self._area.crs
 
-    def masked(self, image: ImageSource, photo: Photo, geotransform: Sequence[float] | None) -> ImageSource:
+    def masked(self, image: ImageSource, photo: SourceImage, geotransform: Sequence[float] | None) -> ImageSource:
         """An image on the photo's ground without what lies outside of the area, if there is one.
 
         Raises:
@@ -168,13 +168,13 @@ class PhotoSource:
         context = self._values.transform_context
         return MaskedImage(image, area_mask(self._area, photo.crs, geotransform, image.shape_hw, context))
 
-    def _part(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> Photo:
+    def _part(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> SourceImage:
         from ...core.labels.image_source import ImagePart
 
         left, top, width, height = self._window(file, crs)
         x0, dx, _, y0, _, dy = file.geotransform
         part = ImagePart(file, left, top, (height, width))
-        return Photo(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
+        return SourceImage(file, part, (x0 + left * dx, dx, 0.0, y0 + top * dy, 0.0, dy), crs)
 
     def _window(self, file: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[int, int, int, int]:
         """(first column, first row, width, height) of what the extent touches, or the area. Raises ImageError."""

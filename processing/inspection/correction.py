@@ -22,7 +22,7 @@ from ...storage.text_tables import CLASSES_FILE
 from ..exchange.reference_systems import database_crs
 
 
-class Ground(NamedTuple):
+class LayerGround(NamedTuple):
     """What a layer shows: its name, its extent, and what that is in."""
 
     name: str
@@ -31,7 +31,7 @@ class Ground(NamedTuple):
 
 
 def rasterize_parameters(
-    path: str, grounds: Sequence[Ground], folder: str, context: QgsCoordinateTransformContext
+    path: str, grounds: Sequence[LayerGround], folder: str, context: QgsCoordinateTransformContext
 ) -> dict[str, Any]:
     """CLASS_TABLE, PIXEL_SIZE, EXTENT and TARGET_CRS of semref:rasterizeannotation for the map of a database.
 
@@ -62,7 +62,7 @@ def rasterize_parameters(
 
 
 def _meets(
-    ground: Ground,
+    ground: LayerGround,
     extent: QgsRectangle,
     crs: QgsCoordinateReferenceSystem,
     context: QgsCoordinateTransformContext,

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.landmarks.landmarks import Landmarks
-    from ..framework.photo_labels import PhotoLabels
+    from ..framework.photo_labels import PhotoLabelReader
 
 RUNNERS_UP = 4
 """Windows told after the best one of the published method."""
@@ -82,7 +82,7 @@ class ImageInspector:
     """
 
     def __init__(self) -> None:
-        self._network: tuple[tuple, PhotoLabels | None] = ((), None)
+        self._network: tuple[tuple, PhotoLabelReader | None] = ((), None)
 
     def inspect(self, query: ImageQuery, database: ReferenceDatabase) -> InspectedImage:
         """Reads an image and describes it.
@@ -116,11 +116,11 @@ class ImageInspector:
 
         if query.labels or not query.model:
             return read_label_image(query.labels or query.image, database.class_table)
-        from ..framework.photo_labels import PhotoLabels
+        from ..framework.photo_labels import PhotoLabelReader
 
         key = query.model, database.class_table
         if self._network[0] != key:
-            self._network = key, PhotoLabels(query.model, database.class_table, QgsProcessingFeedback(False))
+            self._network = key, PhotoLabelReader(query.model, database.class_table, QgsProcessingFeedback(False))
         return self._network[1](query.image).labels_hw
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...core.assessment.assessment import Estimates
 from ...core.assessment.flights import FlownRoute
-from ...core.assessment.route import Gap, RoutePoints, ShiftHint
+from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
 from ..translation import tr
 from ..wording.numbers import Local, shown
@@ -31,7 +31,7 @@ class AssessedRoute:
     points: RoutePoints
     estimates: Estimates
     inside: np.ndarray
-    stretches: Sequence[Gap]
+    stretches: Sequence[RouteGap]
     hints: Sequence[ShiftHint | None]
     footprint: float
     spacing: float
@@ -199,7 +199,7 @@ def _gap_table(route: AssessedRoute) -> list[str]:
     return [page.table(header, rows, numbers), page.paragraph(note)]
 
 
-def _reason(route: AssessedRoute, gap: Gap) -> str:
+def _reason(route: AssessedRoute, gap: RouteGap) -> str:
     if not route.inside[gap.points].any():
         return tr("outside the map")
     reasons = [route.estimates.reasons[n] for n in gap.points.tolist()]

@@ -267,7 +267,7 @@ def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_l
     from qgis.PyQt.QtCore import Qt
     from qgis.PyQt.QtWidgets import QApplication
 
-    from semref.ui.tabs.correct.places_table import Place, PlacesTable
+    from semref.ui.tabs.correct.places_table import PlaceRow, PlacesTable
 
     table = PlacesTable()
     table.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
@@ -277,7 +277,7 @@ def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_l
     font.setPointSizeF(2 * font.pointSizeF())
     table.setFont(font)
     for number in range(3):
-        table.add(Place(number, "error", ["overlap", "two claim it", "1.0"]))
+        table.add(PlaceRow(number, "error", ["overlap", "two claim it", "1.0"]))
     QApplication.processEvents()
     assert table.rowHeight(2) >= 2 * table.fontMetrics().lineSpacing()
     table.selectRow(1)

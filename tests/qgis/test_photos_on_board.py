@@ -16,7 +16,7 @@ from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.finder import label_reader
 from semref.core.segmentation.onnx_file import with_metadata
-from semref.processing.framework.photo_labels import PhotoLabels
+from semref.processing.framework.photo_labels import PhotoLabelReader
 from semref.storage.images import GdalImage
 
 TABLE = class_table_from_csv(CLASSES_CSV)
@@ -68,7 +68,7 @@ def model(tmp_path_factory):
 @pytest.mark.parametrize("name", PHOTOS)
 def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, model, tmp_path, name):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
-    reader = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))
+    reader = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False))
     seen = reader(path)
     in_qgis = seen.labels_hw
     on_board = label_reader(model, 1, TABLE)(path)
@@ -80,7 +80,7 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
 def test_height_and_lens_tell_the_same_in_qgis_and_on_board(qgis_app, model, tmp_path):
     path = str(PHOTOS["PNG"](tmp_path / "photo.png"))
     camera = Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(20.0))
-    in_qgis = PhotoLabels(model, TABLE, QgsProcessingFeedback(False))(path, camera)
+    in_qgis = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False))(path, camera)
     on_board = label_reader(model, 1, TABLE)(path, camera)
     np.testing.assert_array_equal(on_board.labels_hw, in_qgis.labels_hw)
     np.testing.assert_array_equal(on_board.shares.shares, in_qgis.shares.shares)
@@ -91,7 +91,7 @@ def test_height_and_lens_tell_the_same_in_qgis_and_on_board(qgis_app, model, tmp
 @pytest.mark.parametrize("name", PHOTOS)
 def test_a_photo_read_once_for_labels_and_motion_is_the_same(qgis_app, model, tmp_path, name, monkeypatch):
     path = str(PHOTOS[name](tmp_path / "photo.tif"))
-    reader, opened = PhotoLabels(model, TABLE, QgsProcessingFeedback(False)), []
+    reader, opened = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False)), []
     apart = reader(path)
     read = GdalImage.read
     monkeypatch.setattr(GdalImage, "read", lambda self, *window: opened.append(window) or read(self, *window))
@@ -110,6 +110,6 @@ def test_what_a_model_states_of_its_classes_is_known_in_qgis_as_on_board(qgis_ap
         path.write_bytes(with_metadata(file.read(), "class_bias", stated))
     photo = str(PHOTOS["PNG"](tmp_path / "photo.png"))
     known = label_reader(str(path), 1, TABLE)(photo).biases
-    assert known == PhotoLabels(str(path), TABLE, QgsProcessingFeedback(False))(photo).biases
+    assert known == PhotoLabelReader(str(path), TABLE, QgsProcessingFeedback(False))(photo).biases
     (bias,) = known.class_biases
     assert (bias.east, bias.spread, bias.sun_deg) == (0.5, 0.2, 120.0) and known.class_spread == NETWORK_SPREAD

@@ -8,7 +8,7 @@ from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt.QtCore import QPointF, QRectF, pyqtSignal
 from qgis.PyQt.QtGui import QPainter, QPen
 
-from ..findings import Matches
+from ..findings import MatchPoints
 from .marks import RED, RIM, Marks, to_canvas
 from .numbers import nearest_number, paint_numbers, paint_ring
 
@@ -28,7 +28,7 @@ class MatchMarks(Marks):
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas, {})
         self._item: _Item | None = _Item(canvas)
-        self._matches: Matches | None = None
+        self._matches: MatchPoints | None = None
         canvas.xyCoordinates.connect(self._look)
 
     @property
@@ -36,7 +36,7 @@ class MatchMarks(Marks):
         """(where the fix puts it, the map's landmark) of each match in the canvas's CRS, as drawn."""
         return self._item.pairs
 
-    def show(self, matches: Matches, crs: QgsCoordinateReferenceSystem) -> None:
+    def show(self, matches: MatchPoints, crs: QgsCoordinateReferenceSystem) -> None:
         """Draws matches whose map coordinates are in ``crs``."""
         self._matches, self._crs = matches, crs
         self._place()

@@ -93,12 +93,12 @@ class CorrectionRun(QObject):
     def start(self, wanted: Correction) -> None:
         """Begins. The annotation may be edited and removed once it is being rasterized."""
         # Not at the top: it reads databases, and the dock shall open at once.
-        from ...processing.inspection.correction import Ground, rasterize_parameters
+        from ...processing.inspection.correction import LayerGround, rasterize_parameters
 
         self.running, self._wanted = True, wanted
         self._folder = QgsProcessingUtils.generateTempFilename("correction")
         layers = [layer for layer in (wanted.annotation, wanted.places) if layer is not None and layer.featureCount()]
-        grounds = [Ground(layer.name(), layer.extent(), layer.crs()) for layer in layers]
+        grounds = [LayerGround(layer.name(), layer.extent(), layer.crs()) for layer in layers]
         context = QgsProject.instance().transformContext()
         self._next = self._rasterize
         self.said.emit(tr("Reading the database"))

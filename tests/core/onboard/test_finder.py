@@ -15,7 +15,7 @@ from semref.core.geometry.leveling import Attitude
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.search import Search
-from semref.core.onboard.finder import ERROR, Finding, label_reader, time_of
+from semref.core.onboard.finder import ERROR, FinderSettings, label_reader, time_of
 from semref.core.onboard.read import read_onboard
 from semref.core.pipeline import Pipeline
 
@@ -26,7 +26,7 @@ def finding(tmp_path_factory):
     write_area(path)
     onboard = read_onboard(path)
     labels = label_reader(None, 1, onboard.database.class_table)
-    return Finding(onboard, Pipeline(Localizer(onboard.database), Search(Method.CONSTELLATION), labels))
+    return FinderSettings(onboard, Pipeline(Localizer(onboard.database), Search(Method.CONSTELLATION), labels))
 
 
 class Tilted:
@@ -68,7 +68,7 @@ def test_a_fault_of_the_program_stops_no_other_image(finding, image, monkeypatch
     def broken(self, path):
         raise ZeroDivisionError("a fault")
 
-    monkeypatch.setattr(Finding, "localized", broken)
+    monkeypatch.setattr(FinderSettings, "localized", broken)
     assert finding(image)["reason"] == "ZeroDivisionError: a fault"
 
 

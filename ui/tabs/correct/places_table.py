@@ -39,7 +39,7 @@ _WIDE_LETTERS = 70
 """From this width on there is room for positions beside messages."""
 
 
-class Place(NamedTuple):
+class PlaceRow(NamedTuple):
     """One row.
 
     Attributes:
@@ -93,7 +93,7 @@ class PlacesTable(QTableWidget):
         self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
-    def add(self, place: Place) -> int:
+    def add(self, place: PlaceRow) -> int:
         """Adds a row at the end; gives its number."""
         number = self.rowCount()
         self.setRowCount(number + 1)
@@ -189,7 +189,7 @@ def _has_messages(layer: QgsVectorLayer) -> bool:
     return "message" in layer.fields().names()
 
 
-def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
+def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
     """All of a layer, one after the other."""
     words, with_severity, with_messages = kind_titles(), has_severity(layer), _has_messages(layer)
     for feature in layer.getFeatures():
@@ -199,7 +199,7 @@ def places_of(layer: QgsVectorLayer) -> Iterator[Place]:
         title, key = (kind, feature[KIND]) if with_messages else (f"{kind} → {message}",) * 2
         second = _joined(area, message) if with_messages else f"{message}\n{_joined(area, position)}"
         texts = [kind, second, position]
-        yield Place(feature.id(), "" if is_null(severity) else severity, texts, "" if is_null(key) else key, title)
+        yield PlaceRow(feature.id(), "" if is_null(severity) else severity, texts, "" if is_null(key) else key, title)
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:

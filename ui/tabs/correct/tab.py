@@ -23,7 +23,7 @@ from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.controls import ChoiceBox, shortcut, tool_button
 from ...widgets.layouts import FoldingRow, narrow, row_of
 from ...widgets.texts import number_text
-from .places_table import Place, PlacesTable, has_severity, is_places, place_text, places_of
+from .places_table import PlaceRow, PlacesTable, has_severity, is_places, place_text, places_of
 from .repair_button import RepairButton
 from .update_box import UpdateBox
 
@@ -62,7 +62,7 @@ class CorrectTab(QWidget):
         self._report = ""
         self._repaired: tuple[int, set[int]] | None = None
         self._counted: set[int] = set()
-        self._rows: Iterator[Place] = iter(())
+        self._rows: Iterator[PlaceRow] = iter(())
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self._fill_on)
