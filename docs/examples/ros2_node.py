@@ -1,8 +1,8 @@
-"""A ROS 2 node: images in, positions on the map out. An example to start from; beside it lies a copy of ``core``.
+"""A ROS 2 node: images in, positions on the map out. An example to start from; it needs the wheel ``semref``.
 
 ros2 run … --ros-args -p database:=area.npz -p model:=landcover.onnx
 
-It hears ``image`` (sensor_msgs/Image, rgb8) and says ``fix`` (sensor_msgs/NavSatFix) and ``pose``
+It reads ``image`` (sensor_msgs/Image, rgb8) and publishes ``fix`` (sensor_msgs/NavSatFix) and ``pose``
 (geometry_msgs/PoseWithCovarianceStamped: x east and y north along the map's axes, yaw from east to the image's top).
 """
 
@@ -14,12 +14,12 @@ from geometry_msgs.msg import PoseWithCovarianceStamped
 from rclpy.node import Node
 from sensor_msgs.msg import Image, NavSatFix, NavSatStatus
 
-from core.labels.image_source import ArrayImage
-from core.localization import Method, Prior
-from core.localizer.localizer import Localizer
-from core.onboard.read import read_onboard
-from core.segmentation.model import SegmentationModel
-from core.segmentation.photo_labels import PhotoLabels
+from semref.core.labels.image_source import ArrayImage
+from semref.core.localization import Method, Prior
+from semref.core.localizer.localizer import Localizer
+from semref.core.onboard.read import read_onboard
+from semref.core.segmentation.model import SegmentationModel
+from semref.core.segmentation.photo_labels import PhotoLabels
 
 
 class SemRef(Node):

@@ -52,12 +52,7 @@ def example(repository, monkeypatch, tmp_path):
     messages = sys.modules["sensor_msgs.msg"]
     messages.Image, messages.NavSatFix = Stand, Stand
     messages.NavSatStatus = SimpleNamespace(STATUS_FIX=0, STATUS_NO_FIX=-1)
-    monkeypatch.syspath_prepend(str(repository))
-    known = set(sys.modules)
-    yield runpy.run_path(str(repository / "docs" / "examples" / "ros2_node.py"))
-    for name in set(sys.modules) - known:
-        if name.partition(".")[0] == "core":
-            del sys.modules[name]
+    return runpy.run_path(str(repository / "docs" / "examples" / "ros2_node.py"))
 
 
 def test_the_node_publishes_where_an_image_was_taken(example, monkeypatch, tmp_path):
