@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
@@ -113,24 +112,6 @@ def test_the_report_says_what_was_assumed(assessed):
 
 
 @pytest.mark.slow
-def test_the_same_seed_gives_the_same_map(run_algorithm, database, tmp_path):
-    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "SEED": 4}
-    one, two = (
-        rows_of(run_algorithm(ASSESS, {**parameters, "OUTPUT": str(tmp_path / name)})["OUTPUT"])
-        for name in ("a.gpkg", "b.gpkg")
-    )
-    assert one == two
-
-
-@pytest.mark.slow
-def test_map_correlation_is_tried_where_landmarks_fail(run_algorithm, database, tmp_path, feedback):
-    parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
-    results = run_algorithm(ASSESS, {**parameters, "MAP_CORRELATION": True}, feedback)
-    assert 0 <= results["LOCALIZABLE_FRACTION"] <= 1
-    assert "simulated in" in feedback.textLog()
-
-
-@pytest.mark.slow
 def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, database, tmp_path, feedback):
     parameters = {"DATABASE": database, "TRIALS": 20, "SPACING": 250, "OUTPUT": str(tmp_path / "map.gpkg")}
     run_algorithm(ASSESS, {**parameters, "FOOTPRINT": "700"}, feedback)
@@ -152,26 +133,3 @@ def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, datab
     with pytest.raises(QgsProcessingException, match=said):
         run_algorithm(ASSESS, {"DATABASE": database, "TRIALS": 20, "OUTPUT": str(target), **parameters})
     assert not target.exists()
-
-
-class CancelAt(QgsProcessingFeedback):
-    def __init__(self, percent):
-        super().__init__(False)
-        self.at = None
-        self.progressChanged.connect(lambda progress: progress >= percent and self._stop())
-
-    def _stop(self):
-        self.at = self.at or time.process_time()
-        self.cancel()
-
-
-@pytest.mark.slow
-def test_cancel_takes_effect_at_once_and_leaves_nothing(database, tmp_path):
-    algorithm = QgsApplication.processingRegistry().createAlgorithmById(ASSESS)
-    parameters = {"DATABASE": database, "OUTPUT": str(tmp_path / "map.gpkg"), "REPORT": str(tmp_path / "report.html")}
-    parameters["TRIALS"] = 100
-    feedback = CancelAt(20)
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        algorithm.run(parameters, QgsProcessingContext(), feedback, {}, False)
-    assert time.process_time() - feedback.at < 1.0
-    assert list(tmp_path.iterdir()) == []

@@ -230,13 +230,6 @@ def test_a_photo_that_viewers_turn_tells_no_attitude(tmp_path):
     assert camera.attitude is None
 
 
-def test_a_photo_of_the_horizon_is_refused(tmp_path):
-    photo(tmp_path / "IMG_1.jpg", DJI.replace("-80.00", "+5.00"), FocalLengthIn35mmFilm="24")
-    (camera,) = read_cameras([label_image(tmp_path)], "")
-    with pytest.raises(ParameterError, match="IMG_1.jpg: A gimbal pitch of 5° does not look at the ground"):
-        camera.leveling((30, 40))
-
-
 def test_the_table_comes_before_the_photo_and_the_photo_fills_its_gaps(tmp_path):
     exif = {"DateTimeOriginal": "1970:01:01 00:01:00", "FocalLengthIn35mmFilm": "24"}
     for number in (1, 2):

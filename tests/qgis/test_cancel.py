@@ -114,6 +114,12 @@ def jobs(run_algorithm, tmp_path_factory):
             "out.tif",
         ),
         "build": ("semref:builddatabase", build, "DATABASE", "out.gpkg"),
+        "assess": (
+            "semref:assessdatabase",
+            {"DATABASE": build["DATABASE"], "SPACING": 400, "TRIALS": 40, "FOOTPRINT": "120", "MAP_CORRELATION": False},
+            "OUTPUT",
+            "out.gpkg",
+        ),
         "localize": (
             "semref:localizeimages",
             {"DATABASE": build["DATABASE"], "IMAGES": [str(flight)], "METHOD": 1},
@@ -146,12 +152,10 @@ def run(job, folder: Path, feedback):
     return instance.run({**parameters, key: str(folder / name)}, QgsProcessingContext(), feedback, {}, False)
 
 
-JOBS = ("rasterize", "check", "repair", "decode", "build", "localize", "flight", "segment", "compare")
+JOBS = ("rasterize", "check", "repair", "decode", "build", "assess", "localize", "flight", "segment", "compare")
 
 
-@pytest.mark.parametrize(
-    "percent", [0, 10, 50, 86, *(pytest.param(n, marks=pytest.mark.slow) for n in (1, 31, 76, 94))]
-)
+@pytest.mark.parametrize("percent", [0, 50, *(pytest.param(n, marks=pytest.mark.slow) for n in (10, 31, 86))])
 @pytest.mark.parametrize("name", JOBS)
 def test_cancel_stops_at_once_and_leaves_nothing_new(jobs, small_steps, tmp_path, name, percent):
     older = tmp_path / jobs[name][3]

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, NORTH, WEST, polygon, rectangle, square, write_layer, write_text
+from made_inputs import CLASSES_CSV, polygon, square, write_layer, write_text
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeatureSourceDefinition, QgsVectorLayer
 
@@ -55,25 +54,12 @@ def read_rows(path) -> list:
     return rows
 
 
-def kinds(rows) -> list:
-    return sorted((row["kind"], row["severity"]) for row in rows)
-
-
 # --- what is found ---
 
 
 def test_a_clean_layer_has_no_findings(issues, tmp_path, classes_csv):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "field"), (square(9, 0, 9), "building")])
     assert issues(layer, CLASS_TABLE=classes_csv, PIXEL_SIZE=1) == []
-
-
-def test_an_overlap_has_both_ids_its_area_and_its_place(issues, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field"), (square(6, 0, 10), "water")])
-    (row,) = issues(layer, CLASS_TABLE=classes_csv)
-    assert (row["kind"], row["severity"], row["feature_id"], row["other_id"]) == ("overlap", "error", 2, 1)
-    assert row["area"] == pytest.approx(40)
-    np.testing.assert_allclose(row["box"], (WEST + 6, WEST + 10, NORTH - 10, NORTH), atol=1e-5)
-    assert row["message"].startswith("water (feature 2) and field (feature 1) claim the same 40.00 m²")
 
 
 def test_issues_are_drawn_by_severity_errors_on_top(check, tmp_path, classes_csv):
@@ -84,37 +70,6 @@ def test_issues_are_drawn_by_severity_errors_on_top(check, tmp_path, classes_csv
     assert renderer.orderByEnabled() and not list(tmp_path.glob("*-wal"))
     (feature,) = found.getFeatures()
     assert feature["severity"] == "error" and renderer.categoryIndexForValue(feature["severity"]) == 0
-
-
-DRAW_ORDERS = "value,name,color,role,draw_order\n1,building,#ff0000,,{}\n2,water,#0000ff,,{}\n"
-
-
-@pytest.mark.parametrize(
-    ("priorities", "orders", "severity", "upper"),
-    [
-        ((None, None), None, "error", 2),
-        ((2, 1), None, "information", 1),
-        ((1, 1), None, "error", 2),
-        ((1, None), None, "information", 1),
-        (None, (5, 1), "information", 1),
-        (None, (1, 5), "information", 2),
-        (None, (5, 5), "error", 2),
-        ((1, 2), (5, 1), "information", 2),
-    ],
-)
-def test_an_order_decides_an_overlap_as_in_rasterizing(
-    issues, run_algorithm, tmp_path, priorities, orders, severity, upper
-):
-    values = priorities or (None, None)
-    features = [(square(0, 0, 10), "building", values[0]), (square(6, 0, 10), "water", values[1])]
-    layer = write_layer(tmp_path / "a.gpkg", features, [("class", "text"), ("zorder", "integer")])
-    table = write_text(tmp_path / "t.csv", DRAW_ORDERS.format(*(orders or ("", ""))))
-    common = {"CLASS_TABLE": str(table), "PRIORITY_FIELD": "zorder" if priorities else None}
-    (row,) = issues(layer, **common)
-    assert (row["kind"], row["severity"], row["feature_id"]) == ("overlap", severity, upper)
-    labels = {"INPUT": str(layer), "CLASS_FIELD": "class", "PIXEL_SIZE": 1, "OUTPUT": str(tmp_path / "l.tif")}
-    made = run_algorithm(RASTERIZE, {**labels, **common})
-    assert gdal.Open(made["OUTPUT"]).ReadAsArray()[5, 8] == upper
 
 
 def test_classes_that_are_missing_or_unknown_are_errors(issues, tmp_path, classes_csv):
@@ -128,68 +83,10 @@ def test_classes_that_are_missing_or_unknown_are_errors(issues, tmp_path, classe
     assert rows[1]["area"] == pytest.approx(81)
 
 
-def test_geometry_that_is_missing_flat_three_dimensional_or_invalid_is_told(issues, tmp_path):
-    features = [
-        (None, "1"),
-        ("POLYGON EMPTY", "1"),
-        (polygon([(0, 0), (5, 5), (0, 0)]), "1"),
-        (f"POLYGON Z (({WEST} {NORTH} 3, {WEST + 9} {NORTH} 3, {WEST + 9} {NORTH - 9} 3, {WEST} {NORTH} 3))", "1"),
-        (polygon([(40, 0), (44, 4), (44, 0), (40, 4)]), "1"),
-    ]
-    rows = issues(write_layer(tmp_path / "a.gpkg", features))
-    by_feature = Counter((row["feature_id"], row["kind"]) for row in rows)
-    assert {(1, "no_geometry"), (2, "no_geometry"), (3, "no_area"), (4, "three_dimensional")} <= set(by_feature)
-    assert (5, "invalid") in by_feature
-    (invalid,) = (row for row in rows if row["feature_id"] == 5)
-    assert "Self-intersection" in invalid["message"]
-
-
 def test_polygons_outside_the_area_of_the_crs_are_told(issues, tmp_path):
     far = "POLYGON ((9.5 47.1, 9.6 47.1, 9.6 47.2, 9.5 47.1))"
     rows = issues(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "field"), (far, "field")]))
     assert [(row["kind"], row["feature_id"]) for row in rows if row["kind"] == "outside_crs"] == [("outside_crs", 2)]
-
-
-def test_landmarks_that_pixels_lose_merge_and_split_are_told_with_a_pixel_size(issues, tmp_path, classes_csv):
-    features = [
-        (rectangle(0, 0, 1.2, 40), "building"),
-        (square(20, 0, 10), "water"),
-        (square(30.3, 0, 10), "water"),
-        (
-            polygon(
-                [
-                    (60, 0),
-                    (70, 0),
-                    (70, 10),
-                    (80, 10),
-                    (80, 0),
-                    (90, 0),
-                    (90, 20),
-                    (80, 20),
-                    (80, 10.2),
-                    (70, 10.2),
-                    (70, 20),
-                    (60, 20),
-                ]
-            ),
-            "bare_land",
-        ),
-    ]
-    layer = write_layer(tmp_path / "a.gpkg", features)
-    assert issues(layer, CLASS_TABLE=classes_csv, MINIMUM_AREA=20) == []
-    rows = issues(layer, CLASS_TABLE=classes_csv, MINIMUM_AREA=20, PIXEL_SIZE=1)
-    assert [(row["kind"], row["feature_id"], row["other_id"]) for row in rows] == [
-        ("lost", 1, None),
-        ("merged", 2, 3),
-        ("split", 4, None),
-    ]
-
-
-def test_only_landmarks_of_reference_classes_are_too_small(issues, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 5), "field"), (square(20, 0, 5), "water")])
-    rows = issues(layer, CLASS_TABLE=classes_csv, MINIMUM_AREA=100)
-    assert [(row["kind"], row["feature_id"]) for row in rows] == [("small", 2)]
-    assert len(issues(layer, MINIMUM_AREA=100)) == 2
 
 
 def test_selected_features_alone_are_checked(issues, tmp_path):

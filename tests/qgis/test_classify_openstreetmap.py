@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-
 import pytest
 from qgis.core import (
     QgsCoordinateTransformContext,
@@ -34,15 +32,6 @@ EXTRACT = (
     )
     + "</osm>"
 )
-
-PBF = base64.b64decode(
-    "AAAADQoJT1NNSGVhZGVyGDsQLxo3eJxT4vMvzg1OzkjNTdQNM9AzU+JySc0rTvXLT0ktbmIUyMlMyi/OzSzN1TfSMzLWMwQAX2cO"
-    "kwAAAAsKB09TTURhdGEYThBaGkp4nONi4WLgYhAKEgrgYmUCAS1lLlZGEBBiZQABKQilBKG0WJlAlBNPQ//0g8wMC+YwMtyP9eJt"
-    "uH4mCsSeP4dxgXwQRCkAg1ANhQAAAAwKB09TTURhdGEYvAEQ8wEatgF4nF3LTQ6CMBAFYBgKrQMS05VpNCEujGcwxoWXcF3SAk2g"
-    "TfgRub1lKbN7872HXwyQttKqadBIrOw0JpXr9TBi/nZOFdfiUT47//FFVk6mVcbWGDduHWSy1/LemLqZ5YJkTUgr58Y1Rose/MRN"
-    "Vsl+wVyqzlgzjL0czUfzWZxZyiEEARG5IAsPwTEoglv8isFfLATLeJiIkP4hAUioOLE9B7YTgOlGCVk155B53W81AfoDle4tZQ=="
-)
-"""EXTRACT as osmium 4 writes it."""
 
 
 def rows_of(layer: str) -> list[dict]:
@@ -78,17 +67,6 @@ def test_an_extract_becomes_land_cover(run_algorithm, tmp_path, extract, suffix)
     assert [found[key]["class"] for key in ("11", "12", "13")] == ["forest", "building", "built_up"]
     assert found["11"]["name"] == "Wood & <b>more" and found["12"]["tag"] == "building=*"
     assert found["12"]["priority"] > found["11"]["priority"]
-
-
-def test_a_packed_extract_is_the_same(run_algorithm, tmp_path, extract):
-    packed = tmp_path / "extract.osm.pbf"
-    packed.write_bytes(PBF)
-    found = []
-    for number, path in enumerate((extract, str(packed))):
-        out = str(tmp_path / f"{number}.gpkg")
-        run_algorithm(CLASSIFY, {"INPUT": path, "OUTPUT": out})
-        found.append(rows_of(out))
-    assert len(found[0]) == 3 and found[0] == found[1]
 
 
 def test_land_cover_of_an_extract_becomes_a_label_map_where_buildings_lie_on_top(run_algorithm, tmp_path, extract):
@@ -141,14 +119,6 @@ def test_a_layer_without_known_tags_says_which_columns_it_has(run_algorithm, tmp
     with pytest.raises(QgsProcessingException, match="its columns are height"):
         run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": str(tmp_path / "cover.gpkg")})
     assert not (tmp_path / "cover.gpkg").exists()
-
-
-def test_a_table_of_rules_that_is_none_is_refused(run_algorithm, tmp_path):
-    rules = tmp_path / "own.csv"
-    rules.write_text("key,value,class,priority\nsurface,*,hard,much\n", encoding="utf-8")
-    layer = layer_of("field=surface:string", ("asphalt",))
-    with pytest.raises(QgsProcessingException, match="“much” is not a whole number"):
-        run_algorithm(CLASSIFY, {"INPUT": layer, "RULES": str(rules), "OUTPUT": str(tmp_path / "cover.gpkg")})
 
 
 def test_an_extract_that_is_cut_short_is_refused(run_algorithm, tmp_path, extract):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import cv2
 import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
@@ -65,34 +64,6 @@ def test_a_paletted_image_is_decoded_by_its_palette(decode, tmp_path):
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
 
 
-def test_the_nearest_color_forgives_noise(decode, tmp_path):
-    noise = np.random.default_rng(1).integers(-20, 21, (3, *LABELS.shape))
-    noisy = np.clip(painted(LABELS).astype(int) + noise, 0, 255).astype(np.uint8)
-    image = write_raster(tmp_path / "a.tif", noisy)
-    np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
-
-
-def test_black_is_unlabeled_for_the_nearest_color(decode, tmp_path):
-    labels = LABELS.copy()
-    labels[:20] = 0
-    image = write_raster(tmp_path / "a.png", painted(labels), transform=None)
-    np.testing.assert_array_equal(read_pixels(decode(image)), labels)
-
-
-def test_black_is_a_class_when_the_table_says_so(decode, tmp_path):
-    image = write_raster(tmp_path / "a.png", np.zeros((3, 8, 8), np.uint8), transform=None)
-    table = "value,name,color,role\n5,water,#000000,reference\n6,snow,#ffffff,background\n"
-    assert (read_pixels(decode(image, table)) == 5).all()
-
-
-def test_hsv_ranges_may_wrap_over_red(decode, tmp_path):
-    hues = np.array([[0, 9, 10, 11, 90, 169, 170, 175, 179]], np.uint8)
-    hsv = np.dstack([hues, np.full_like(hues, 255), np.full_like(hues, 255)])
-    image = write_raster(tmp_path / "a.png", bands_of(cv2.cvtColor(hsv, cv2.COLOR_HSV2RGB)), transform=None)
-    found = read_pixels(decode(image, RED_CSV, METHOD=HSV_RANGES))
-    np.testing.assert_array_equal(found, [[7, 7, 7, 0, 0, 0, 7, 7, 7]])
-
-
 def test_what_no_hsv_range_covers_is_unlabeled_and_said(decode, tmp_path, feedback):
     red_and_blue = np.zeros((3, 4, 4), np.uint8)
     red_and_blue[0, :, :1] = 255
@@ -138,11 +109,6 @@ def test_a_fourth_band_is_left_out(decode, tmp_path):
     opaque = np.concatenate([painted(LABELS), np.full((1, *LABELS.shape), 255, np.uint8)])
     image = write_raster(tmp_path / "a.tif", opaque)
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
-
-
-def test_a_layer_will_do_as_input(decode, tmp_path):
-    layer = QgsRasterLayer(str(write_raster(tmp_path / "a.tif", painted(LABELS))), "image")
-    np.testing.assert_array_equal(read_pixels(decode(layer)), LABELS)
 
 
 def test_an_image_of_several_slices_equals_one_decoded_at_once(decode, tmp_path, monkeypatch):

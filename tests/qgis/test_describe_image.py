@@ -115,18 +115,6 @@ def test_the_vector_is_that_of_the_core(describe, georeferenced):
     assert vector["image_center"] == [105, 75]
 
 
-def test_the_vector_may_be_shorter_and_of_fewer_classes(describe, georeferenced):
-    found, vector, _ = describe(georeferenced, REFERENCES_PER_VECTOR=4, REFERENCE_CLASSES="water;1")
-    assert len(vector["vector"]) == 12
-    assert {row["class"] for row in found} == {1, 2}
-
-
-def test_without_a_vector_file_asked_none_is_made(describe, georeferenced, tmp_path):
-    _, vector, results = describe(georeferenced, VECTOR=None)
-    assert vector is None and "VECTOR" not in results
-    assert not (tmp_path / "vector.json").exists()
-
-
 def test_fewer_than_three_landmarks_give_no_vector_and_that_is_said(describe, tmp_path, feedback):
     labels = np.full((60, 60), 4, np.uint8)
     labels[10:20, 10:20] = labels[40:50, 40:50] = 2
@@ -134,11 +122,6 @@ def test_fewer_than_three_landmarks_give_no_vector_and_that_is_said(describe, tm
     assert [(row["column"], row["row"]) for row in found] == [(15, 15), (45, 45)]
     assert vector["vector"] is None and vector["distance_ratios"] is None
     assert "Fewer than three landmarks" in feedback.textLog()
-
-
-def test_an_image_without_landmarks_gives_an_empty_layer(describe, tmp_path):
-    found, _, results = describe(write_raster(tmp_path / "image.png", np.full((60, 60), 4, np.uint8), transform=None))
-    assert (found, results["REFERENCE_COUNT"]) == ([], 0)
 
 
 def test_with_a_database_the_image_is_described_as_its_windows_are(describe, run_algorithm, tmp_path):

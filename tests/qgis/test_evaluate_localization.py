@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import threading
-import time
 from pathlib import Path
 
 import numpy as np
@@ -83,15 +82,6 @@ def test_the_rates_are_those_of_the_points(evaluate):
             assert row["error"] == pytest.approx(np.hypot(row["x"] - row["true_x"], row["y"] - row["true_y"]))
 
 
-def test_both_methods_find_clean_windows_and_only_one_what_lies_between(evaluate):
-    on_windows = {"OFFSET": "0,0", "SCALE": "1,1", "ROTATION": "0,0", "MIRRORED": 0}
-    found, _ = evaluate(**CLEAN, **on_windows, TRIALS=6)
-    assert all(row["right"] and row["error"] < 1 for row in found) and len(found) == 12
-    found, _ = evaluate(**CLEAN, **{**on_windows, "OFFSET": "0.4,0.5"}, TRIALS=8)
-    shares = [np.mean([row["right"] for row in of(found, m)]) for m in ("automatic", "topology vector")]
-    assert shares[0] > 0.9 and shares[1] < 0.5
-
-
 def test_ranges_come_back_in_the_points(evaluate):
     ranges = {"SCALE": [1.1, 1.2], "ROTATION": "30,40", "MISSED": "10,15", "OFFSET": "0.2,0.3"}
     found, _ = evaluate(**ranges, METHODS="1")
@@ -158,17 +148,6 @@ def test_a_window_of_the_paper_is_found_at_distance_0_unscaled_and_unturned(repo
         assert row["right"] == 1 and row["distance"] == pytest.approx(0, abs=1e-6) and row["confidence"] == 1
 
 
-@pytest.mark.slow
-def test_the_same_seed_gives_the_same_files_and_another_one_others(evaluate, tmp_path):
-    texts = []
-    for n, seed in enumerate((3, 3, 4)):
-        _, results = evaluate(
-            TRIALS=3, SEED=seed, METHODS=[1], REPORT=str(tmp_path / f"{n}.html"), JSON=str(tmp_path / f"{n}.json")
-        )
-        texts.append([Path(results[key]).read_bytes() for key in ("REPORT", "JSON")])
-    assert texts[0] == texts[1] and texts[0][0] != texts[2][0] and texts[0][1] != texts[2][1]
-
-
 # --- what goes wrong ---
 
 
@@ -190,53 +169,12 @@ def test_a_map_with_other_classes_is_refused(evaluate, tmp_path):
     assert "“road”" in message and "“water”" in message
 
 
-def test_a_map_of_elsewhere_is_refused(evaluate, tmp_path):
-    path = write_raster(tmp_path / "far.tif", LABELS, names=NAMES, transform=(WEST + 5000, 1.0, 0.0, NORTH, 0.0, -1.0))
-    assert "No window" in refused(evaluate, LABELS=str(path))
-
-
 @pytest.mark.parametrize(
     "wrong",
     [{"SCALE": "1.2,0.8"}, {"MISSED": "0,120"}, {"OFFSET": "0,0.7"}, {"RAGGED": "a,b"}, {"MINIMUM_REFERENCES": 999}],
 )
 def test_wrong_values_are_told_by_their_key(evaluate, wrong):
     assert next(iter(wrong)) in refused(evaluate, **wrong)
-
-
-def test_no_method_is_refused(evaluate):
-    assert "METHODS" in refused(evaluate, METHODS=[])
-
-
-class CancelAt(QgsProcessingFeedback):
-    """Cancels itself at ``percent`` of the progress and remembers when."""
-
-    def __init__(self, percent):
-        super().__init__(False)
-        self.canceled_at = None
-        self.progressChanged.connect(lambda progress: self._stop() if progress >= percent else None)
-
-    def _stop(self):
-        self.canceled_at = self.canceled_at or time.process_time()
-        self.cancel()
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("percent", [1, 50, 95])
-def test_cancel_stops_at_once_and_leaves_nothing(inputs, tmp_path, percent):
-    feedback = CancelAt(percent)
-    parameters = {
-        **inputs,
-        "TRIALS": 10,
-        "METHODS": [1],
-        "OUTPUT": str(tmp_path / "trials.gpkg"),
-        "REPORT": str(tmp_path / "report.html"),
-        "JSON": str(tmp_path / "numbers.json"),
-    }
-    algorithm = QgsApplication.processingRegistry().createAlgorithmById(EVALUATE)
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        algorithm.run(parameters, QgsProcessingContext(), feedback, {}, False)
-    assert time.process_time() - feedback.canceled_at < 1.0
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_cancel_during_one_image_is_heeded_before_it_ends(inputs, tmp_path, monkeypatch):

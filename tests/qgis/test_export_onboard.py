@@ -78,12 +78,6 @@ def test_precision_is_in_map_units_and_may_be_text(export):
     assert onboard(export(PRECISION="0.25")["OUTPUT"]).position_error == 0.25
 
 
-def test_the_overview_may_be_left_out(export, tmp_path):
-    sizes = [export(OVERVIEW=wanted, OUTPUT=str(tmp_path / f"{wanted}.npz"))["BYTES"] for wanted in (True, False)]
-    assert sizes[1] < sizes[0]
-    assert onboard(str(tmp_path / "False.npz")).database.overview is None
-
-
 def test_longitude_and_latitude_are_proj_s(export):
     from semref.processing.exchange.reference_systems import longitudes_latitudes
 
@@ -170,13 +164,6 @@ def test_any_other_file_is_left_alone(export, tmp_path, content, reason):
     with pytest.raises(QgsProcessingException, match=reason):
         export()
     assert (tmp_path / "area.npz").read_bytes() == content
-
-
-def test_a_foreign_database_is_refused_and_nothing_is_left(export, tmp_path):
-    (tmp_path / "foreign.gpkg").write_bytes(b"no database")
-    with pytest.raises(QgsProcessingException, match="is not a GeoPackage"):
-        export(DATABASE=str(tmp_path / "foreign.gpkg"))
-    assert [entry.name for entry in tmp_path.iterdir()] == ["foreign.gpkg"]
 
 
 # --- the same answers without QGIS ---
@@ -300,60 +287,3 @@ def test_nodata_of_a_tiff_is_unlabeled_as_with_gdal(database, tmp_path):
 
 
 # --- GeoPackages that are none, or no longer whole ---
-
-
-def refusal(path) -> str:
-    from semref.core.errors import DatabaseError
-
-    with pytest.raises(DatabaseError) as refused:
-        whole(str(path))
-    return str(refused.value)
-
-
-@pytest.mark.parametrize("share", np.linspace(0, 0.999, 20).tolist())
-def test_a_truncated_database_is_refused(database, tmp_path, share):
-    content = Path(database).read_bytes()
-    cut = tmp_path / "cut.gpkg"
-    cut.write_bytes(content[: int(share * len(content))])
-    assert "cut.gpkg" in refusal(cut)
-
-
-FOREIGN = {
-    "empty": b"",
-    "text": b"value,name\n",
-    "only the name": b"SQLite format 3\0",
-    "no pages": b"SQLite format 3\0" + bytes(500),
-    "zip": b"PK\x05\x06" + bytes(18),
-    "png": b"\x89PNG\r\n\x1a\n" + bytes(200),
-    "tiff": b"II*\x00\x08\x00\x00\x00" + bytes(200),
-    "json": b"{}",
-    "zeros": bytes(5000),
-    "old name": b"SQLite format 2\0" + bytes(5000),
-    **{f"noise {n}": np.random.default_rng(n).bytes(5000) for n in range(5)},
-    **{f"name and noise {n}": b"SQLite format 3\0" + np.random.default_rng(n).bytes(5000) for n in range(5)},
-}
-
-
-@pytest.mark.parametrize("name", list(FOREIGN))
-def test_a_foreign_file_is_no_database(qgis_app, tmp_path, name):
-    path = tmp_path / "foreign.gpkg"
-    path.write_bytes(FOREIGN[name])
-    assert "foreign.gpkg" in refusal(path)
-
-
-def test_a_flipped_bit_of_a_database_never_ends_in_another_error(database, tmp_path):
-    """Most are found by checksums; what no table of ours holds may change unseen."""
-    from semref.core.errors import SemRefError
-
-    content, refused = Path(database).read_bytes(), 0
-    random = np.random.default_rng(8)
-    flipped = tmp_path / "flipped.gpkg"
-    for place in random.integers(0, len(content), 40).tolist() + list(range(100, 120)):
-        changed = bytearray(content)
-        changed[place] ^= 1 << int(random.integers(8))
-        flipped.write_bytes(changed)
-        try:
-            whole(str(flipped))
-        except SemRefError:
-            refused += 1
-    assert refused > 0

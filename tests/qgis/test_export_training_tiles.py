@@ -64,28 +64,6 @@ def test_every_tile_is_the_piece_of_image_and_labels_that_its_name_says(export):
         assert (tile["x"], tile["y"]) == (WEST + tile["column"], NORTH - tile["row"])
 
 
-@pytest.mark.parametrize("stride", [TILE, pytest.param(12, marks=pytest.mark.slow)])
-def test_no_pixel_is_in_both_training_and_validation(export, stride):
-    _, manifest = export(STRIDE=stride)
-    used = {subset: np.zeros((HEIGHT, WIDTH), bool) for subset in ("train", "validation")}
-    for tile in manifest["tiles"]:
-        used[tile["subset"]][tile["row"] : tile["row"] + TILE, tile["column"] : tile["column"] + TILE] = True
-    assert used["train"].any() and used["validation"].any()
-    assert not (used["train"] & used["validation"]).any()
-
-
-def test_the_validation_fraction_is_about_what_was_asked(export):
-    _, manifest = export(VALIDATION_FRACTION=0.3)
-    share = sum(tile["subset"] == "validation" for tile in manifest["tiles"]) / len(manifest["tiles"])
-    assert share == pytest.approx(0.3, abs=0.08)
-
-
-def test_without_a_validation_fraction_everything_trains(export):
-    _, manifest = export(VALIDATION_FRACTION=0)
-    assert {tile["subset"] for tile in manifest["tiles"]} == {"train"}
-    assert len(manifest["tiles"]) == (HEIGHT // TILE) * (WIDTH // TILE)
-
-
 def test_tiles_without_labels_are_left_out(export):
     labels = LABELS.copy()
     labels[:, : 5 * TILE] = 0
@@ -209,14 +187,6 @@ def test_an_earlier_export_is_left_alone_as_any_folder_is_that_holds_files(expor
     with pytest.raises(QgsProcessingException, match="holds other files"):
         export(STRIDE=20)
     assert sorted(Path(first["OUTPUT"]).rglob("*")) == before
-
-
-def test_a_folder_with_other_files_is_left_alone(export, tmp_path):
-    (tmp_path / "tiles").mkdir()
-    write_text(tmp_path / "tiles" / "thesis.txt", "mine")
-    with pytest.raises(QgsProcessingException, match="holds other files"):
-        export()
-    assert [path.name for path in (tmp_path / "tiles").iterdir()] == ["thesis.txt"]
 
 
 @pytest.mark.parametrize(

@@ -115,29 +115,6 @@ def test_what_is_not_on_the_map_gets_a_reason_and_no_position(localize, labels):
     assert found["x"] is None and footprints == []
 
 
-def test_an_empty_image_says_how_many_landmarks_are_missing(localize):
-    found, _ = localize(np.zeros((SIZE, SIZE), np.uint8))
-    assert found["status"] == "too_few_references" and "0" in found["reason"]
-
-
-@pytest.mark.slow
-def test_a_prior_elsewhere_excludes_the_right_place(localize):
-    labels = view(300, 300, 120)
-    here, there = f"{WEST + 310},{NORTH - 290} [EPSG:32632]", f"{WEST + 800},{NORTH - 700} [EPSG:32632]"
-    assert localize(labels, PRIOR_POINT=here, PRIOR_RADIUS=50)[0]["status"] == "fix"
-    assert localize(labels, PRIOR_POINT=there, PRIOR_RADIUS=50)[0]["status"] != "fix"
-
-
-def test_a_scale_range_without_the_right_scale_gives_no_fix(localize):
-    assert localize(view(400, 400, 0), SCALE_MINIMUM=1.5, SCALE_MAXIMUM=2)[0]["status"] != "fix"
-
-
-@pytest.mark.slow
-def test_the_same_image_gives_the_same_answer(localize):
-    labels = view(520, 410, 77)
-    assert localize(labels)[0] == localize(labels)[0]
-
-
 @pytest.mark.slow
 def test_an_ambiguous_image_has_its_possible_places_as_polygons(run_algorithm, tmp_path):
     twins = np.hstack([LABELS[:, :500], LABELS[:, :500]])

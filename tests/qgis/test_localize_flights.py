@@ -92,14 +92,6 @@ def test_the_published_method_takes_images_as_they_are(localize, feedback):
     assert "Leveled" not in feedback.textLog()
 
 
-@pytest.mark.slow
-def test_map_correlation_levels_too(localize):
-    view = ahead(tilt=15)
-    (found,), _, _ = localize([view], TABLE.replace(str(TILT), "15"), METHOD=3)
-    assert found["method"] == "map correlation" and found["camera_x"] is not None
-    assert (found["x"], found["y"]) == pytest.approx(view.position, abs=6)
-
-
 def test_a_view_of_the_horizon_is_an_error_of_its_row(localize):
     rows, _, results = localize([ahead(), ahead(tilt=0)], "image,roll,pitch,field_of_view\n0,0,60,60\n")
     assert [row["status"] for row in rows] == ["error", "fix"] and results["FIX_COUNT"] == 1
@@ -118,11 +110,6 @@ def test_a_heading_known_roughly_is_heeded(localize, heading):
     assert found["status"] == "fix"
 
 
-def test_a_heading_known_wrongly_excludes_the_right_place(localize):
-    (found,), _, _ = localize([ahead(tilt=0)], PRIOR_HEADING=90, PRIOR_HEADING_RANGE=20)
-    assert found["status"] != "fix"
-
-
 FLIGHT = [ahead(300 + 20 * step, 400, 90, 0) for step in range(4)]
 TIMES = "image,time\n0,0\n1,1\n2,2\n3,3\n"
 
@@ -134,11 +121,6 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
     assert [row["status"] for row in rows] == ["fix"] * 4 and results["FIX_COUNT"] == len(polygons) == 4
     assert "25 map units per second" in rows[2]["reason"] and "25 map units" not in rows[1]["reason"]
     assert "1 of 4 fixes with a time are jumps." in feedback.textLog()
-
-
-def test_a_flight_within_its_speed_has_no_jumps(localize):
-    rows, _, _ = localize(FLIGHT, TIMES, MAXIMUM_SPEED=25)
-    assert [row["jump"] for row in rows] == [0] * 4
 
 
 def test_without_time_without_fix_or_without_speed_nothing_is_checked(localize):

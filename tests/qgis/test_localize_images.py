@@ -145,26 +145,6 @@ def test_what_the_topology_vector_does_not_tell_is_null(localize, tmp_path):
         assert found[name] is None
 
 
-@pytest.mark.parametrize("turns", [1, 2, 3])
-def test_an_image_turned_by_quarters_is_found(localize, tmp_path, turns):
-    (found,), _ = localize([image(tmp_path, "a.png", np.rot90(window(160, 200), turns))])
-    assert found["window"] == "160_200"
-    assert found["distance"] < 0.2
-
-
-def test_an_image_of_twice_the_scale_is_found(localize, tmp_path):
-    (found,), _ = localize([image(tmp_path, "a.png", np.kron(window(160, 200), np.ones((2, 2), np.uint8)))])
-    assert found["window"] == "160_200"
-
-
-def test_an_image_that_is_not_square_is_described_in_its_centered_square(localize, tmp_path):
-    wide = LABELS[200 : 200 + SIZE, 140 : 140 + SIZE + 40]
-    tall = LABELS[170 : 170 + SIZE + 60, 160 : 160 + SIZE]
-    found, _ = localize([image(tmp_path, "wide.png", wide), image(tmp_path, "tall.png", tall)])
-    assert [row["window"] for row in found] == ["160_200", "160_200"]
-    assert [row["distance"] for row in found] == pytest.approx([0, 0], abs=1e-6)
-
-
 def test_too_few_references_give_no_geometry_and_say_how_many_are_missing(localize, tmp_path):
     labels = np.full((SIZE, SIZE), 4, np.uint8)
     labels[20:40, 20:40] = 1
@@ -214,19 +194,6 @@ def test_a_folder_stands_for_its_images_in_order_of_name(localize, three):
     assert [row["window"] for row in found] == ["0_0", "40_40", "80_80"]
 
 
-@pytest.mark.parametrize("separator", [";", " ; ", ";;"])
-def test_a_list_given_as_text_is_separated_by_semicolons(localize, three, separator):
-    _, paths = three
-    found, _ = localize(separator.join(paths))
-    assert [row["image"] for row in found] == paths
-
-
-def test_a_folder_given_as_text_and_one_file_given_as_text_will_do(localize, three):
-    folder, paths = three
-    assert [row["image"] for row in localize(str(folder))[0]] == paths
-    assert [row["image"] for row in localize(paths[0])[0]] == paths[:1]
-
-
 def test_files_and_folders_may_be_mixed(localize, three, tmp_path):
     folder, paths = three
     single = image(tmp_path, "single.png", window(0, 0))
@@ -270,11 +237,6 @@ def test_the_values_of_a_paletted_image_are_its_classes_whatever_its_colors(loca
     assert [row["window"] for row in found] == ["160_200", "160_200"]
 
 
-def test_label_images_of_16_bits_will_do(localize, tmp_path):
-    path = write_raster(tmp_path / "a.png", window(160, 200).astype(np.uint16), transform=None, kind=gdal.GDT_UInt16)
-    assert localize([str(path)])[0][0]["window"] == "160_200"
-
-
 def test_a_georeference_is_not_needed_and_not_used(localize, tmp_path):
     elsewhere = (0.0, 3.0, 0.0, 0.0, 0.0, -3.0)
     path = write_raster(tmp_path / "a.tif", window(160, 200), transform=elsewhere, crs=3857)
@@ -300,11 +262,6 @@ def test_footprints_are_the_matched_windows(localize, tmp_path):
     assert footprint.GetGeometryRef().GetEnvelope() == (left, left + SIZE, top - SIZE, top)
     assert footprint["image"] == paths[0] and footprint["window"] == "160_200"
     assert source.GetLayer(0).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
-
-
-def test_without_footprints_asked_none_are_made(localize, tmp_path):
-    _, results = localize([image(tmp_path, "a.png", window(0, 0))])
-    assert "FOOTPRINTS" not in results
 
 
 def test_temporary_outputs_are_layers_with_the_rows(localize, run_algorithm, database, tmp_path):
@@ -334,32 +291,3 @@ def test_the_constellation_is_the_automatic_method(run_algorithm, database, tmp_
     parameters = {"DATABASE": database, "IMAGES": [path], "OUTPUT": "TEMPORARY_OUTPUT", **method}
     results = run_algorithm(LOCALIZE, parameters)
     assert [feature["method"] for feature in results["OUTPUT"].getFeatures()] == [name]
-
-
-def test_the_method_given_as_text_is_accepted(localize, tmp_path):
-    (found,), _ = localize([image(tmp_path, "a.png", window(0, 0))], METHOD="1")
-    assert found["window"] == "0_0"
-
-
-def test_a_database_with_two_levels_matches_the_level_of_the_image(run_algorithm, database, tmp_path):
-    labels = write_raster(tmp_path / "labels.tif", LABELS, names=NAMES)
-    parameters = {
-        "LABELS": str(labels),
-        "REFERENCE_CLASSES": "1;2;3",
-        "WINDOW_SIZE": SIZE,
-        "STRIDE": STRIDE,
-        "LEVELS": "1;2",
-        "MINIMUM_AREA": 30,
-        "DATABASE": str(tmp_path / "levels.gpkg"),
-    }
-    levels = run_algorithm("semref:builddatabase", parameters)["DATABASE"]
-    images = [image(tmp_path, "low.png", window(160, 200)), image(tmp_path, "high.png", window(80, 160, 2 * SIZE))]
-    parameters = {"DATABASE": levels, "IMAGES": images, "OUTPUT": str(tmp_path / "positions.gpkg")}
-    parameters["FOOTPRINTS"] = str(tmp_path / "footprints.gpkg")
-    found = rows(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
-    assert [(row["x"], row["y"]) for row in found] == [
-        (WEST + 160 + SIZE / 2, NORTH - 200 - SIZE / 2),
-        (WEST + 80 + SIZE, NORTH - 160 - SIZE),
-    ]
-    source = ogr.Open(parameters["FOOTPRINTS"])
-    assert [f.GetGeometryRef().GetArea() for f in source.GetLayer(0)] == [SIZE**2, 4 * SIZE**2]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import sys
 
 import numpy as np
 import pytest
@@ -113,38 +112,12 @@ def test_photos_without_a_model_are_told_so(localize, tmp_path, feedback):
     assert feedback.textLog().count("These are photos") == before
 
 
-def test_a_bad_photo_does_not_stop_the_others(localize, tmp_path):
-    bad = tmp_path / "bad.png"
-    bad.write_bytes(b"no picture")
-    tiny = write_raster(tmp_path / "tiny.png", np.zeros((3, 1, 1), np.uint8), transform=None)
-    good = write_raster(tmp_path / "good.png", photo_of(turned_view(LABELS, SIZE, 300, 200, 20)), transform=None)
-    rows = localize([bad, tiny, good])
-    assert [row["status"] for row in rows] == ["error", "error", "fix"]
-    assert "bad.png can't be read" in rows[0]["reason"]
-    assert "1 × 1 pixels shows too little" in rows[1]["reason"]
-
-
 def test_a_model_without_the_databases_classes_is_refused(localize, tmp_path):
     model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=["building", "water", "snow"]))
     photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
     with pytest.raises(QgsProcessingException, match="does not know the database's class bare_land"):
         localize([photo], MODEL=str(model))
     assert not (tmp_path / "positions.gpkg").exists()
-
-
-def test_a_broken_model_is_refused(localize, tmp_path):
-    model = tmp_path / "m.onnx"
-    model.write_bytes(b"hello")
-    photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
-    with pytest.raises(QgsProcessingException, match="m.onnx is not an ONNX model"):
-        localize([photo], MODEL=str(model))
-
-
-def test_a_missing_onnxruntime_is_said(localize, tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "onnxruntime", None)
-    photo = write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
-    with pytest.raises(QgsProcessingException, match="needs the Python package onnxruntime"):
-        localize([photo])
 
 
 def test_a_model_without_class_names_is_refused_without_a_key_that_is_not_there(localize, nameless, tmp_path):

@@ -82,16 +82,6 @@ def random_layer(path: Path, seed: int) -> Path:
     return write_layer(path, features, FIELDS)
 
 
-@pytest.mark.parametrize("suffix", [".gpkg", ".shp"])
-def test_repairing_a_repaired_layer_changes_nothing(repair, tmp_path, suffix):
-    settings = {"PRIORITY_FIELD": "zorder", "MINIMUM_AREA": 5}
-    first, changes = repair(random_layer(tmp_path / "a.gpkg", 1), OUTPUT=str(tmp_path / f"once{suffix}"), **settings)
-    assert changes
-    again, changes = repair(tmp_path / f"once{suffix}", OUTPUT=str(tmp_path / f"twice{suffix}"), **settings)
-    assert changes == []
-    assert again == first
-
-
 def test_a_repaired_layer_has_no_findings_left(repair, run_algorithm, tmp_path):
     repair(random_layer(tmp_path / "a.gpkg", 2))
     checked = {"INPUT": str(tmp_path / "repaired.gpkg"), "CLASS_FIELD": "class", "MINIMUM_AREA": 0}
@@ -130,11 +120,6 @@ def test_unknown_classes_are_refused_as_in_rasterizing(repair, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "lighthouse")])
     with pytest.raises(QgsProcessingException, match="“lighthouse”"):
         repair(layer, CLASS_TABLE=str(table))
-
-
-def test_a_layer_without_polygons_is_refused(repair, tmp_path):
-    with pytest.raises(QgsProcessingException, match="nothing to repair"):
-        repair(write_layer(tmp_path / "a.gpkg", [(None, "a")], geometry=ogr.wkbPolygon))
 
 
 def test_the_changes_may_be_left_out(run_algorithm, tmp_path):

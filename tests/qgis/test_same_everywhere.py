@@ -143,13 +143,6 @@ def test_a_second_run_gives_the_same(run_algorithm, inputs, settings, expected, 
     assert_same(run_chain(run_algorithm, settings, tmp_path, inputs), expected)
 
 
-def test_numbers_as_numbers_give_the_same_as_text(run_algorithm, inputs, settings, expected, tmp_path):
-    rasterize, build, _ = settings
-    build = {**build, "WINDOW_SIZE": 150, "STRIDE": 50.0, "MINIMUM_AREA": 60}
-    numbers = {**rasterize, "PIXEL_SIZE": 1.0}, build, {"METHOD": 1}
-    assert_same(run_chain(run_algorithm, numbers, tmp_path, inputs), expected)
-
-
 def test_a_background_task_as_of_toolbox_and_batch_gives_the_same(qgis_app, inputs, settings, expected, tmp_path):
     def run(algorithm_id, parameters):
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(algorithm_id)

@@ -74,17 +74,6 @@ def test_the_class_that_is_none_is_not_shown_first(segment, image, tmp_path):
     assert (labels == 0).any() and (sure[labels == 0] <= 100).all()
 
 
-def test_what_was_not_asked_for_is_not_written(segment, image, tmp_path):
-    found = segment(image)
-    assert set(found) == {"OUTPUT", "DEVICE", "TILES_PER_SECOND", "CERTAINTY"}
-    assert {path.name for path in tmp_path.glob("*.tif")} == {"image.tif", "labels.tif"}
-
-
-def test_how_sure_the_network_is_is_told(segment, image, tmp_path):
-    found = segment(image, **certainty(tmp_path))
-    assert found["CERTAINTY"] == pytest.approx(read_pixels(found["CONFIDENCE"]).mean(), abs=3)
-
-
 def test_pixels_without_data_have_no_percent(segment, tmp_path):
     photo = np.where(PHOTO == 7, 8, PHOTO).astype(np.uint8)
     photo[:, 20:90, 30:180] = 7

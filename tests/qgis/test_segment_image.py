@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
-from made_models import brightest_color, metadata, painted, write_model
+from made_models import metadata, painted, write_model
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsRasterLayer
 
@@ -85,13 +85,6 @@ def test_a_class_table_says_values_roles_and_colors(segment, tmp_path):
     raster = gdal.Open(segment(write_raster(tmp_path / "a.tif", PHOTO), CLASS_TABLE=str(table)))
     np.testing.assert_array_equal(raster.ReadAsArray(), np.array([40, 40, 2, 3])[LABELS])
     assert "40,Building,#d62728,reference" in raster.GetMetadataItem("SEMREF_CLASS_TABLE")
-
-
-def test_a_class_table_names_what_the_model_does_not(segment, tmp_path):
-    model = write_model(tmp_path / "m.onnx", metadata=metadata(class_names=None))
-    table = write_text(tmp_path / "classes.csv", "value,name\n7,a\n8,b\n9,c\n")
-    found = read_pixels(segment(write_raster(tmp_path / "a.tif", PHOTO), MODEL=str(model), CLASS_TABLE=str(table)))
-    np.testing.assert_array_equal(found, np.array([7, 7, 8, 9])[LABELS])
 
 
 def test_pixels_without_data_are_unlabeled(segment, tmp_path):
@@ -193,33 +186,12 @@ def test_degrees_are_turned_into_meters(segment, tmp_path):
     assert (raster.RasterXSize, raster.RasterYSize) == pytest.approx((230 / 4, 170 / 2), abs=1)
 
 
-def test_a_photo_without_georeference_is_not_resampled(segment, tmp_path):
-    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50))
-    found = read_pixels(segment(write_raster(tmp_path / "a.png", PHOTO, transform=None), MODEL=str(model)))
-    np.testing.assert_array_equal(found, SEEN)
-
-
 def test_a_resampled_image_keeps_its_pixels_without_data(segment, tmp_path):
     photo = PHOTO.copy()
     photo[:, :, :100] = 0
     image = write_raster(tmp_path / "a.tif", photo, nodata=0, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
     found = read_pixels(segment(image, RESOLUTION=50))
     assert (found[:, :50] == 0).all() and (found[:, 50:] > 0).all()
-
-
-def test_seams_do_not_show(segment, tmp_path):
-    """Near its border a tile seems darker to a mean over 15 pixels: blended, that is not seen."""
-    red = cv2.GaussianBlur(np.random.default_rng(5).integers(0, 256, (380, 380)).astype(np.uint8), (0, 0), 12)
-    red = cv2.normalize(red, None, 0, 255, cv2.NORM_MINMAX)
-    image = write_raster(tmp_path / "a.tif", np.stack([red, red * 0, red * 0]))
-    network, found = brightest_color(15, bias=(0, 0.5, 0)), {}
-    for name, tile, overlap in (("whole", 380, 0), ("blended", 128, 50), ("cut", 128, 0)):
-        more = metadata(tile_size=tile, standardization_mean=None, standardization_std=None)
-        model = write_model(tmp_path / f"{name}.onnx", network, metadata=more)
-        found[name] = read_pixels(segment(image, MODEL=str(model), OVERLAP=overlap))
-    assert 0.2 < (found["whole"] == 1).mean() < 0.8
-    assert (found["blended"] != found["whole"]).mean() < 0.002
-    assert (found["cut"] != found["whole"]).mean() > 0.02
 
 
 def test_the_provider_and_classes_are_said(segment, tmp_path, feedback):
@@ -238,12 +210,6 @@ def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):
     labels = scattered_objects(900, 70, 60, seed=8, background=2)
     found = read_pixels(segment(write_raster(tmp_path / "a.tif", bands_of(painted(labels)))))
     np.testing.assert_array_equal(found, labels)
-
-
-@pytest.mark.parametrize("size", [(1, 1), (7, 300)])
-def test_an_image_of_a_few_pixels_is_refused(segment, tmp_path, size):
-    with pytest.raises(QgsProcessingException, match=f"An image of {size[1]} × {size[0]} pixels shows too little"):
-        segment(write_raster(tmp_path / "a.png", np.zeros((3, *size), np.uint8), transform=None))
 
 
 @pytest.mark.real_data

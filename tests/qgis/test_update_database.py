@@ -131,13 +131,6 @@ def test_what_did_not_change_keeps_its_fid(update, folder, old):
     assert len(set(before.values()) & set(after.values())) == len(set(before) & set(after))
 
 
-@pytest.mark.slow
-def test_updates_of_updates_lead_back(update, folder, old, tmp_path):
-    there = update(CHANGED=str(folder / "changed.gpkg"))
-    back = update(DATABASE=there, LABELS=str(folder / "old.tif"), OUTPUT=str(tmp_path / "back.gpkg"))
-    assert_same_content(back, old)
-
-
 def test_the_database_itself_can_be_replaced(update, folder, old, rebuilt, tmp_path):
     place = str(shutil.copy(old, tmp_path / "area.gpkg"))
     assert update(DATABASE=place, OUTPUT=place) == place
@@ -184,23 +177,6 @@ def test_changes_waiting_in_a_wal_file_are_kept(update, old, tmp_path):
 
 def refused(sentence):
     return pytest.raises(QgsProcessingException, match=sentence)
-
-
-@pytest.mark.parametrize(
-    ("changes", "sentence"),
-    [
-        ({"crs": 32633}, "The label map is in EPSG:32633 .*, the database in EPSG:32632"),
-        ({"transform": (WEST, 2.0, 0, NORTH, 0, -2.0)}, "The label map has pixels of 2 m, the database was built with"),
-        ({"transform": (WEST + 1, 1.0, 0, NORTH, 0, -1.0)}, "The label map has 1300 × 1100 pixels from 550001, 522000"),
-        ({"names": [*NAMES[:4], "meadow"]}, "don't have the same classes"),
-    ],
-    ids=["CRS", "pixel size", "place", "classes"],
-)
-def test_a_map_that_does_not_fit_is_refused(update, tmp_path, changes, sentence):
-    other = write_raster(tmp_path / "other.tif", edited_labels(), **{"names": NAMES, **changes})
-    with refused(sentence):
-        update(LABELS=str(other))
-    assert not (tmp_path / "updated.gpkg").exists()
 
 
 def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, tmp_path):

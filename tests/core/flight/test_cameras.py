@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from semref.core.errors import ParameterError
 from semref.core.flight.cameras import completed, known_camera, read_cameras
 from semref.core.geometry.camera import Camera, Lens, above_ground, above_takeoff
 from semref.core.geometry.leveling import Attitude
@@ -45,21 +44,3 @@ def test_a_table_is_read_by_names_without_folders_and_extensions(table):
     assert (one.heading_deg, one.attitude) == (10, None)
     assert (other.attitude.roll_deg, other.lens.value, other.heading_deg) == (1, 900, 330)
     assert third == Camera()
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("image,roll\na.png,1\n", "roll or pitch is empty"),
-        ("image,height\na.png,-5\n", "height is -5, which no camera has"),
-        ("image,height\na.png,high\n", "line 2: height is “high”"),
-        ("image,heading\na.png,1\na.jpg,2\n", "line 3: the image a is named a second time"),
-        ("image,heading\n,1\n", "no image is named"),
-        ("image,time\na.png,5\nb.png,2025-01-01T00:00\n", "times in seconds and times with dates"),
-        ("image,name\na.png,5\n", "is no camera table"),
-        ("image,heading\nz.png,5\n", "names none of the images"),
-    ],
-)
-def test_a_mistake_is_one_sentence(table, text, message):
-    with pytest.raises(ParameterError, match=message):
-        read_cameras(["a.png", "b.png"], table(text))

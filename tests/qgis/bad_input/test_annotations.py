@@ -37,10 +37,6 @@ def test_a_missing_class_field_is_named_with_the_fields_that_there_are(refused):
     assert "“klass”" in sentence and "class, zorder" in sentence
 
 
-def test_a_missing_priority_field_is_named(refused):
-    assert "“order”" in refused(RASTERIZE, PRIORITY_FIELD="order")
-
-
 def test_a_priority_field_of_text_is_refused(refused):
     sentence = refused(RASTERIZE, PRIORITY_FIELD="class")
     assert "“class”" in sentence and "number" in sentence
@@ -53,18 +49,6 @@ def test_class_values_outside_the_table_are_named_and_counted(refused, tmp_path,
     assert "“swamp” (2)" in sentence and "“tundra” (1)" in sentence and "4 field" in sentence
 
 
-def test_many_unknown_class_values_are_not_all_listed(refused, tmp_path, good):
-    features = [(square(n * 10, 0, 10), f"unknown {n}") for n in range(40)]
-    layer = write_layer(tmp_path / "a.gpkg", features)
-    sentence = refused(RASTERIZE, INPUT=str(layer), CLASS_TABLE=str(good / "classes.csv"))
-    assert "and 35 more" in sentence
-
-
-def test_integer_values_outside_the_table_are_named(refused, tmp_path, good):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), 99)], [("class", "integer")])
-    assert "“99”" in refused(RASTERIZE, INPUT=str(layer), CLASS_TABLE=str(good / "classes.csv"))
-
-
 @pytest.mark.parametrize("wkt", ["LINESTRING (550000 5220000, 550010 5220010)", "POINT (550000 5220000)"])
 def test_lines_and_points_are_no_annotation(refused, tmp_path, wkt):
     geometry = ogr.CreateGeometryFromWkt(wkt).GetGeometryType()
@@ -73,19 +57,8 @@ def test_lines_and_points_are_no_annotation(refused, tmp_path, wkt):
     assert "polygon" in sentence
 
 
-def test_a_table_without_geometry_is_no_annotation(refused, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(None, "road")], geometry=ogr.wkbNone)
-    assert "polygon" in refused(RASTERIZE, INPUT=str(layer))
-
-
 def test_a_missing_annotation_file_is_said(refused):
     assert "INPUT" in refused(RASTERIZE, INPUT="/nowhere/annotation.shp")
-
-
-def test_more_classes_than_a_label_map_holds_are_refused_with_their_number(refused, tmp_path):
-    features = [(square(n % 20 * 10, n // 20 * 10, 10), f"class {n}") for n in range(256)]
-    sentence = refused(RASTERIZE, INPUT=str(write_layer(tmp_path / "a.gpkg", features)))
-    assert "256" in sentence and "255" in sentence
 
 
 def test_a_layer_without_features_is_refused(refused, tmp_path):
@@ -97,11 +70,6 @@ def test_a_layer_without_features_is_refused(refused, tmp_path):
 def test_a_layer_with_nothing_but_missing_geometry_is_refused(refused, tmp_path, crs):
     layer = write_layer(tmp_path / "a.gpkg", [(None, "field"), (None, "water")], crs=crs, geometry=ogr.wkbPolygon)
     refused(RASTERIZE, INPUT=str(layer))
-
-
-def test_a_layer_with_nothing_but_missing_classes_is_refused(refused, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), None)])
-    assert "class" in refused(RASTERIZE, INPUT=str(layer))
 
 
 def test_an_annotation_without_crs_is_refused(refused, tmp_path):
@@ -131,11 +99,6 @@ def test_a_pixel_size_that_makes_a_gigantic_map_is_refused_with_the_size(refused
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 500_000), "field")])
     sentence = refused(RASTERIZE, INPUT=str(layer), PIXEL_SIZE=0.01)
     assert "50000000 × 50000000" in sentence and "PIXEL_SIZE" in sentence
-
-
-@pytest.mark.parametrize("pixel_size", [0, -1, "nothing"])
-def test_a_pixel_size_that_is_none_is_refused(refused, pixel_size):
-    refused(RASTERIZE, PIXEL_SIZE=pixel_size)
 
 
 def test_a_layer_removed_while_the_algorithm_runs_does_not_stop_it(tmp_path, defaults, good):

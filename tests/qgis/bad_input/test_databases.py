@@ -87,29 +87,6 @@ def test_vectors_of_another_length_are_refused(refused, copied):
     assert "33" in refused(LOCALIZE, DATABASE=str(copied))
 
 
-@pytest.mark.parametrize(
-    "statement",
-    [
-        "DELETE FROM parameters",
-        "DELETE FROM parameters WHERE key = 'references_per_vector'",
-        "UPDATE parameters SET value = '{broken' WHERE key = 'levels'",
-        "UPDATE parameters SET value = '\"ten\"' WHERE key = 'references_per_vector'",
-        "UPDATE parameters SET value = 'null' WHERE key = 'window_size'",
-        "UPDATE parameters SET value = '\"\"' WHERE key = 'crs'",
-        "UPDATE classes SET role = 'landmark' WHERE value = 1",
-        "DELETE FROM classes",
-        "UPDATE windows SET size = NULL",
-        "UPDATE windows SET center_x = 'east'",
-        'UPDATE "references" SET geom = NULL',
-        "ALTER TABLE windows RENAME COLUMN vector TO vektor",
-    ],
-)
-def test_a_database_that_was_edited_into_nonsense_is_refused(refused, copied, statement):
-    with edited(copied) as connection:
-        connection.execute(statement)
-    refused(LOCALIZE, DATABASE=str(copied))
-
-
 @pytest.mark.parametrize("statement", ["DELETE FROM windows", "UPDATE windows SET vector = NULL"])
 def test_a_database_without_vectors_is_refused_by_the_method_that_needs_them(refused, copied, statement):
     with edited(copied) as connection:

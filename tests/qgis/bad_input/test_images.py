@@ -64,18 +64,6 @@ def test_a_bad_image_has_a_row_with_one_sentence_that_names_it(run_algorithm, de
     assert bad_image.name in reason_of(run_algorithm, defaults, bad_image)
 
 
-def test_a_bad_image_cannot_be_described(refused, bad_image):
-    sentence = refused(DESCRIBE, INPUT=str(bad_image))
-    assert bad_image.name in sentence or "INPUT" in sentence
-
-
-@pytest.mark.parametrize("name", ["empty.png", "text.png", "missing.png"])
-def test_an_unreadable_image_cannot_be_decoded(refused, tmp_path, name):
-    (tmp_path / "empty.png").touch()
-    (tmp_path / "text.png").write_text("This is no picture.")
-    assert "INPUT" in refused(DECODE, INPUT=str(tmp_path / name))
-
-
 def test_a_truncated_image_cannot_be_decoded(refused, tmp_path):
     noise = np.random.default_rng(1).integers(0, 255, (3, 200, 200)).astype(np.uint8)
     path = write_raster(tmp_path / "cut.png", noise, transform=None)
@@ -122,10 +110,6 @@ def test_a_part_of_no_layer_is_refused_by_name(refused, good, keys):
 
 def test_scales_the_wrong_way_round_are_refused(refused):
     assert "(2)" in refused(LOCALIZE, SCALE_MINIMUM=2, SCALE_MAXIMUM=0.5)
-
-
-def test_one_scale_beyond_the_other_ones_default_is_refused(refused):
-    assert "(3)" in refused(LOCALIZE, METHOD=3, SCALE_MINIMUM=3)
 
 
 def test_an_image_without_classes_of_its_own_needs_a_table(refused):

@@ -56,10 +56,6 @@ def test_a_label_map_with_a_value_that_is_no_class_value_is_refused_with_it(refu
     assert f" {value}" in sentence and "255" in sentence
 
 
-def test_a_missing_label_map_is_said(refused):
-    assert "LABELS" in refused(BUILD, LABELS="/nowhere/labels.tif")
-
-
 def test_a_truncated_label_map_is_refused(refused, tmp_path):
     big = np.random.default_rng(1).integers(1, 5, (600, 600)).astype(np.uint8)
     labels = write_raster(tmp_path / "labels.tif", big)
@@ -68,37 +64,10 @@ def test_a_truncated_label_map_is_refused(refused, tmp_path):
     assert "labels.tif" in refused(BUILD, LABELS=str(labels), WINDOW_SIZE=100)
 
 
-def test_a_stride_larger_than_the_window_is_refused_with_both(refused):
-    sentence = refused(BUILD, WINDOW_SIZE=100, STRIDE=150)
-    assert "150" in sentence and "100" in sentence
-
-
-def test_a_window_larger_than_the_map_is_refused_with_both(refused):
-    sentence = refused(BUILD, WINDOW_SIZE=1000)
-    assert "1000" in sentence and "200 × 150" in sentence
-
-
-def test_a_level_larger_than_the_map_is_refused(refused):
-    assert "200 × 150" in refused(BUILD, LEVELS="1;4")
-
-
-@pytest.mark.parametrize("levels", ["one", "1;x", "0", "-1;1", "nan", "inf"])
-def test_levels_that_are_no_multipliers_are_refused(refused, levels):
-    assert "LEVELS" in refused(BUILD, LEVELS=levels)
-
-
 @pytest.mark.parametrize("key", ["WINDOW_SIZE", "STRIDE"])
 @pytest.mark.parametrize("value", [0, -5, "wide"])
 def test_a_window_or_stride_that_is_no_length_is_refused_by_name(refused, key, value):
     assert key in refused(BUILD, **{key: value})
-
-
-def test_a_minimum_area_of_nothing_is_refused(refused):
-    assert "minimum area" in refused(BUILD, MINIMUM_AREA=0)
-
-
-def test_a_window_smaller_than_a_pixel_is_refused(refused):
-    assert "pixel" in refused(BUILD, WINDOW_SIZE=0.2, STRIDE=0.1)
 
 
 def test_a_map_without_reference_class_is_refused_with_its_classes(refused):
@@ -109,12 +78,3 @@ def test_a_map_without_reference_class_is_refused_with_its_classes(refused):
 def test_an_unknown_reference_class_is_named_with_the_classes_there_are(refused):
     sentence = refused(BUILD, REFERENCE_CLASSES="building;lighthouse")
     assert "“lighthouse”" in sentence and "1 building" in sentence
-
-
-def test_a_map_without_any_object_is_refused_with_the_area(refused):
-    sentence = refused(BUILD, MINIMUM_AREA=1e6)
-    assert "1e+06 m²" in sentence and "building" in sentence
-
-
-def test_a_map_of_nothing_but_zeros_is_refused(refused, tmp_path):
-    refused(BUILD, LABELS=str(write_raster(tmp_path / "labels.tif", np.zeros((150, 150), np.uint8))))

@@ -45,34 +45,12 @@ def test_a_bad_model_is_told_in_one_sentence(refused, tmp_path, name, algorithm)
     assert "bad.onnx" in sentence and words in sentence
 
 
-@pytest.mark.parametrize("algorithm", [SEGMENT, LOCALIZE])
-@pytest.mark.parametrize("content", [b"", b"hello", b"\x89PNG\r\n\x1a\n" * 50])
-def test_a_file_that_is_no_model_is_named(refused, tmp_path, content, algorithm):
-    path = tmp_path / "notes.onnx"
-    path.write_bytes(content)
-    assert "notes.onnx is not an ONNX model" in refused(algorithm, MODEL=str(path))
-
-
-def test_a_missing_model_is_named(refused, tmp_path):
-    assert "none.onnx does not exist" in refused(SEGMENT, MODEL=str(tmp_path / "none.onnx"))
-
-
-def test_values_that_are_no_numbers_are_told(refused, tmp_path):
-    model = write_model(tmp_path / "bad.onnx", brightest_color().add("Sqrt"))
-    assert "bad.onnx gives values that are not numbers (NaN" in refused(SEGMENT, MODEL=str(model))
-
-
 def test_a_photo_that_makes_a_network_give_no_numbers_has_no_fix(run_algorithm, defaults, tmp_path):
     model = write_model(tmp_path / "bad.onnx", brightest_color().add("Sqrt"))
     parameters = {**defaults[LOCALIZE], "MODEL": str(model)}
     source = ogr.Open(run_algorithm(LOCALIZE, parameters)["OUTPUT"])
     (row,) = [feature.items() for feature in source.GetLayer(0)]
     assert row["status"] == "error" and "not numbers" in row["reason"]
-
-
-def test_a_photo_of_one_pixel_is_refused(refused, tmp_path):
-    photo = write_raster(tmp_path / "tiny.png", np.zeros((3, 1, 1), np.uint8), transform=None)
-    assert "1 × 1 pixels" in refused(SEGMENT, INPUT=str(photo))
 
 
 def test_a_photo_cut_short_is_told(refused, tmp_path):

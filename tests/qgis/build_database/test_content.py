@@ -14,7 +14,6 @@ from built_database import (
     SIZE,
     STRIDE,
     WIDTH,
-    content,
     map_labels,
     most_frequent,
 )
@@ -71,10 +70,6 @@ def test_the_parameters_tell_how_it_was_built(query):
     assert osr.SpatialReference(stored["crs"]).IsSame(spatial_reference(METRIC_CRS))
     assert len(stored["map_hash"]) == len(stored["class_table_hash"]) == 64
     assert stored["plugin_version"]
-
-
-def test_the_same_map_gives_the_same_database(build, label_map, database):
-    assert content(build(label_map)["DATABASE"]) == content(database)
 
 
 def test_an_overview_that_is_too_large_for_memory_lies_in_a_file_meanwhile(build, label_map, tmp_path, monkeypatch):

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-import shutil
 import sqlite3
-import subprocess
 import sys
 from pathlib import Path
 
@@ -59,28 +57,6 @@ def test_no_file_of_sqlite_stays_beside_the_database(database):
     with contextlib.closing(sqlite3.connect(f"file:{database}?mode=ro", uri=True)) as connection:
         assert connection.execute("PRAGMA journal_mode").fetchone() == ("delete",)
         assert connection.execute("PRAGMA integrity_check").fetchone() == ("ok",)
-
-
-def test_the_plain_ogrinfo_program_reads_it(database):
-    program = shutil.which("ogrinfo")
-    if program is None:
-        pytest.skip("ogrinfo is not installed")
-    answer = subprocess.run([program, "-ro", "-al", "-so", database], capture_output=True, text=True, timeout=600)
-    assert answer.returncode == 0
-    assert "ERROR" not in answer.stderr and "Warning" not in answer.stderr
-    for name in LAYERS:
-        assert f"Layer name: {name}" in answer.stdout
-
-
-def test_the_plain_sqlite3_program_reads_it(database):
-    program = shutil.which("sqlite3")
-    if program is None:
-        pytest.skip("sqlite3 is not installed")
-    question = "SELECT count(*), count(vector) FROM windows;"
-    answer = subprocess.run([program, "-readonly", database, question], capture_output=True, text=True, timeout=600)
-    assert answer.returncode == 0, answer.stderr
-    windows, vectors = map(int, answer.stdout.split("|"))
-    assert windows > vectors > 0
 
 
 def test_an_open_older_database_with_changes_in_waiting_is_not_replaced_before_it_is_closed(build, label_map, tmp_path):

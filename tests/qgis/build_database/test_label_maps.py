@@ -102,11 +102,6 @@ def test_reference_classes_are_names_or_values_in_any_order_and_case(build, labe
     assert content(made) == content(database)
 
 
-def test_numbers_given_as_text_are_accepted(build, label_map, database):
-    made = build(label_map, WINDOW_SIZE="120", STRIDE="50.0", MINIMUM_AREA="40", REFERENCES_PER_VECTOR="10")["DATABASE"]
-    assert content(made) == content(database)
-
-
 def test_windows_that_are_no_whole_pixels_are_rounded_and_that_is_said(run_algorithm, label_map, feedback, tmp_path):
     parameters = {
         "LABELS": str(label_map),

@@ -66,11 +66,6 @@ def test_a_class_table_gives_values_to_text_in_any_case_and_is_written_into_the_
     assert "4,field,#2ca02c,background" in stored_table(results["OUTPUT"])
 
 
-def test_a_class_table_gives_values_to_an_integer_field(labels, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3), (square(4, 0, 4), 4)], [("class", "integer")])
-    np.testing.assert_array_equal(labels(layer, CLASS_TABLE=classes_csv)[0], [3] * 4 + [4] * 4)
-
-
 def test_a_class_table_gives_values_to_a_real_field_of_whole_numbers(labels, tmp_path, classes_csv):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3.0), (square(4, 0, 4), 4.0)], [("class", "real")])
     np.testing.assert_array_equal(labels(layer, CLASS_TABLE=classes_csv)[0], [3] * 4 + [4] * 4)
@@ -88,13 +83,6 @@ def test_without_table_and_style_an_integer_field_keeps_its_values(labels, tmp_p
     np.testing.assert_array_equal(labels(layer)[0], [7] * 4 + [200] * 4)
 
 
-def test_integer_classes_that_are_no_pixel_values_are_numbered_and_keep_their_number_as_name(rasterize, tmp_path):
-    features = [(square(0, 0, 4), 1000), (square(4, 0, 4), 20), (square(8, 0, 4), -5)]
-    results = rasterize(write_layer(tmp_path / "a.gpkg", features, [("class", "integer")]))
-    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [3] * 4 + [2] * 4 + [1] * 4)
-    assert category_names(results["OUTPUT"]) == ["unlabeled", "-5", "20", "1000"]
-
-
 def test_a_categorized_style_gives_values_labels_and_colors(rasterize, tmp_path):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "b")])
     layer = styled_layer(path, [("b", "Buildings", "#ff0000"), ("w", "Water", "#0000ff")])
@@ -103,22 +91,6 @@ def test_a_categorized_style_gives_values_labels_and_colors(rasterize, tmp_path)
     table = stored_table(results["OUTPUT"])
     assert "1,Buildings,#ff0000" in table
     assert "2,Water,#0000ff" in table
-
-
-def test_a_categorized_style_of_an_integer_field_keeps_its_values(rasterize, tmp_path):
-    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3), (square(4, 0, 4), 12)], [("class", "integer")])
-    layer = styled_layer(path, [(12, "Water", "#0000ff"), (3, "Buildings", "#ff0000")])
-    results = rasterize(layer)
-    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [3] * 4 + [12] * 4)
-    assert "12,Water,#0000ff" in stored_table(results["OUTPUT"])
-
-
-def test_several_values_of_one_category_are_one_class(rasterize, tmp_path):
-    path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "hut"), (square(4, 0, 4), "house")])
-    layer = styled_layer(path, [(["hut", "house"], "Buildings", "#ff0000")])
-    results = rasterize(layer)
-    assert set(read_pixels(results["OUTPUT"]).ravel().tolist()) == {1}
-    assert category_names(results["OUTPUT"]) == ["unlabeled", "Buildings", "other"]
 
 
 def test_a_style_with_all_other_values_leaves_the_others_unlabeled_and_says_so(labels, tmp_path, feedback):
@@ -166,12 +138,6 @@ def test_names_in_a_shapefile_that_tells_its_encoding_survive(rasterize, tmp_pat
     output = rasterize(shapefile_in(encoding, tmp_path, cpg, code_page))["OUTPUT"]
     assert category_names(output)[1:] == NAMES
     assert [line.split(",")[1] for line in stored_table(output).splitlines()[1:]] == NAMES
-
-
-def test_a_class_table_in_latin1_with_semicolons_matches_its_names(labels, tmp_path):
-    table = write_text(tmp_path / "t.csv", "value;name;color;role\n5;Grünland;#00ff00;background\n", "latin-1")
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "Grünland")])
-    assert (labels(layer, CLASS_TABLE=str(table)) == 5).all()
 
 
 TWO = [(square(0, 0, 4), "building"), (square(12, 0, 4), "building")]

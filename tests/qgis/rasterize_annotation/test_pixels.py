@@ -55,14 +55,6 @@ def test_a_map_of_several_strips_equals_one_burnt_at_once(labels, tmp_path, monk
     np.testing.assert_array_equal(strips, at_once)
 
 
-def test_later_polygons_lie_on_top_when_nothing_orders_them(labels, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field"), (square(2, 2, 4), "building")])
-    made = labels(layer, CLASS_TABLE=classes_csv)
-    expected = np.full((10, 10), 4)
-    expected[2:6, 2:6] = 1
-    np.testing.assert_array_equal(made, expected)
-
-
 def test_the_higher_priority_lies_on_top_null_below_all_and_ties_in_feature_order(labels, tmp_path, classes_csv):
     layer = write_layer(
         tmp_path / "a.gpkg",
@@ -84,19 +76,6 @@ def test_the_draw_order_of_the_class_table_counts_without_a_priority_field(label
     )
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(2, 0, 4), "field")])
     np.testing.assert_array_equal(labels(layer, CLASS_TABLE=str(table))[0], [1, 1, 1, 1, 4, 4])
-
-
-def test_the_priority_field_outranks_the_draw_order(labels, tmp_path):
-    table = write_text(
-        tmp_path / "t.csv", "value,name,color,role,draw_order\n1,building,#ff0000,reference,9\n4,field,#00ff00,,1\n"
-    )
-    layer = write_layer(
-        tmp_path / "a.gpkg",
-        [(square(0, 0, 4), "building", 1), (square(2, 0, 4), "field", 2)],
-        [("class", "text"), ("zorder", "integer")],
-    )
-    made = labels(layer, CLASS_TABLE=str(table), PRIORITY_FIELD="zorder")
-    np.testing.assert_array_equal(made[0], [1, 1, 4, 4, 4, 4])
 
 
 def test_holes_stay_unlabeled(labels, tmp_path):
