@@ -9,12 +9,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=${SEMREF_VERSIONS:-$PWD/.versions}
-newest=(numpy opencv-python-headless onnxruntime shapely onnx pytest)
+newest=(numpy opencv-python-headless onnxruntime shapely onnx jinja2 pytest)
 qt=PyQt6
 # Debian 11's and older numpy; the first wheels that hold what SemRef uses.
 oldest=(
     numpy==1.21.6 opencv-python-headless==4.6.0.66 shapely==2.0.0 onnxruntime==1.15.1
-    onnx==1.14.1 'protobuf<4.25' pytest==8.4.2
+    onnx==1.14.1 'protobuf<4.25' jinja2==3.0.3 pytest==8.4.2
 )
 
 find_python() { # VERSION: a Python of that version

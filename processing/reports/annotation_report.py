@@ -19,7 +19,7 @@ from ..translation import tr
 from ..wording.annotation_messages import kind_titles, sentence, severity_title
 from ..wording.numbers import count as number_text
 from ..wording.numbers import shown
-from . import charts, page
+from . import charts, page, parts
 from .charts import Series
 
 _CSS = {ERROR: "bad", WARNING: "warning", INFORMATION: "information"}
@@ -67,7 +67,7 @@ class AnnotationReport:
                 tr("There is no error: go on with “Rasterize annotation”, then “Build reference database”."),
                 tr("Warnings cost landmarks; those in the map’s important places are worth a look."),
             ]
-        return page.next_steps(tr("What to do next"), steps)
+        return parts.next_steps(steps)
 
     def _kinds(self) -> list[str]:
         found = {finding.kind for finding in self.findings}

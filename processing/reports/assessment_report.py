@@ -14,7 +14,7 @@ from ...core.assessment.model import SuccessModel
 from ...core.assessment.summary import brier_score, calibration, success_by_landmarks
 from ...core.database.model import ReferenceDatabase
 from ...core.evaluation.rates import rate_of
-from ...core.evaluation.summary import road_summaries
+from ...core.evaluation.summary import RoadSummary, road_summaries
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
 from ...core.simulation.conditions import Conditions
@@ -22,10 +22,9 @@ from ..exchange.assessment_styles import success_classes
 from ..translation import tr
 from ..wording.numbers import Local, shown
 from ..wording.numbers import count as number_text
-from . import charts, page
-from .assessment_map import cell_map, legend
+from . import charts, page, parts
 from .charts import rate_series
-from .roads import road_rows, road_table
+from .maps import cell_map, success_legend
 
 ENOUGH_GROUND = 0.8
 """Share of the ground that is good enough, below which the report says what helps."""
@@ -63,15 +62,15 @@ class AssessmentReport:
             tr("Assessment of a reference database"),
             name,
             self._key_figures(self.results[0]),
-            page.next_steps(tr("What to do next"), self._next()),
+            parts.next_steps(self._next()),
             page.paragraph(assumed(self.conditions, self.correlation)),
             page.section(tr("Where it will localize"), *self._maps()),
             page.section(tr("By footprint"), self._footprints(), self._landmarks_chart()),
             page.section(tr("Why it fails"), self._reasons()),
             page.section(tr("Landmarks"), self._landmarks()),
-            page.section(tr("What radius and confidence are worth"), *self._roads()),
+            parts.road_section(self._roads()),
             page.section(tr("How far this can be trusted"), *trust(self.results)),
-            page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], self.settings)),
+            parts.settings_section(self.settings),
         )
 
     def _key_figures(self, first: AssessedFootprint) -> str:
@@ -113,47 +112,25 @@ class AssessmentReport:
             )
             for r in self.results
         ]
-        return [legend(classes), *maps]
+        return [success_legend(classes), *maps]
 
     def _footprints(self) -> str:
-        header = [
-            tr("Footprint"),
-            tr("localizable"),
-            tr("expected success"),
-            tr("expected error"),
-            tr("landmarks in view"),
-            tr("simulated: right"),
-            tr("simulated: wrong"),
-        ]
-        rows = [
-            [
-                shown(r.footprint, "g"),
-                page.percent(float((r.estimates.success >= self.threshold).mean())),
-                page.percent(float(r.estimates.success.mean())),
-                page.number(_median(r.estimates.error), "m"),
-                f"{np.median(r.estimates.landmarks):.0f} ({np.percentile(r.estimates.landmarks, 10):.0f}{page.DASH}"
-                f"{np.percentile(r.estimates.landmarks, 90):.0f})",
-                page.rate_text(rate_of(trial.is_right for trial in r.trials)),
-                page.rate_text(rate_of(trial.is_wrong for trial in r.trials)),
-            ]
-            for r in self.results
+        columns = [
+            (tr("Footprint"), lambda r: shown(r.footprint, "g")),
+            (tr("localizable"), lambda r: page.percent(float((r.estimates.success >= self.threshold).mean()))),
+            (tr("expected success"), lambda r: page.percent(float(r.estimates.success.mean()))),
+            (tr("expected error"), lambda r: page.number(_median(r.estimates.error), "m")),
+            (tr("landmarks in view"), lambda r: _middle(r.estimates.landmarks)),
+            (tr("simulated: right"), lambda r: page.rate_text(rate_of(trial.is_right for trial in r.trials))),
+            (tr("simulated: wrong"), lambda r: page.rate_text(rate_of(trial.is_wrong for trial in r.trials))),
         ]
         note = tr("Landmarks in view: median and, in brackets, range of the middle 80 % of the ground.")
-        return page.table(header, rows) + page.paragraph(note)
+        return page.records(self.results, columns) + page.paragraph(note)
 
     def _landmarks_chart(self) -> str:
         found = {r.title(): success_by_landmarks(r.trials) for r in self.results}
-        bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
-        groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
-        series = [
-            rate_series(title, rates, [bins.index((one.low, one.high)) for one in rates])
-            for title, rates in found.items()
-        ]
-        y_axis = charts.percent_axis(tr("right fixes"))
-        chart = charts.bar_chart(groups, series, tr("landmarks in view"), y_axis, tr("Success by landmarks"))
-        return page.figure(
-            chart, tr("Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.")
-        )
+        caption = tr("Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.")
+        return parts.landmarks_chart(found, tr("landmarks in view"), caption)
 
     def _reasons(self) -> str:
         # Where no image nearby failed, what is expected comes from places alike.
@@ -173,27 +150,19 @@ class AssessmentReport:
             [tr("Footprint"), tr("Reason"), tr("share of the ground")], rows, [2]
         )
 
-    def _roads(self) -> list[str]:
-        rows = []
-        for r in self.results:
-            found = road_summaries([*r.trials, *r.correlated.values()])
-            rows += road_rows(found, r.title() if len(self.results) > 1 else "")
-        return road_table(rows)
+    def _roads(self) -> dict[str, list[RoadSummary]]:
+        return {r.title(): road_summaries([*r.trials, *r.correlated.values()]) for r in self.results}
 
     def _landmarks(self) -> str:
         references = self.database.references
-        rows = []
-        for one in self.database.class_table.references:
-            areas = references.areas_m2[references.classes == one.value]
-            rows.append(
-                [
-                    one.name,
-                    number_text(len(areas)),
-                    page.percent(len(areas) / len(references)),
-                    page.number(float(np.median(areas)) if len(areas) else None, "m²"),
-                ]
-            )
-        return page.table([tr("Class"), tr("landmarks"), tr("share"), tr("median area")], rows, [1, 2, 3])
+        areas = {c: references.areas_m2[references.classes == c.value] for c in self.database.class_table.references}
+        columns = [
+            (tr("Class"), lambda c: c.name),
+            (tr("landmarks"), lambda c: number_text(len(areas[c]))),
+            (tr("share"), lambda c: page.percent(len(areas[c]) / len(references))),
+            (tr("median area"), lambda c: page.number(_median(areas[c]), "m²")),
+        ]
+        return page.records(areas, columns, [1, 2, 3])
 
 
 def trust(results: Sequence[AssessedFootprint]) -> list[str]:
@@ -248,6 +217,12 @@ def reason_titles() -> dict[str, str]:
         Status.NO_MATCH.key: tr("too little evidence"),
         WRONG: tr("wrong fixes"),
     }
+
+
+def _middle(landmarks: np.ndarray) -> str:
+    """Median and, in brackets, range of the middle 80 %."""
+    low, median, high = np.percentile(landmarks, (10, 50, 90))
+    return f"{median:.0f} ({low:.0f}{page.DASH}{high:.0f})"
 
 
 def _median(errors: np.ndarray):

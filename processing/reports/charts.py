@@ -1,6 +1,7 @@
-"""Charts as inline SVG, drawn in the colors of the page's style: lines with bands, bars, heat maps, reliability.
+"""Charts as inline SVG, drawn in the colors of the page's style: lines with bands, bars, heat maps, profiles.
 
-Series differ in color, dash and marker, so they can be told apart by everyone and in black and white.
+Series differ in color, dash and marker, so they can be told apart by everyone and in black and white. A drawing is a
+list of elements, which the page's template writes and escapes.
 """
 
 from __future__ import annotations
@@ -8,10 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
+from typing import NamedTuple
 
 from ...core.evaluation.rates import RateAt
 from ..wording.numbers import shown
+from . import page
 
 WIDTH, HEIGHT = 480, 300
 WIDEST_PX = 620
@@ -22,6 +24,9 @@ LEGEND_ROW = 20
 _HALF_PX, _MARK_PX = (WIDTH - LEFT - RIGHT) / 2, 30
 """Of a row of the legend; what stands before a name."""
 
+PROFILE_WIDTH, PROFILE_RIGHT = 960, 56
+"""Of a chart as wide as the page, with an axis at its right."""
+
 TITLE_ROW = 24
 CELL_WIDTH, CELL_HEIGHT = 54, 34
 CHARACTER = 8.0
@@ -31,7 +36,7 @@ NAME_LENGTH = 24
 SERIES = 4
 """Series that have a color of their own; more repeat them with other dashes and markers."""
 
-DASHES = ("", "6 3", "2 3", "9 3 2 3")
+DASHES = ("", "6,3", "2,3", "9,3,2,3")
 CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
 """Evenly perceived steps from dark to light that the color-blind see alike (Nuñez et al. 2018)."""
 
@@ -101,16 +106,64 @@ def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
     return Axis(title, (10.0**first, 10.0**last), ticks, True)
 
 
+class Element(NamedTuple):
+    """An SVG element; title: shown where the mouse rests on it."""
+
+    tag: str
+    attributes: dict[str, object]
+    text: str = ""
+    title: str = ""
+
+
+def shape(tag: str, style: str, title: str = "", **attributes: object) -> Element:
+    """An element with numbers to a tenth of a pixel, except those given as text."""
+    return Element(tag, {**{name: _short(value) for name, value in attributes.items()}, "style": style}, title=title)
+
+
+def stroke(color: str, width: float = 1, dash: str = "") -> str:
+    """The style of a line."""
+    return f"fill:none;stroke:{color};stroke-width:{width}" + (f";stroke-dasharray:{dash}" if dash else "")
+
+
+def polyline(points: Sequence[tuple[float, float]], style: str, closed: bool = False) -> Element:
+    """A line through points, or the outline that they make."""
+    return shape("path", style, d="M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points) + ("Z" if closed else ""))
+
+
+def lettering(
+    x: float, y: float, text: str, anchor: str = "middle", turn: float = 0, soft: bool = False, style: str = ""
+) -> Element:
+    """A text that begins, ends or has its middle at a point, turned about it by degrees."""
+    attributes = {
+        "x": _short(x),
+        "y": _short(y),
+        "text-anchor": anchor,
+        "class": "soft" if soft else None,
+        "transform": f"rotate({turn:g} {x:.1f} {y:.1f})" if turn else None,
+        "style": style or None,
+    }
+    return Element("text", attributes, text)
+
+
+def drawing(elements: Sequence[Element], name: str, width: float, height: float, style: str = "") -> str:
+    """A picture of them, as wide as the page or as its style says."""
+    return page.macros().svg(name, f"{width:.0f}", f"{height:.0f}", style or None, elements)
+
+
+def _short(value: object) -> object:
+    return f"{value:.1f}" if isinstance(value, float) else value
+
+
 def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, diagonal: bool = False) -> str:
     """Lines with their intervals as bands; ``diagonal`` draws the line on which both axes agree."""
     frame = _Frame(x_axis, y_axis, [one.name for one in series])
     parts = frame.axes()
     if diagonal:
-        (x0, y0), (x1, y1) = frame.point(x_axis.limits[0], y_axis.limits[0]), frame.point(*_ends(x_axis, y_axis))
-        parts.append(f'<path d="M{x0:.1f} {y0:.1f}L{x1:.1f} {y1:.1f}" {_stroke("var(--soft)", "4 4", 1)}/>')
+        ends = [frame.point(x, y) for x, y in zip(x_axis.limits, y_axis.limits)]
+        parts.append(polyline(ends, stroke("var(--soft)", 1, "4,4")))
     for number, one in enumerate(series):
         parts += _line(frame, one, number)
-    return frame.svg(parts + _legend(frame, [one.name for one in series]), name)
+    return frame.drawing(parts + frame.legend(), name)
 
 
 def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_axis: Axis, name: str) -> str:
@@ -118,6 +171,7 @@ def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_a
     x_axis = Axis(x_title, (0.0, max(float(len(groups)), 1.0)), [(n + 0.5, text) for n, text in enumerate(groups)])
     frame = _Frame(x_axis, y_axis, [one.name for one in series])
     parts = frame.axes(x_grid=False)
+    colors = [one.color or _color(number) for number, one in enumerate(series)]
     width = 0.76 / max(len(series), 1)
     for number, one in enumerate(series):
         for at, (group, y) in enumerate(zip(one.x, one.y)):
@@ -125,16 +179,51 @@ def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_a
             (x0, top), (x1, floor) = frame.point(left, y), frame.point(left + width * 0.9, y_axis.limits[0])
             # On a logarithmic axis that begins at one, one is seen, too.
             top = min(top, floor - (2.0 if y_axis.logarithmic else 0.5))
-            parts.append(
-                f'<rect x="{x0:.1f}" y="{top:.1f}" width="{x1 - x0:.1f}" height="{floor - top:.1f}" '
-                f'style="fill:{one.color or _color(number)}"/>'
-            )
+            parts.append(shape("rect", f"fill:{colors[number]}", x=x0, y=top, width=x1 - x0, height=floor - top))
             if one.low is not None:
-                middle = (x0 + x1) / 2
-                ends = [frame.point(left, value)[1] for value in (one.low[at], one.high[at])]
-                parts.append(f'<path d="M{middle:.1f} {ends[0]:.1f}V{ends[1]:.1f}" {_stroke("var(--text)", "", 1)}/>')
-    colors = [one.color for one in series]
-    return frame.svg(parts + _legend(frame, [one.name for one in series], False, colors), name)
+                ends = [((x0 + x1) / 2, frame.point(left, value)[1]) for value in (one.low[at], one.high[at])]
+                parts.append(polyline(ends, stroke("var(--text)")))
+    return frame.drawing(parts + frame.legend(colors), name)
+
+
+def profile(
+    success: Series,
+    seen: Series,
+    x_axis: Axis,
+    seen_axis: Axis,
+    shaded: Sequence[tuple[float, float]],
+    enough: float,
+    name: str,
+) -> str:
+    """Success along a route, as an elevation profile is drawn.
+
+    Args:
+        success: Shares with their interval, on the left axis.
+        seen: Numbers, on the right axis.
+        x_axis: Along the route.
+        seen_axis: With as many ticks as the left one has.
+        shaded: (from, to) of stretches.
+        enough: Success from which on it is good enough.
+        name: Of the chart.
+    """
+    frame = _Frame(x_axis, percent_axis(success.name), [], PROFILE_WIDTH, PROFILE_RIGHT)
+    parts = [
+        shape("rect", "fill:var(--bad);opacity:0.12", x=x0, y=frame.top, width=max(x1 - x0, 1.0), height=frame.tall)
+        for x0, x1 in ([frame.point(x, 0)[0] for x in ends] for ends in shaded)
+    ]
+    parts += frame.axes()
+    right, middle = PROFILE_WIDTH - PROFILE_RIGHT, frame.top + frame.tall / 2
+    parts += [
+        lettering(right + 6, frame.bottom - seen_axis.place(value) * frame.tall + 4, text, "start", soft=True)
+        for value, text in seen_axis.ticks
+    ]
+    parts.append(lettering(PROFILE_WIDTH - 6, middle, seen.name, turn=-90))
+    parts.append(polyline([frame.point(x, enough) for x in x_axis.limits], stroke("var(--text)", 1, "2,3")))
+    parts += _band(frame, success, "var(--s0)")
+    counts = [frame.point(x, seen_axis.place(y)) for x, y in zip(seen.x, seen.y)]
+    parts.append(polyline(counts, stroke("var(--s1)", 1.4, "5,3")))
+    parts.append(polyline([frame.point(x, y) for x, y in zip(success.x, success.y)], stroke("var(--s0)", 2.4)))
+    return frame.drawing(parts, name)
 
 
 def heat_map(
@@ -155,15 +244,16 @@ def heat_map(
     # Names of columns stand aslant above them.
     top = TITLE_ROW + 10 + 0.71 * CHARACTER * max(map(_room, columns))
     bottom, right = top + CELL_HEIGHT * len(rows), left + CELL_WIDTH * len(columns)
-    parts = [_text((left + right) / 2, 14, x_title), _text(14, (top + bottom) / 2, y_title, "middle", -90)]
+    parts = [lettering((left + right) / 2, 14, x_title), lettering(14, (top + bottom) / 2, y_title, turn=-90)]
     for n, text in enumerate(columns):
-        parts.append(_text(left + CELL_WIDTH * (n + 0.5), top - 8, text, "start", -45, "soft"))
+        parts.append(lettering(left + CELL_WIDTH * (n + 0.5), top - 8, text, "start", -45, soft=True))
     for n, (line, line_texts) in enumerate(zip(values, texts)):
         y = top + CELL_HEIGHT * n
-        parts.append(_text(left - 8, y + CELL_HEIGHT / 2 + 4, rows[n], "end", 0, "soft"))
-        parts += [_cell(left + CELL_WIDTH * m, y, *cell) for m, cell in enumerate(zip(line, line_texts))]
+        parts.append(lettering(left - 8, y + CELL_HEIGHT / 2 + 4, rows[n], "end", soft=True))
+        for m, (value, text) in enumerate(zip(line, line_texts)):
+            parts += _cell(left + CELL_WIDTH * m, y, value, text)
     width = right + 0.71 * CHARACTER * _room(columns[-1])
-    return _svg(parts, name, width, bottom + 6, f' style="max-width:{width:.0f}px;max-height:none"')
+    return drawing(parts, name, width, bottom + 6, f"max-width:{width:.0f}px;max-height:none")
 
 
 def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
@@ -175,128 +265,105 @@ def ramp(value: float) -> tuple[str, str]:
     """(color of a cell, color of the text on it) for a value of 0…1."""
     place = min(max(value, 0.0), 1.0) * (len(CIVIDIS) - 1)
     first = min(int(place), len(CIVIDIS) - 2)
-    low, high = (_channels(CIVIDIS[n]) for n in (first, first + 1))
+    low, high = ([int(CIVIDIS[n][m : m + 2], 16) for m in (1, 3, 5)] for n in (first, first + 1))
     mixed = [round(a + (b - a) * (place - first)) for a, b in zip(low, high)]
     brightness = 0.299 * mixed[0] + 0.587 * mixed[1] + 0.114 * mixed[2]
     return "#" + "".join(f"{channel:02x}" for channel in mixed), "#000000" if brightness > 130 else "#ffffff"
 
 
-def _channels(color: str) -> list[int]:
-    return [int(color[n : n + 2], 16) for n in (1, 3, 5)]
-
-
 class _Frame:
     """Where values lie in a chart with axes; ``names``: the entries of the legend above it."""
 
-    def __init__(self, x_axis: Axis, y_axis: Axis, names: Sequence[str]) -> None:
-        self.x_axis, self.y_axis = x_axis, y_axis
-        self.top = TOP + LEGEND_ROW * math.ceil(len(names) / _entries_a_row(names))
-        self.bottom = self.top + HEIGHT - TOP - BOTTOM
+    def __init__(
+        self, x_axis: Axis, y_axis: Axis, names: Sequence[str], width: int = WIDTH, right: int = RIGHT
+    ) -> None:
+        self.x_axis, self.y_axis, self.names = x_axis, y_axis, names
+        self.width, self.right = width, width - right
+        fit = all(_MARK_PX + CHARACTER * _room(name) <= _HALF_PX + RIGHT for name in names)
+        self.abreast = 2 if fit else 1
+        self.top = TOP + LEGEND_ROW * math.ceil(len(names) / self.abreast)
+        self.tall = HEIGHT - TOP - BOTTOM
+        self.bottom = self.top + self.tall
         self.height = self.bottom + BOTTOM
 
     def point(self, x: float, y: float) -> tuple[float, float]:
         return (
-            LEFT + self.x_axis.place(x) * (WIDTH - LEFT - RIGHT),
-            self.bottom - self.y_axis.place(y) * (self.bottom - self.top),
+            LEFT + self.x_axis.place(x) * (self.right - LEFT),
+            self.bottom - self.y_axis.place(y) * self.tall,
         )
 
-    def axes(self, x_grid: bool = True, y_grid: bool = True) -> list[str]:
-        parts = []
+    def axes(self, x_grid: bool = True) -> list[Element]:
+        parts, grid = [], stroke("var(--line)")
         for value, text in self.y_axis.ticks:
             _, y = self.point(self.x_axis.limits[0], value)
-            if y_grid:
-                parts.append(f'<path d="M{LEFT} {y:.1f}H{WIDTH - RIGHT}" {_stroke("var(--line)", "", 1)}/>')
-            parts.append(f'<text class="soft" x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{escape(text)}</text>')
+            parts.append(polyline([(LEFT, y), (self.right, y)], grid))
+            parts.append(lettering(LEFT - 6, y + 4, text, "end", soft=True))
         for value, text in self.x_axis.ticks:
             x, _ = self.point(value, self.y_axis.limits[0])
             if x_grid:
-                parts.append(f'<path d="M{x:.1f} {self.top}V{self.bottom}" {_stroke("var(--line)", "", 1)}/>')
-            parts.append(
-                f'<text class="soft" x="{x:.1f}" y="{self.bottom + 16}" text-anchor="middle">{escape(text)}</text>'
-            )
-        middle = (LEFT + WIDTH - RIGHT) / 2
-        title = escape(self.x_axis.title)
-        parts.append(f'<text x="{middle}" y="{self.height - 8}" text-anchor="middle">{title}</text>')
-        across = (self.top + self.bottom) / 2
-        parts.append(
-            f'<text transform="translate(12 {across:.1f}) rotate(-90)" text-anchor="middle">'
-            f"{escape(self.y_axis.title)}</text>"
-        )
+                parts.append(polyline([(x, self.top), (x, self.bottom)], grid))
+            parts.append(lettering(x, self.bottom + 16, text, soft=True))
+        parts.append(lettering((LEFT + self.right) / 2, self.height - 8, self.x_axis.title))
+        parts.append(lettering(12, (self.top + self.bottom) / 2, self.y_axis.title, turn=-90))
         return parts
 
-    def svg(self, parts: Sequence[str], name: str) -> str:
-        return _svg(parts, name, WIDTH, self.height, f' style="max-width:{WIDEST_PX}px"')
+    def legend(self, bars: Sequence[str] = ()) -> list[Element]:
+        """Two entries a row, above the chart; one where a name is long. ``bars``: their colors; lines without."""
+        parts = []
+        for number, name in enumerate(self.names):
+            row, place = divmod(number, self.abreast)
+            x, y = LEFT + _HALF_PX * place, TOP + LEGEND_ROW * row - 2
+            if bars:
+                parts.append(shape("rect", f"fill:{bars[number]}", x=x + 6, y=y - 6, width=12, height=12))
+            else:
+                parts.append(shape("path", _look(number), d=f"M{x:.1f} {y}h24"))
+                parts.append(_marker(x + 12, y, number))
+            parts.append(lettering(x + _MARK_PX, y + 4, name, "start"))
+        return parts
 
-
-def _ends(x_axis: Axis, y_axis: Axis) -> tuple[float, float]:
-    return x_axis.limits[1], y_axis.limits[1]
+    def drawing(self, parts: Sequence[Element], name: str) -> str:
+        return drawing(parts, name, self.width, self.height, f"max-width:{WIDEST_PX}px" if self.width == WIDTH else "")
 
 
 def _color(number: int) -> str:
     return f"var(--s{number % SERIES})"
 
 
-def _look(number: int) -> int:
+def _dash(number: int) -> int:
     """Of dash and marker: those of the next color in each further round, so that no two of 16 series look the same."""
     return (number + number // SERIES) % SERIES
 
 
-def _stroke(color: str, dash: str, width: float) -> str:
-    dashes = f";stroke-dasharray:{dash.replace(' ', ',')}" if dash else ""
-    return f'style="fill:none;stroke:{color};stroke-width:{width}{dashes}"'
+def _look(number: int) -> str:
+    return stroke(_color(number), 2, DASHES[_dash(number)])
 
 
-def _line(frame: _Frame, one: Series, number: int) -> list[str]:
+def _band(frame: _Frame, one: Series, color: str) -> list[Element]:
+    if one.low is None:
+        return []
+    outline = [frame.point(x, y) for x, y in zip(one.x, one.high)]
+    outline += [frame.point(x, y) for x, y in zip(one.x, one.low)][::-1]
+    return [polyline(outline, f"fill:{color};opacity:0.16", closed=True)]
+
+
+def _line(frame: _Frame, one: Series, number: int) -> list[Element]:
     points = [frame.point(x, y) for x, y in zip(one.x, one.y)]
     if not points:
         return []
-    parts = []
-    if one.low is not None:
-        outline = [frame.point(x, y) for x, y in zip(one.x, one.high)]
-        outline += [frame.point(x, y) for x, y in zip(one.x, one.low)][::-1]
-        path = "L".join(f"{x:.1f} {y:.1f}" for x, y in outline)
-        parts.append(f'<path d="M{path}Z" style="fill:{_color(number)};opacity:0.16"/>')
-    join = (lambda x, y: f"H{x:.1f}V{y:.1f}") if one.stepped else (lambda x, y: f"L{x:.1f} {y:.1f}")
-    path = f"M{points[0][0]:.1f} {points[0][1]:.1f}" + "".join(join(x, y) for x, y in points[1:])
-    parts.append(f'<path d="{path}" {_stroke(_color(number), DASHES[_look(number)], 2)}/>')
-    return parts + ([_marker(x, y, number) for x, y in points] if one.marked else [])
+    # A step is a corner at the height before.
+    corners = [(x, y) for (_, y), (x, _) in zip(points, points[1:])] if one.stepped else []
+    path = [corner for pair in zip(points, corners) for corner in pair] + points[-1:] if one.stepped else points
+    markers = [_marker(x, y, number) for x, y in points] if one.marked else []
+    return [*_band(frame, one, _color(number)), polyline(path, _look(number)), *markers]
 
 
-def _marker(x: float, y: float, number: int) -> str:
+def _marker(x: float, y: float, number: int) -> Element:
     """Disc, square, triangle, diamond, by the series' number."""
-    if _look(number) == 0:
-        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.6" style="fill:{_color(number)}"/>'
+    fill = f"fill:{_color(number)}"
+    if _dash(number) == 0:
+        return shape("circle", fill, cx=x, cy=y, r=3.6)
     corners = {1: "-3.4-3.4h6.8v6.8h-6.8z", 2: "0-4.6l4.3 7.6h-8.6z", 3: "0-4.8l4.8 4.8l-4.8 4.8l-4.8-4.8z"}
-    return f'<path d="M{x:.1f} {y:.1f}m{corners[_look(number)]}" style="fill:{_color(number)}"/>'
-
-
-def _entries_a_row(names: Sequence[str]) -> int:
-    fit = all(_MARK_PX + CHARACTER * _room(name) <= _HALF_PX + RIGHT for name in names)
-    return 2 if fit else 1
-
-
-def _legend(frame: _Frame, names: Sequence[str], lines: bool = True, colors: Sequence[str] = ()) -> list[str]:
-    """Two entries a row, above the chart; one where a name is long."""
-    parts = []
-    abreast = _entries_a_row(names)
-    for number, name in enumerate(names):
-        row, place = divmod(number, abreast)
-        x, y = LEFT + _HALF_PX * place, TOP + LEGEND_ROW * row - 2
-        if lines:
-            parts.append(f'<path d="M{x:.1f} {y}h24" {_stroke(_color(number), DASHES[_look(number)], 2)}/>')
-            parts.append(_marker(x + 12, y, number))
-        else:
-            color = (colors[number] if colors else "") or _color(number)
-            parts.append(f'<rect x="{x + 6:.1f}" y="{y - 6}" width="12" height="12" style="fill:{color}"/>')
-        parts.append(f'<text x="{x + _MARK_PX:.1f}" y="{y + 4}">{escape(name)}</text>')
-    return parts
-
-
-def _svg(parts: Sequence[str], name: str, width: float, height: float, more: str = "") -> str:
-    return (
-        f'<svg viewBox="0 0 {width:.0f} {height:.0f}" role="img" aria-label="{escape(name)}"{more} '
-        f'xmlns="http://www.w3.org/2000/svg">\n<title>{escape(name)}</title>\n' + "\n".join(parts) + "\n</svg>"
-    )
+    return shape("path", fill, d=f"M{x:.1f} {y:.1f}m{corners[_dash(number)]}")
 
 
 def _cut(name: str) -> str:
@@ -308,17 +375,9 @@ def _room(name: str) -> float:
     return sum(2 if ord(character) > 0x2E80 else 1 for character in name)
 
 
-def _cell(x: float, y: float, value: float | None, text: str) -> str:
+def _cell(x: float, y: float, value: float | None, text: str) -> list[Element]:
     fill, ink = ("none", "var(--text)") if value is None else ramp(value)
-    return (
-        f'<rect x="{x + 1:.1f}" y="{y + 1:.1f}" width="{CELL_WIDTH - 2}" height="{CELL_HEIGHT - 2}" '
-        f'style="fill:{fill}"/>'
-        f'<text x="{x + CELL_WIDTH / 2:.1f}" y="{y + CELL_HEIGHT / 2 + 4:.1f}" text-anchor="middle" style="fill:{ink}">'
-        f"{escape(text)}</text>"
-    )
-
-
-def _text(x: float, y: float, text: str, anchor: str = "middle", turn: float = 0, kind: str = "") -> str:
-    turned = f' transform="rotate({turn:g} {x:.1f} {y:.1f})"' if turn else ""
-    marked = f' class="{kind}"' if kind else ""
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{marked}{turned}>{escape(text)}</text>'
+    return [
+        shape("rect", f"fill:{fill}", x=x + 1, y=y + 1, width=CELL_WIDTH - 2, height=CELL_HEIGHT - 2),
+        lettering(x + CELL_WIDTH / 2, y + CELL_HEIGHT / 2 + 4, text, style=f"fill:{ink}"),
+    ]

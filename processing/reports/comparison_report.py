@@ -11,8 +11,8 @@ from ...core.landmarks.compared import LandmarkErrors
 from ..translation import tr
 from ..wording.numbers import count as number_text
 from ..wording.numbers import shown
-from . import charts, page
-from .network_noise import LEAST_LANDMARKS, network_line
+from . import page, parts
+from .network_noise import LEAST_LANDMARKS, network_meta
 
 METER, PIXEL, MAP_UNIT = "m", "px", ""
 
@@ -64,10 +64,7 @@ def comparison_html(
             (page.percent(comparison.mean_iou), tr("mean IoU"), tr("of the classes that are annotated")),
         ]
     )
-    matrix = page.figure(
-        _matrix(comparison, match),
-        tr("Where the annotated pixels of each class went, as shares of its row; the diagonal is right."),
-    )
+    classes = [value for value in comparison.values if value]
     title = tr("Comparison of label maps")
     subtitle = tr("{predicted} against {reference}").format(
         predicted=os.path.basename(predicted), reference=os.path.basename(reference)
@@ -76,12 +73,12 @@ def comparison_html(
         title,
         subtitle,
         figures,
-        page.next_steps(tr("What to do next"), _next(comparison, match, shifts, errors)),
-        page.section(tr("Confusion matrix"), matrix),
-        page.section(tr("Classes"), _classes(comparison, match)),
+        parts.next_steps(_next(comparison, match, shifts, errors)),
+        page.section(tr("Confusion matrix"), parts.confusion_figure(comparison, match.name, comparison.values)),
+        page.section(tr("Classes"), parts.class_table(comparison, match.name, classes)),
         page.section(tr("Landmarks"), *_landmarks(errors)),
         page.section(tr("Bias of classes"), *_biases(shifts)),
-        head=network_line(errors.numbers, errors.total.annotated),
+        meta=network_meta(errors.numbers, errors.total.annotated),
     )
 
 
@@ -127,46 +124,17 @@ def _biases(shifts: MeasuredShifts) -> list[str]:
     if not shifts.rows:
         return [page.paragraph(tr("Too few landmarks are whole in both maps to tell."))]
     along = [tr("right"), tr("down")] if shifts.in_image else [tr("east"), tr("north")]
-    header = [tr("Class"), tr("landmarks in both"), *along, tr("known to"), tr("spread")]
-    rows = [
-        [
-            row.name,
-            number_text(row.pairs),
-            f"{shown(row.along[0], '+.2f')} {shifts.unit}",
-            f"{shown(row.along[1], '+.2f')} {shifts.unit}",
-            f"± {shown(row.deviation, '.2f')} {shifts.unit}",
-            page.number(row.spread, shifts.unit),
-        ]
-        for row in shifts.rows
+    columns = [
+        (tr("Class"), lambda row: row.name),
+        (tr("landmarks in both"), lambda row: number_text(row.pairs)),
+        (along[0], lambda row: f"{shown(row.along[0], '+.2f')} {shifts.unit}"),
+        (along[1], lambda row: f"{shown(row.along[1], '+.2f')} {shifts.unit}"),
+        (tr("known to"), lambda row: f"± {shown(row.deviation, '.2f')} {shifts.unit}"),
+        (tr("spread"), lambda row: page.number(row.spread, shifts.unit)),
     ]
     text = tr(
         "How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s "
         "position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece "
         "differs by."
     )
-    return [page.table(header, rows, range(1, len(header))), page.paragraph(text.format(edge=shifts.piece_px))]
-
-
-def _matrix(comparison: LabelComparison, match: ClassMatch) -> str:
-    columns = list(comparison.values)
-    rows = [value for value in columns if comparison.annotated[value]]
-    shares = [[float(comparison.counts[row, c] / comparison.annotated[row]) for c in columns] for row in rows]
-    texts = [[page.percent(share, 0) if share else "" for share in line] for line in shares]
-    names = ([match.name(value) for value in values] for values in (rows, columns))
-    return charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
-
-
-def _classes(comparison: LabelComparison, match: ClassMatch) -> str:
-    header = [tr("Class"), tr("IoU"), tr("found"), tr("right where predicted"), tr("annotated pixels")]
-    rows = [
-        [
-            match.name(value),
-            page.percent(comparison.iou(value)),
-            page.percent(comparison.recall(value)),
-            page.percent(comparison.precision(value)),
-            number_text(int(comparison.annotated[value])),
-        ]
-        for value in comparison.values
-        if value
-    ]
-    return page.table(header, rows, range(1, len(header)))
+    return [page.records(shifts.rows, columns, range(1, 6)), page.paragraph(text.format(edge=shifts.piece_px))]

@@ -11,6 +11,7 @@ from ...core.evaluation.evaluation import MAP, MIRRORED, NOISE_LEVELS, ROTATION,
 from ...core.evaluation.rates import Rate
 from ...core.evaluation.summary import (
     MethodSummary,
+    RoadSummary,
     error_curve,
     noise_rates,
     of_method,
@@ -26,9 +27,8 @@ from ..translation import tr
 from ..wording.numbers import count as number_text
 from ..wording.numbers import shown
 from ..wording.sentences import worded
-from . import charts, page
+from . import charts, page, parts
 from .charts import Series, rate_series
-from .roads import road_rows, road_table
 
 
 def tried_ground(windows: Rate, minimum_references: int) -> str:
@@ -65,7 +65,7 @@ class EvaluationReport:
             tr("Evaluation of localization"),
             tr("{database}, images cut from {labels}").format(database=self.database, labels=self.labels),
             self._key_figures(summaries[0]),
-            page.next_steps(tr("What to do next"), _next(summaries)),
+            parts.next_steps(_next(summaries)),
             page.section(tr("Methods side by side"), self._methods_table(summaries), page.paragraph(_how_judged())),
             page.section(
                 tr("Where it succeeds"),
@@ -86,7 +86,7 @@ class EvaluationReport:
             page.section(
                 tr("What the confidence is worth"), page.columns(self._reliability_chart(), self._statuses(summaries))
             ),
-            page.section(tr("What radius and confidence are worth"), *self._roads()),
+            parts.road_section(self._roads()),
             page.section(
                 tr("Scale (Table 4 of He & Wu 2025)"),
                 page.paragraph(
@@ -102,7 +102,7 @@ class EvaluationReport:
                 page.paragraph(tr("The same windows, turned about their centers.")),
                 self._paper_table(ROTATION, tr("Rotation"), lambda query: f"{query.view.heading_deg:.0f}°"),
             ),
-            page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], self.settings)),
+            parts.settings_section(self.settings),
         )
 
     def _key_figures(self, first: MethodSummary) -> str:
@@ -118,48 +118,27 @@ class EvaluationReport:
         return page.key_figures(found) + page.paragraph(about)
 
     def _methods_table(self, summaries: Sequence[MethodSummary]) -> str:
-        header = [
-            tr("Method"),
-            tr("right fixes"),
-            tr("wrong fixes"),
-            tr("false accepts"),
-            "CEP50",
-            "CEP95",
-            tr("heading"),
-            tr("scale"),
-            tr("in the 95 % ellipse"),
+        columns = [
+            (tr("Method"), lambda s: self.methods[s.method]),
+            (tr("right fixes"), lambda s: page.rate_text(s.right)),
+            (tr("wrong fixes"), lambda s: page.rate_text(s.wrong)),
+            (tr("false accepts"), lambda s: page.rate_text(s.false_accepts)),
+            ("CEP50", lambda s: page.number(s.median_error, "m")),
+            ("CEP95", lambda s: page.number(s.error_95, "m")),
+            (tr("heading"), lambda s: page.number(s.heading_error_deg, "°", 2)),
+            (tr("scale"), lambda s: page.percent(s.scale_error, 2)),
+            (tr("in the 95 % ellipse"), lambda s: page.rate_text(s.covered)),
         ]
-        rows = [
-            [
-                self.methods[s.method],
-                page.rate_text(s.right),
-                page.rate_text(s.wrong),
-                page.rate_text(s.false_accepts),
-                page.number(s.median_error, "m"),
-                page.number(s.error_95, "m"),
-                page.number(s.heading_error_deg, "°", 2),
-                page.percent(s.scale_error, 2),
-                page.rate_text(s.covered),
-            ]
-            for s in summaries
-        ]
-        return page.table(header, rows)
+        return page.records(summaries, columns)
 
     def _rates_chart(self, rates_of, x_axis, name: str, caption: str) -> str:
         series = [rate_series(title, rates_of(self.trials, method)) for method, title in self.methods.items()]
         return page.figure(charts.line_chart(series, x_axis, charts.percent_axis(tr("right fixes")), name), caption)
 
     def _landmarks_chart(self) -> str:
-        found = {method: success_by_landmarks(self.trials, method) for method in self.methods}
-        bins = sorted({(one.low, one.high) for rates in found.values() for one in rates})
-        groups = [f"{low:.0f}–{high - 1:.0f}" if np.isfinite(high) else f"≥ {low:.0f}" for low, high in bins]
-        series = [
-            rate_series(self.methods[method], rates, [bins.index((one.low, one.high)) for one in rates])
-            for method, rates in found.items()
-        ]
-        y_axis = charts.percent_axis(tr("right fixes"))
-        chart = charts.bar_chart(groups, series, tr("landmarks in the window"), y_axis, tr("Success by landmarks"))
-        return page.figure(chart, tr("Right fixes by the number of landmarks the database has there."))
+        found = {title: success_by_landmarks(self.trials, method) for method, title in self.methods.items()}
+        caption = tr("Right fixes by the number of landmarks the database has there.")
+        return parts.landmarks_chart(found, tr("landmarks in the window"), caption)
 
     def _error_chart(self) -> str:
         curves = {method: error_curve(self.trials, method) for method in self.methods}
@@ -200,13 +179,10 @@ class EvaluationReport:
         caption = tr("On the diagonal a confidence means what it says; below it promises too much.")
         return page.figure(chart, caption)
 
-    def _roads(self) -> list[str]:
+    def _roads(self) -> dict[str, list[RoadSummary]]:
         """Mirrored images' fixes count, which can't be right."""
-        rows = []
-        for method, title in self.methods.items():
-            found = road_summaries(of_method(self.trials, method, MAP, MIRRORED))
-            rows += road_rows(found, title if len(self.methods) > 1 else "")
-        return road_table(rows)
+        tried = {title: of_method(self.trials, method, MAP, MIRRORED) for method, title in self.methods.items()}
+        return {title: road_summaries(trials) for title, trials in tried.items()}
 
     def _statuses(self, summaries: Sequence[MethodSummary]) -> str:
         found = [status for status in Status if any(status.key in s.statuses for s in summaries)]

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from ..translation import tr
 from ..wording.numbers import shown
-from . import charts, page
-from .flight_map import flight_map, legend
+from . import charts, page, parts
+from .maps import flight_legend, flight_map
 
 MOST_ROWS = 400
 """Of the table of images; longer flights have the rest in their layer."""
@@ -67,18 +67,18 @@ def flight_html(
         "ellipses hold the true position in 95 % of cases. North is up."
     )
     placed = [point for point in points if point.position is not None]
-    drawn = [page.figure(flight_map(placed, tr("Map of the track")), caption), legend()] if placed else []
+    drawn = [page.figure(flight_map(placed, tr("Map of the track")), caption), flight_legend()] if placed else []
     return page.page(
         tr("Report of a flight"),
         database,
         _key_figures(points),
-        page.next_steps(tr("What to do next"), _next(points)),
-        *([page.section(tr("Track"), *drawn)] if drawn else []),
+        parts.next_steps(_next(points)),
+        page.section(tr("Track"), *drawn),
         page.section(tr("Gaps"), *_gap_table(points)),
         *([page.section(tr("Along the flight"), _curves(points))] if len(placed) > 1 else []),
         page.section(tr("Motion between the images"), *map(page.paragraph, links)),
         page.section(tr("What held where"), *_image_table(points)),
-        page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings)),
+        parts.settings_section(settings),
     )
 
 
@@ -137,49 +137,38 @@ def _gap_table(points: Sequence[FlightPoint]) -> list[str]:
     if not gaps:
         return [page.paragraph(tr("None: every image has a position."))]
     by_number = {point.number: point for point in points}
-    header = [tr("from image"), tr("to image"), tr("images"), tr("reason")]
-    rows = [
-        [by_number[first].name, by_number[last].name, str(last - first + 1), by_number[first].reason]
-        for first, last in gaps
+    columns = [
+        (tr("from image"), lambda gap: by_number[gap[0]].name),
+        (tr("to image"), lambda gap: by_number[gap[1]].name),
+        (tr("images"), lambda gap: str(gap[1] - gap[0] + 1)),
+        (tr("reason"), lambda gap: by_number[gap[0]].reason),
     ]
-    return [page.table(header, rows, (2,))]
+    return [page.records(gaps, columns, (2,))]
 
 
 def _image_table(points: Sequence[FlightPoint]) -> list[str]:
-    header = [
-        tr("Number"),
-        tr("Image"),
-        tr("Time"),
-        tr("held by"),
-        tr("track"),
-        tr("x"),
-        tr("y"),
-        tr("heading"),
-        tr("95 % radius"),
-        tr("error probability"),
-        tr("remark"),
+    columns = [
+        (tr("Number"), lambda point: str(point.number)),
+        (tr("Image"), lambda point: point.name),
+        (tr("Time"), lambda point: point.time),
+        (tr("held by"), _held_by),
+        (tr("track"), lambda point: str(point.track) if point.track else page.NOTHING),
+        (tr("x"), lambda point: shown(point.position[0], ".1f") if point.position else page.NOTHING),
+        (tr("y"), lambda point: shown(point.position[1], ".1f") if point.position else page.NOTHING),
+        (tr("heading"), lambda point: _known(point.heading_deg, ".1f", "°")),
+        (tr("95 % radius"), lambda point: _known(point.radius_95, ",.2f", f"{page.NO_BREAK}m")),
+        (tr("error probability"), lambda point: point.error_probability or page.NOTHING),
+        (tr("remark"), lambda point: point.reason),
     ]
-    rows = [
-        [
-            str(point.number),
-            point.name,
-            point.time,
-            _held_by(point),
-            str(point.track) if point.track else page.NOTHING,
-            *(shown(value, ".1f") for value in point.position or ()),
-            *([page.NOTHING] * (0 if point.position else 2)),
-            page.NOTHING if point.heading_deg is None else f"{shown(point.heading_deg, '.1f')}°",
-            page.NOTHING if point.radius_95 is None else f"{shown(point.radius_95, ',.2f')}{page.NO_BREAK}m",
-            point.error_probability or page.NOTHING,
-            point.reason,
-        ]
-        for point in points[:MOST_ROWS]
-    ]
-    parts = [page.table(header, rows, (0, 4, 5, 6, 7, 8, 9))]
+    found = [page.records(points[:MOST_ROWS], columns, (0, 4, 5, 6, 7, 8, 9))]
     if len(points) > MOST_ROWS:
         text = tr("The first {count} images; the layer has all of them.")
-        parts.append(page.paragraph(text.format(count=MOST_ROWS)))
-    return parts
+        found.append(page.paragraph(text.format(count=MOST_ROWS)))
+    return found
+
+
+def _known(value: float | None, spec: str, unit: str) -> str:
+    return page.NOTHING if value is None else shown(value, spec) + unit
 
 
 def _held_by(point: FlightPoint) -> str:

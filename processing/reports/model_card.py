@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import os
-from html import escape
 from typing import TYPE_CHECKING
 
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
-from .page import NO_BREAK, NOTHING, percent
+from .page import NO_BREAK, NOTHING, macros, percent
 
 if TYPE_CHECKING:
-    from ...core.segmentation.model_card import Ground, ModelCard
+    from ...core.segmentation.model_card import ModelCard
 
 
 def card_title(card: ModelCard) -> str:
@@ -38,38 +37,24 @@ def quality_text(card: ModelCard) -> str:
 
 def card_html(card: ModelCard) -> str:
     """The card in HTML that Qt's text browser shows too."""
-    unsaid = tr("It does not say what it was trained on: try it on a photo of ground that you know.")
-    notes = [f"<p><i>{escape(unsaid)}</i></p>"] if not (card.fault or card.trained_on) else []
-    fault = [f"<p><b>{escape(worded(card.fault))}</b></p>"] if card.fault else []
-    return "".join(
-        [
-            f"<h3>{escape(card_title(card))}</h3>",
-            *fault,
-            _row(tr("Classes"), ", ".join(card.classes)),
-            _row(tr("Pixels it was trained on"), resolution_text(card)),
-            _row(tr("Trained on"), _listed(card.trained_on)),
-            *notes,
-            _quality(card),
-            _row(tr("Good for"), card.good_for),
-            _row(tr("Not good for"), card.not_for),
-            _row(tr("License"), card.license),
-            _row(tr("Made"), _made(card)),
-            _row(tr("File"), card.file),
-        ]
-    )
+    from markupsafe import Markup
 
-
-def _row(title: str, text: str) -> str:
-    return f"<p><b>{escape(title)}</b><br>{_shown(text)}</p>"
-
-
-def _shown(text: str) -> str:
-    unsaid = escape(tr("not said"))
-    return f"<i>{unsaid}</i>" if text in ("", NOTHING) else escape(text).replace("\n", "<br>")
-
-
-def _listed(grounds: tuple[Ground, ...]) -> str:
-    return "\n".join(f"{one.place}: {one.about}" if one.about else one.place for one in grounds)
+    rows = [
+        (tr("Classes"), [", ".join(card.classes)]),
+        (tr("Pixels it was trained on"), [resolution_text(card)]),
+        (tr("Trained on"), [f"{one.place}: {one.about}" if one.about else one.place for one in card.trained_on]),
+        (tr("How good (IoU)"), _tested(card)),
+        (tr("Good for"), card.good_for.splitlines()),
+        (tr("Not good for"), card.not_for.splitlines()),
+        (tr("License"), card.license.splitlines()),
+        (tr("Made"), [_made(card)]),
+        (tr("File"), [card.file]),
+    ]
+    if not (card.fault or card.trained_on):
+        text = tr("It does not say what it was trained on: try it on a photo of ground that you know.")
+        rows.insert(3, ("", [Markup("<i>{}</i>").format(text)]))
+    known = [(title, [line for line in lines if line not in ("", NOTHING)]) for title, lines in rows]
+    return str(macros().card(card_title(card), worded(card.fault) if card.fault else "", known, tr("not said")))
 
 
 def _made(card: ModelCard) -> str:
@@ -77,19 +62,20 @@ def _made(card: ModelCard) -> str:
     return ", ".join(part for part in (card.date, minutes) if part)
 
 
-def _quality(card: ModelCard) -> str:
+def _tested(card: ModelCard) -> list[str]:
     """How good it is: IoU by place and class."""
+    from markupsafe import Markup
+
     beside = tr("{place}, set aside")
-    rows = [
+    found = [
         (one.place if one.is_left_out else beside.format(place=one.place), one.iou) for one in card.tested_on if one.iou
     ]
     if card.validation_iou:
-        rows.append((tr("ground set aside from training"), card.validation_iou))
-    lines = [
-        f"<i>{escape(place)}</i>: "
-        + ", ".join(f"{escape(name)} <b>{percent(share, 0)}</b>" for name, share in iou.items())
-        for place, iou in rows
-    ]
+        found.append((tr("ground set aside from training"), card.validation_iou))
+    lines = []
+    for place, iou in found:
+        shares = [Markup("{} <b>{}</b>").format(name, percent(share, 0)) for name, share in iou.items()]
+        lines.append(Markup("<i>{}</i>: {}").format(place, Markup(", ").join(shares)))
     if card.tested_on:
-        lines.append(escape(tr("Places are tested by networks that were trained without them.")))
-    return f"<p><b>{escape(tr('How good (IoU)'))}</b><br>{'<br>'.join(lines) or _shown('')}</p>"
+        lines.append(tr("Places are tested by networks that were trained without them."))
+    return lines

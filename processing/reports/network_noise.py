@@ -6,7 +6,7 @@ import json
 import math
 import re
 from collections.abc import Mapping
-from html import escape, unescape
+from html import unescape
 
 from ...core.errors import ParameterError
 from ...core.flight.table import bytes_of
@@ -27,10 +27,10 @@ _MOST_BYTES = 64 << 20
 _LINE = re.compile(f'<meta name="{NAME}" content="([^"]*)">')
 
 
-def network_line(numbers: Mapping[str, float | None], landmarks: int) -> str:
-    """The line: percent and map units, None for what the maps don't tell; ``landmarks``: that were compared."""
+def network_meta(numbers: Mapping[str, float | None], landmarks: int) -> dict[str, str]:
+    """Name and content of the line: percent and map units, None for what the maps don't tell."""
     content = {LANDMARKS: landmarks, **{key: _rounded(number) for key, number in numbers.items()}}
-    return f'<meta name="{NAME}" content="{escape(json.dumps(content))}">\n'
+    return {NAME: json.dumps(content)}
 
 
 def read_network(path: str) -> dict[str, float]:

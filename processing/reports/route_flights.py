@@ -12,14 +12,16 @@ LARGE_SHARE = 0.1
 """A radius above this share of the footprint is told as a stretch of its own."""
 
 
-def flown_parts(flown: FlownRoute, threshold: float, footprint: float) -> list[str]:
+def flown_parts(flown: FlownRoute | None, threshold: float, footprint: float) -> list[str]:
     """Tables of the routes, and of the stretches where flights do poorly.
 
     Args:
-        flown: What came of the flights.
+        flown: What came of the flights; None without any, which has no parts.
         threshold: Share of the flights that is good enough, 0…1.
         footprint: Edge of the ground that an image shows, map units.
     """
+    if flown is None:
+        return []
     header = [
         tr("Route"),
         tr("first position after (m)"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 
 import numpy as np
 
@@ -15,12 +14,9 @@ from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
 from ..translation import tr
 from ..wording.numbers import Local, shown
-from . import page
+from . import charts, page, parts
 from .assessment_report import assumed, reason_titles
 from .route_flights import flown_parts
-
-WIDTH, HEIGHT = 960, 300
-LEFT, RIGHT, TOP, BOTTOM = 56, 56, 16, 46
 
 
 @dataclass(frozen=True)
@@ -61,66 +57,29 @@ def route_html(
         tr("Assessment of a route"),
         name,
         _key_figures(route),
-        page.next_steps(tr("What to do next"), _next(route)),
+        parts.next_steps(_next(route)),
         page.paragraph(assumed(conditions, correlation)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
-        *_in_flight(route),
-        page.section(tr("Settings"), page.table([tr("Setting"), tr("Value")], settings)),
+        page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint)),
+        parts.settings_section(settings),
     )
-
-
-def _in_flight(route: AssessedRoute) -> list[str]:
-    if route.flown is None:
-        return []
-    return [page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint))]
 
 
 def profile(route: AssessedRoute, line: int) -> str:
-    """Success and landmarks along one line, as an elevation profile is drawn."""
+    """Success and landmarks along one line."""
     members = np.flatnonzero(route.points.lines == line)
-    along, estimates = route.points.along[members], route.estimates.part(members)
-    length = max(route.points.lengths[line], 1e-9)
+    along, estimates = route.points.along[members] / 1000, route.estimates.part(members)
+    length = max(route.points.lengths[line], 1e-9) / 1000
     most = _round_up(float(estimates.landmarks.max()))
-    right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
-
-    def x(meters: float) -> float:
-        return LEFT + (right - LEFT) * meters / length
-
-    def y(share: float) -> float:
-        return bottom - (bottom - TOP) * share
-
-    parts = [
-        f'<rect x="{x(gap.start):.1f}" y="{TOP}" width="{max(x(gap.end) - x(gap.start), 1):.1f}" '
-        f'height="{bottom - TOP}" style="fill:var(--bad);opacity:0.12"/>'
-        for gap in route.stretches
-        if gap.line == line
-    ]
-    for share in (0, 0.25, 0.5, 0.75, 1):
-        parts.append(f'<path d="M{LEFT} {y(share):.1f}H{right}" style="stroke:var(--line)"/>')
-        parts.append(_text(LEFT - 6, y(share) + 4, f"{100 * share:.0f} %", "end", "soft"))
-        parts.append(_text(right + 6, y(share) + 4, f"{share * most:.0f}", "start", "soft"))
-    for tick in _ticks(length):
-        parts.append(f'<path d="M{x(tick):.1f} {bottom}v4" style="stroke:var(--soft)"/>')
-        parts.append(_text(x(tick), bottom + 17, shown(tick / 1000, "g"), "middle", "soft"))
-    parts.append(_text((LEFT + right) / 2, HEIGHT - 8, tr("along the route, km"), "middle"))
-    parts.append(_turned(12, (TOP + bottom) / 2, tr("expected success")))
-    parts.append(_turned(WIDTH - 6, (TOP + bottom) / 2, tr("landmarks in view")))
-    upper = [f"{x(a):.1f} {y(v):.1f}" for a, v in zip(along, estimates.high)]
-    lower = [f"{x(a):.1f} {y(v):.1f}" for a, v in zip(along, estimates.low)]
-    parts.append(f'<path d="M{"L".join(upper + lower[::-1])}Z" style="fill:var(--s0);opacity:0.18"/>')
-    seen = "L".join(f"{x(a):.1f} {y(v / most):.1f}" for a, v in zip(along, estimates.landmarks))
-    parts.append(f'<path d="M{seen}" style="fill:none;stroke:var(--s1);stroke-width:1.4;stroke-dasharray:5,3"/>')
-    line_path = "L".join(f"{x(a):.1f} {y(v):.1f}" for a, v in zip(along, estimates.success))
-    parts.append(f'<path d="M{line_path}" style="fill:none;stroke:var(--s0);stroke-width:2.4"/>')
-    parts.append(
-        f'<path d="M{LEFT} {y(route.threshold):.1f}H{right}" '
-        'style="stroke:var(--text);stroke-dasharray:2,3;stroke-width:1"/>'
-    )
-    name = escape(tr("Profile"))
-    return (
-        f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{name}" xmlns="http://www.w3.org/2000/svg">\n'
-        f"<title>{name}</title>\n" + "\n".join(parts) + "\n</svg>"
+    return charts.profile(
+        charts.Series(tr("expected success"), along, estimates.success, estimates.low, estimates.high),
+        charts.Series(tr("landmarks in view"), along, estimates.landmarks),
+        charts.Axis(tr("along the route, km"), (0.0, length), [(tick, shown(tick, "g")) for tick in _ticks(length)]),
+        charts.Axis("", (0.0, most), [(most * n / 4, f"{most * n / 4:.0f}") for n in range(5)]),
+        [(gap.start / 1000, gap.end / 1000) for gap in route.stretches if gap.line == line],
+        route.threshold,
+        tr("Profile"),
     )
 
 
@@ -225,16 +184,7 @@ def _round_up(value: float) -> float:
 
 
 def _ticks(length: float) -> list[float]:
-    """Some six round distances, meters."""
-    raw = length / 6
-    decade = 10 ** math.floor(math.log10(raw))
-    step = next(s * decade for s in (1, 2, 5, 10) if raw <= s * decade)
+    """Some six round distances."""
+    decade = 10 ** math.floor(math.log10(length / 6))
+    step = next(step * decade for step in (1, 2, 5, 10) if length / 6 <= step * decade)
     return [n * step for n in range(int(length / step + 1e-9) + 1)]
-
-
-def _text(x: float, y: float, text: str, anchor: str, kind: str = "") -> str:
-    return f'<text class="{kind}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{escape(text)}</text>'
-
-
-def _turned(x: float, y: float, text: str) -> str:
-    return f'<text transform="translate({x} {y:.1f}) rotate(-90)" text-anchor="middle">{escape(text)}</text>'

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 
+import numpy as np
+
+from ...core.labels.comparison import LabelComparison
 from ..translation import tr
-from ..wording.numbers import count as number_text
 from ..wording.numbers import shown
-from . import charts, page
+from . import charts, page, parts
 from .charts import Series
+from .maps import color_legend
 
 CLASSES_IN_CHART = 8
 """Lines of the chart of curves beyond which nobody tells them apart: those of the largest classes."""
@@ -44,8 +45,8 @@ class TrainingReport:
             tr("Training of a network"),
             self.model,
             self._figures(),
-            page.next_steps(tr("What to do next"), self._next()),
-            page.section(tr("Classes"), self._classes(), self._matrix()),
+            parts.next_steps(self._next()),
+            page.section(tr("Classes"), *self._classes()),
             page.section(tr("Curves"), page.columns(self._loss(), self._iou())),
             page.section(tr("Examples"), *self._examples()),
             page.section(tr("What it was trained on"), self._ground()),
@@ -76,32 +77,18 @@ class TrainingReport:
         steps.append(tr("Classes that are found badly want more annotated ground, of places that differ."))
         return steps
 
-    def _classes(self) -> str:
-        confusion = self.result["confusion"]
-        rows = []
-        for n, name in enumerate(self.names):
-            annotated, predicted, both = sum(confusion[n]), sum(row[n] for row in confusion), confusion[n][n]
-            if annotated:
-                either = annotated + predicted - both
-                shares = (both / either, both / annotated, both / predicted if predicted else None)
-                rows.append([name, *(page.percent(share) for share in shares), number_text(annotated)])
-        if not rows:
-            return page.paragraph(tr("No ground was set aside, so nothing tells how good the network is."))
-        header = [tr("Class"), tr("IoU"), tr("found"), tr("right where predicted"), tr("annotated pixels")]
-        return page.table(header, rows, range(1, len(header)))
+    def _classes(self) -> list[str]:
+        # Channels begin at 0, classes of a comparison at 1.
+        counts = np.pad(np.array(self.result["confusion"], np.int64), ((1, 0), (1, 0)))
+        if not counts.any():
+            return [page.paragraph(tr("No ground was set aside, so nothing tells how good the network is."))]
+        found = LabelComparison(counts)
+        annotated, predicted = (np.flatnonzero(of_value).tolist() for of_value in (found.annotated, found.predicted))
 
-    def _matrix(self) -> str:
-        confusion = self.result["confusion"]
-        rows = [n for n, row in enumerate(confusion) if sum(row)]
-        if not rows:
-            return ""
-        columns = [n for n in range(len(confusion)) if any(row[n] for row in confusion)]
-        shares = [[confusion[n][m] / sum(confusion[n]) for m in columns] for n in rows]
-        texts = [[page.percent(share, 0) if share else "" for share in line] for line in shares]
-        names = ([self.names[n] for n in one] for one in (rows, columns))
-        chart = charts.heat_map(shares, texts, *names, tr("annotated"), tr("predicted"), tr("Confusion matrix"))
-        caption = tr("Where the annotated pixels of each class went, as shares of its row; the diagonal is right.")
-        return page.figure(chart, caption)
+        def name(value: int) -> str:
+            return self.names[value - 1]
+
+        return [parts.class_table(found, name, annotated), parts.confusion_figure(found, name, predicted)]
 
     def _loss(self) -> str:
         history = self.result["history"]
@@ -138,17 +125,12 @@ class TrainingReport:
     def _examples(self) -> list[str]:
         if not self.examples:
             return [page.paragraph(tr("There is no example: no ground was set aside."))]
+        alt = tr("Photo, annotation and answer of the network")
         caption = tr("Photo, annotation (gray where nothing is known) and what the network makes of it.")
-        return [page.paragraph(caption), self._legend(), *map(_picture, self.examples)]
+        return [page.paragraph(caption), self._legend(), *(page.image(png, alt) for png in self.examples)]
 
     def _legend(self) -> str:
-        entries = (
-            '<span style="white-space:nowrap;margin-right:18px">'
-            f'<span style="background:{escape(entry["color"])};border:1px solid var(--line)">'
-            f"&emsp;</span> {escape(entry['name'])}</span> "
-            for entry in self.result["classes"]
-        )
-        return f'<p class="legend">{"".join(entries)}</p>'
+        return color_legend([(entry["color"], entry["name"]) for entry in self.result["classes"]])
 
     def _ground(self) -> str:
         rows = [(ground_title(key), _shown(value)) for key, value in self.ground.items()]
@@ -181,9 +163,3 @@ def _shown(value: object) -> str:
     if isinstance(value, (list, tuple)):
         return ", ".join(shown(part, ".2f") if isinstance(part, float) else str(part) for part in value)
     return shown(value, "g") if isinstance(value, float) else str(value)
-
-
-def _picture(png: bytes) -> str:
-    data = base64.b64encode(png).decode("ascii")
-    alt = escape(tr("Photo, annotation and answer of the network"))
-    return f'<p><img alt="{alt}" style="max-width:100%" src="data:image/png;base64,{data}"></p>'

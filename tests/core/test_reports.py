@@ -120,7 +120,9 @@ def test_numbers_are_told_with_unit_and_what_is_unknown_with_a_dash():
 def test_no_two_of_sixteen_lines_look_the_same():
     chart = charts.line_chart([Series(str(n), [0.0, 0.5], [0.1, 0.5]) for n in range(16)], X, Y, "lines")
     # In the legend stands a piece of each line with its marker.
-    pieces = re.findall(r'<path d="M[\d.]+ [-\d.]+h24" style="([^"]+)"/>\n<(\w+) (?:d="M[\d. -]+m([^"]+)")?', chart)
+    pieces = re.findall(
+        r'<path d="M[\d.]+ [-\d.]+h24" style="([^"]+)"></path>\n<(\w+) (?:d="M[\d. -]+m([^"]+)")?', chart
+    )
     assert len(pieces) == 16 and len(set(pieces)) == 16
 
 

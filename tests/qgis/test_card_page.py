@@ -30,3 +30,15 @@ def test_the_page_of_a_card_has_what_the_card_has():
     for line in ("| classes | other, building |", "| trained at | 0.25 m a pixel |", "| not good for | ships |"):
         assert line in page
     assert "| Kenya, left out of training | 0.612 |" in page and "license" not in page
+
+
+def test_no_text_of_a_model_becomes_markup():
+    from semref.core.segmentation.model_card import Ground, ModelCard
+    from semref.processing.reports.model_card import card_html
+
+    hostile = "<b>a&b</b>"
+    ground = Ground(hostile, hostile, True, {hostile: 0.5})
+    card = ModelCard(
+        hostile, None, hostile, (hostile,), 0.25, trained_on=(ground,), tested_on=(ground,), license=hostile
+    )
+    assert "<b>a" not in card_html(card) and card_html(card).count("&lt;b&gt;a&amp;b&lt;/b&gt;") == 8

@@ -104,30 +104,33 @@ def test_what_is_no_file_is_refused_at_once(qgis_app, tmp_path):
 
 def test_numbers_that_can_not_be_are_refused(conditions, tmp_path):
     from semref.core.errors import ParameterError
-    from semref.processing.reports.network_noise import network_line
+    from semref.processing.reports import page as report
+    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
     for value in (-1.0, float("nan"), float("inf")):
-        page.write_text(network_line({"MISSED": value}, 50), encoding="utf-8")
+        page.write_text(report.page("t", "s", meta=network_meta({"MISSED": value}, 50)), encoding="utf-8")
         with pytest.raises(ParameterError):
             conditions("semref:assessdatabase", {"COMPARISON": str(page)})
 
 
 def test_a_comparison_of_a_handful_of_landmarks_tells_nothing(conditions, tmp_path):
     from semref.core.errors import ParameterError
-    from semref.processing.reports.network_noise import network_line
+    from semref.processing.reports import page as report
+    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
-    page.write_text(network_line({"MISSED": 20.0}, 5), encoding="utf-8")
+    page.write_text(report.page("t", "s", meta=network_meta({"MISSED": 20.0}, 5)), encoding="utf-8")
     with pytest.raises(ParameterError):
         conditions("semref:assessdatabase", {"COMPARISON": str(page)})
 
 
 def test_lengths_that_the_maps_do_not_tell_stay_as_the_numbers_say(conditions, tmp_path):
-    from semref.processing.reports.network_noise import network_line
+    from semref.processing.reports import page as report
+    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
-    page.write_text(network_line({"MISSED": 7.0, "RAGGED": None}, 50), encoding="utf-8")
+    page.write_text(report.page("t", "s", meta=network_meta({"MISSED": 7.0, "RAGGED": None}, 50)), encoding="utf-8")
     found = conditions("semref:assessdatabase", {"COMPARISON": str(page), "RAGGED": 2.5})
     assert (found.noise.missed, found.noise.jitter) == (0.07, 2.5)
 
@@ -135,9 +138,10 @@ def test_lengths_that_the_maps_do_not_tell_stay_as_the_numbers_say(conditions, t
 @pytest.mark.parametrize(("key", "value"), [("MISSED", 500.0), ("MISNAMED", 101.0)])
 def test_numbers_beyond_what_the_dialogs_take_are_refused(conditions, tmp_path, key, value):
     from semref.core.errors import SemRefError
-    from semref.processing.reports.network_noise import network_line
+    from semref.processing.reports import page as report
+    from semref.processing.reports.network_noise import network_meta
 
     page = tmp_path / "page.html"
-    page.write_text(network_line({key: value}, 50), encoding="utf-8")
+    page.write_text(report.page("t", "s", meta=network_meta({key: value}, 50)), encoding="utf-8")
     with pytest.raises(SemRefError):
         conditions("semref:assessdatabase", {"COMPARISON": str(page)})
