@@ -237,7 +237,7 @@ class Source:
         view, localizer = image.view, self.known.localizer
         focal = focal_length_from_view(view.field_of_view_deg, view.shape_hw)
         way = leveling(attitude_of(view, rng.normal(0, self.row.level_error_deg, 2)), focal, view.shape_hw)
-        scales = localizer.settings.constellation.scales
+        scales = localizer.settings.constellation.limits.scales
         prior = prior or Prior(pixel_size_range=localizer.pixel_sizes(view.shape_hw, scales))
         seen = SeenLabels(image.labels_hw, image.shares, biases=image.biases)
         found = localize_with(localizer, Search(self.method), seen, prior, way).localization

@@ -23,8 +23,10 @@ def run(work: Path, names: Sequence[str], only: Sequence[str]) -> Table:
     rows = [["records", str(len(some))]]
     stars = [one for one in some if one["by"] == "constellation" and one["log_odds"] is not None]
     if stars:
-        leads = np.array([one["log_odds"] - CONSTELLATION.rival_weight * max(one["rival"] or 0, 0) for one in stars])
-        scale = CONSTELLATION.confidence_scale
+        leads = np.array(
+            [one["log_odds"] - CONSTELLATION.decision.rival_weight * max(one["rival"] or 0, 0) for one in stars]
+        )
+        scale = CONSTELLATION.decision.confidence_scale
         grown = np.where(leads > 0, scale * np.log1p(np.maximum(leads, 0) / scale), leads)
         rows.append(["constellation: offset, slope of the risk", _fitted(grown, stars)])
     areas = [one for one in some if one["by"] == "map correlation" and one["lead"] is not None]

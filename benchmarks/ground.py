@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from semref.core.assessment.cells import ground_cells
+from semref.core.constellation.hypotheses import SMALLEST_OBJECT_PX
 from semref.core.database.model import MapLandmarks, ReferenceDatabase
 from semref.core.evaluation.trial import Query, Trial, judge
 from semref.core.geometry.error_settings import UNBIASED, KnownBiases
@@ -163,7 +164,7 @@ class Ground:
 
     def landmarks_in(self, labels_hw: np.ndarray, pixel_size: float) -> Landmarks:
         """Landmarks of an image, from the smallest of the map on."""
-        least = self.localizer.settings.constellation.smallest_object_px
+        least = SMALLEST_OBJECT_PX
         smallest = max(self.database.parameters.minimum_area / pixel_size**2, least)
         return extract_landmarks(labels_hw, self.database.class_table.reference_values, smallest)
 

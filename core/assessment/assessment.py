@@ -208,8 +208,8 @@ class Assessment:
         index = self.localizer.index
         pixel, references = self.simulator.pixel, self.database.references
         log_areas_px = index.log_areas - 2 * math.log(pixel)
-        chance = 2 * math.pi * center_noise(log_areas_px, pixel, index.settings) ** 2 * index.densities
-        distractors = index.settings.rough_distractors
+        chance = 2 * math.pi * center_noise(log_areas_px, pixel, index.settings.noise) ** 2 * index.densities
+        distractors = index.settings.noise.rough_distractors
         gains = np.log(distractors + (1 - distractors) / np.maximum(chance, 1e-12))
         numbers, landmarks, classes = [], np.empty(len(places)), np.empty(len(places))
         for n, (x, y) in enumerate(places.tolist()):

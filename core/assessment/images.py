@@ -13,6 +13,7 @@ from typing import cast
 
 import numpy as np
 
+from ..constellation.hypotheses import SMALLEST_OBJECT_PX
 from ..constellation.solver import localize as solve
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, ParameterError
@@ -74,10 +75,10 @@ class ImageSimulator:
         parameters, settings = database.parameters, localizer.settings.constellation
         self.size_px = min(max(round(footprint / parameters.pixel_size), 1), LARGEST_IMAGE_PX)
         self.pixel = footprint / self.size_px
-        self._pixel_sizes = localizer.pixel_sizes((self.size_px, self.size_px), settings.scales)
+        self._pixel_sizes = localizer.pixel_sizes((self.size_px, self.size_px), settings.limits.scales)
         self._prior = Prior(pixel_size_range=self._pixel_sizes)
         smallest = parameters.minimum_area / self._pixel_sizes[1] ** 2
-        self._smallest_px = max(smallest, settings.smallest_object_px)
+        self._smallest_px = max(smallest, SMALLEST_OBJECT_PX)
         references = database.references
         self._half = _half_boxes(database)
         self._order = np.argsort(references.positions[:, 0], kind="stable")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
 from functools import partial
 
 import numpy as np
@@ -14,7 +13,7 @@ from .index import ConstellationIndex, IndexParts, build_index, index_of_parts, 
 from .settings import ConstellationSettings
 
 VERSION = 1
-"""Raised whenever the same landmarks give another index, and so another answer."""
+"""Raised whenever the same landmarks and limits give another index, as another constant of neighbors.py does."""
 
 FEWEST = 20_000
 """Landmarks below which an index is built in a fraction of a second and not cached."""
@@ -22,7 +21,8 @@ FEWEST = 20_000
 
 def key_of(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> str:
     """What tells an index from others: SHA-256 of the landmarks and all that it is built with, hexadecimal."""
-    told = json.dumps([VERSION, pixel_size_m, asdict(settings)], sort_keys=True)
+    limits = settings.limits
+    told = json.dumps([VERSION, pixel_size_m, limits.neighbors, limits.minimum_side_in_sizes])
     columns = references.positions, references.classes, references.areas_m2, references.touches_edge
     kinds = "<f8", "u1", "<f8", "u1"
     return digest([told.encode(), *(np.asarray(column).astype(kind) for column, kind in zip(columns, kinds))])

@@ -11,7 +11,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from .index import expand_ranges
-from .settings import ConstellationSettings
+
+CELL_OF_IMAGE = 0.04
+"""Cells in which poses are gathered, share of the image's diagonal on the ground. Set by hand."""
+
+CELL_OF_TURN = 0.1
+"""The same for heading, radians, and ln pixel size. Set by hand."""
+
+_CELLS_AROUND = int(np.ceil(2 * np.pi / CELL_OF_TURN))
 
 _SORTED_AT_ONCE = 20_000
 """So many poses are sorted sooner than counted."""
@@ -61,17 +68,15 @@ class _Lattice:
 
     Attributes:
         shift: Half cells by which the lattice is moved, 0 or 1.
-        settings: Size of the cells.
     """
 
     shift: int
-    settings: ConstellationSettings
 
     def columns(self, places: np.ndarray) -> tuple[np.ndarray, ...]:
         """(H,) each: cells to the right, up, of the pixel size and of the heading."""
         across, along, sizes, turned = places
-        shift, around = self.shift, _cells_around(self.settings)
-        return (across + shift) >> 1, (along + shift) >> 1, sizes, ((turned + shift) >> 1) % around
+        shift = self.shift
+        return (across + shift) >> 1, (along + shift) >> 1, sizes, ((turned + shift) >> 1) % _CELLS_AROUND
 
     def numbers(self, places: np.ndarray) -> np.ndarray:
         """(H,) uint32: numbers that poses in one cell share, and hardly any others do."""
@@ -98,38 +103,31 @@ class Seeds:
     capped: bool
 
 
-def poses_in_cells(
-    centers: np.ndarray, turns: np.ndarray, focuses: np.ndarray, diagonal: float, settings: ConstellationSettings
-) -> Poses:
+def poses_in_cells(centers: np.ndarray, turns: np.ndarray, focuses: np.ndarray, diagonal: float) -> Poses:
     """Poses (H,) each with its cells; ``diagonal``: of the image, pixels."""
     size = np.abs(turns)
     places = np.empty((4, len(size)), np.int32)
     if len(size):
-        step = settings.cell_of_turn
+        step = CELL_OF_TURN
         places[2] = np.floor(np.log(size) / step + 0.5)
         least = int(places[2].min())
-        edges = settings.cell_of_image * diagonal * np.exp(np.arange(least, int(places[2].max()) + 1) * step)
+        edges = CELL_OF_IMAGE * diagonal * np.exp(np.arange(least, int(places[2].max()) + 1) * step)
         halves = (edges / 2)[places[2] - least]
         for row, part in enumerate((centers.real, centers.imag)):
             places[row] = np.clip(np.floor(part / halves), -_FARTHEST, _FARTHEST)
-        places[3] = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * _cells_around(settings) * 2)
+        places[3] = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * _CELLS_AROUND * 2)
     return Poses(centers, turns, focuses, places)
 
 
-def _cells_around(settings: ConstellationSettings) -> int:
-    return int(np.ceil(2 * np.pi / settings.cell_of_turn))
-
-
-def clustered(portions: Sequence[Poses], settings: ConstellationSettings, capped: bool, count: int) -> Seeds:
+def clustered(portions: Sequence[Poses], capped: bool, count: int) -> Seeds:
     """Means of the poses in the fullest cells; two lattices of cells, so that no cluster is cut by both.
 
     Args:
         portions: The poses.
-        settings: Of the constellation.
         capped: Goes into the seeds.
         count: Cells of each lattice.
     """
-    found = [_cell_means(portions, _Lattice(shift, settings), count) for shift in (0, 1)]
+    found = [_cell_means(portions, _Lattice(shift), count) for shift in (0, 1)]
     centers, turns, focuses, votes = (np.concatenate(parts) for parts in zip(*found))
     order = np.argsort(-votes, kind="stable")
     # A cluster that neither lattice cuts is found twice.

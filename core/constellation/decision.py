@@ -11,7 +11,7 @@ import numpy as np
 
 from ..localization import MORE_LIKELY_WRONG, Status, risk_of
 from ..sentences import Sentence
-from .settings import ConstellationSettings
+from .settings import Decision
 
 LANDMARKS_CALIBRATED = 10_000
 """Size of the map that the risk was calibrated on; one of more landmarks has so many times more wrong places."""
@@ -41,7 +41,7 @@ class Opponents:
         return max(self.runner_up, self.mirror)
 
 
-def risk_against(opponents: Opponents, rival: float, settings: ConstellationSettings) -> float:
+def risk_against(opponents: Opponents, rival: float, settings: Decision) -> float:
     """Probability that the best place is wrong if its strongest opponent has the log odds ``rival``.
 
     By chance log odds have an exponential tail, so that ln of the odds of being right grows with them and with their
@@ -60,19 +60,17 @@ def risk_against(opponents: Opponents, rival: float, settings: ConstellationSett
     return risk_of(settings.confidence_offset + settings.confidence_slope * grown)
 
 
-def risk_of_best(opponents: Opponents, settings: ConstellationSettings) -> float:
+def risk_of_best(opponents: Opponents, settings: Decision) -> float:
     """Probability that the best place is wrong."""
     return risk_against(opponents, opponents.strongest, settings)
 
 
-def may_be_a_fix(opponents: Opponents, allowed: float, settings: ConstellationSettings) -> bool:
+def may_be_a_fix(opponents: Opponents, allowed: float, settings: Decision) -> bool:
     """Whether the best place would be a fix without any opponent."""
     return risk_against(opponents, 0.0, settings) <= allowed
 
 
-def verdict(
-    opponents: Opponents, rivals: int, allowed: float, settings: ConstellationSettings
-) -> tuple[Status, Sentence | None]:
+def verdict(opponents: Opponents, rivals: int, allowed: float, settings: Decision) -> tuple[Status, Sentence | None]:
     """Whether the evidence is enough for a fix, and why not.
 
     Args:

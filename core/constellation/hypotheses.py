@@ -12,6 +12,21 @@ import numpy as np
 from .settings import ConstellationSettings
 from .triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs, triples
 
+SMALLEST_OBJECT_PX = 9.0
+"""Contour area, px², below which an object of an image has no shape and no center of use."""
+
+MINIMUM_OBJECTS = 4
+"""Whole objects of known class below which nothing is searched: three make a hypothesis, one more tests it."""
+
+PLACE_TOLERANCE_IN_NOISE = 3.5
+"""Tolerance of C in the frame of AB, in noise over |AB|: 2.5 σ of a difference of three noisy centers."""
+
+PLACE_TOLERANCE_MINIMUM = 0.012
+"""Least such tolerance, share of |AB|: the resolution of the index's 8-bit numbers."""
+
+PLACE_TOLERANCE_MAXIMUM = 0.06
+"""Triangles that need more tolerance, share of |AB|, tell too little and are left out. Set by hand."""
+
 
 @dataclass(frozen=True)
 class SeenLandmarks:
@@ -81,19 +96,19 @@ def query_triangles(query: SeenLandmarks, settings: ConstellationSettings) -> Qu
     """
     usable = np.flatnonzero(query.whole & (query.ranks >= 0))
     areas = np.exp(query.log_areas[usable])
-    neighbors, exists = triples(query.points[usable], areas, settings.query_neighbors, settings)
-    exists[np.argsort(-areas, kind="stable")[settings.anchors :]] = False
+    neighbors, exists = triples(query.points[usable], areas, settings.limits.query_neighbors)
+    exists[np.argsort(-areas, kind="stable")[settings.limits.anchors :]] = False
     rows, pair = np.nonzero(exists)
-    chosen = np.take_along_axis(neighbors[rows], neighbor_pairs(settings.query_neighbors)[pair], axis=1)
+    chosen = np.take_along_axis(neighbors[rows], neighbor_pairs(settings.limits.query_neighbors)[pair], axis=1)
     triple = usable[np.column_stack([rows, chosen])].reshape(-1, 3)
     order, sides = canonical_order(query.points[triple])
     sizes = np.exp(query.log_areas[triple] / 2).mean(axis=1)
-    noise = np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * sizes)
-    tolerance = settings.place_tolerance_in_noise * noise / np.maximum(sides[:, 2], 1e-9)
-    large = sides[:, 2] >= settings.minimum_side_in_sizes * np.exp(query.log_areas[triple[:, 0]] / 2)
-    good = large & (tolerance <= settings.place_tolerance_maximum) & (sides[:, 0] > 0)
+    noise = np.hypot(settings.noise.center_noise_px, settings.noise.center_noise_in_sizes * sizes)
+    tolerance = PLACE_TOLERANCE_IN_NOISE * noise / np.maximum(sides[:, 2], 1e-9)
+    large = sides[:, 2] >= settings.limits.minimum_side_in_sizes * np.exp(query.log_areas[triple[:, 0]] / 2)
+    good = large & (tolerance <= PLACE_TOLERANCE_MAXIMUM) & (sides[:, 0] > 0)
     triple = np.take_along_axis(triple[good], ORDERS[order[good]], axis=1)
-    tolerance, sides = np.maximum(tolerance[good], settings.place_tolerance_minimum), sides[good]
+    tolerance, sides = np.maximum(tolerance[good], PLACE_TOLERANCE_MINIMUM), sides[good]
     alike = tolerance * sides[:, 2]
     middle = sides[:, 2] - sides[:, 1] < alike
     short = sides[:, 1] - sides[:, 0] < alike

@@ -165,7 +165,7 @@ def index_parts(references: MapLandmarks, pixel_size_m: float, settings: Constel
         "keys": keys[order],
         "triangles": triangles[order],
         "fine": fine[order],
-        "densities": local_density(bare.positions, bare.ranks, settings),
+        "densities": local_density(bare.positions, bare.ranks),
         "by_easting": np.argsort(bare.points.real, kind="stable").astype(np.int64, copy=False),
     }
 
@@ -173,7 +173,7 @@ def index_parts(references: MapLandmarks, pixel_size_m: float, settings: Constel
 def part_shapes(count: int, settings: ConstellationSettings) -> dict[str, tuple[str, tuple[int | None, ...]]]:
     """Kind and shape of each part of an index of ``count`` landmarks; None is the number of triangles."""
     return {
-        "neighbors": ("<i4", (count, settings.neighbors)),
+        "neighbors": ("<i4", (count, settings.limits.neighbors)),
         "keys": ("<u4", (None,)),
         "triangles": (_kind_of_codes(count, settings), (None,)),
         "fine": ("|u1", (None, len(CELLS))),
@@ -183,7 +183,7 @@ def part_shapes(count: int, settings: ConstellationSettings) -> dict[str, tuple[
 
 
 def _kind_of_codes(count: int, settings: ConstellationSettings) -> str:
-    codes = count * len(neighbor_pairs(settings.neighbors)) * len(ORDERS)
+    codes = count * len(neighbor_pairs(settings.limits.neighbors)) * len(ORDERS)
     return "<i4" if codes <= np.iinfo(np.int32).max else "<i8"
 
 
@@ -347,10 +347,10 @@ def _all_triangles(
     points: np.ndarray, ranks: np.ndarray, log_areas: np.ndarray, whole: np.ndarray, settings: ConstellationSettings
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Neighbors (N, K), and keys, codes and fine numbers of all triangles of the catalogue."""
-    neighbor_count = settings.neighbors
+    neighbor_count = settings.limits.neighbors
     usable = np.flatnonzero(whole)
     neighbors = np.full((len(points), neighbor_count), -1, np.int32)
-    near, exists = triples(points[usable], np.exp(log_areas[usable]), neighbor_count, settings)
+    near, exists = triples(points[usable], np.exp(log_areas[usable]), neighbor_count)
     neighbors[usable] = np.where(near >= 0, usable[near].astype(np.int32) if len(usable) else near, -1)
     pairs = neighbor_pairs(neighbor_count)
     count = int(ranks.max()) + 1 if len(ranks) else 0
@@ -361,7 +361,7 @@ def _all_triangles(
         anchors = chunk[rows]
         triple = np.column_stack([anchors, np.take_along_axis(neighbors[anchors], pairs[pair], axis=1)])
         order, sides = canonical_order(points[triple])
-        large = sides[:, 2] >= settings.minimum_side_in_sizes * np.exp(log_areas[anchors] / 2)
+        large = sides[:, 2] >= settings.limits.minimum_side_in_sizes * np.exp(log_areas[anchors] / 2)
         large &= sides[:, 0] > 0
         triple = np.take_along_axis(triple[large], ORDERS[order[large]], axis=1)
         numbers = describe_triangles(points[triple], log_areas[triple])

@@ -16,6 +16,9 @@ from .clusters import Poses, Seeds, clustered, poses_in_cells
 from .hypotheses import QueryTriangles, SeenLandmarks
 from .index import ConstellationIndex, key_ranges, like_triangles, numbers_in
 
+AREA_TOLERANCE = 0.4
+"""Tolerance of ln(area / |AB|²): edges off by a pixel or two."""
+
 PORTION = 100_000
 """Triangles of the index looked at together; few enough that what is made of them stays in the cache."""
 
@@ -84,7 +87,7 @@ class Lookup:
     def _reach(self) -> np.ndarray:
         """(Q, 5) tolerances of the triangles' numbers."""
         place = self.triangles.tolerances
-        area = np.full(len(place), self.index.settings.area_tolerance)
+        area = np.full(len(place), AREA_TOLERANCE)
         return np.column_stack([place, place, area, area, area])
 
     def _rarest(self, spans: np.ndarray, cap: int) -> np.ndarray:
@@ -107,7 +110,7 @@ class Lookup:
             centers, turns, focuses = _fitted(self.index, self.query, self.triangles.members, source, like)
             kept = np.flatnonzero(allowed_poses(self.index, centers, turns, self.prior))
             fitted = centers.take(kept), turns.take(kept), focuses.take(kept)
-            yield poses_in_cells(*fitted, self.query.diagonal, self.index.settings)
+            yield poses_in_cells(*fitted, self.query.diagonal)
 
 
 def find_seeds(lookup: Lookup, cap: int, count: int | None = None, prior: Prior | None = None) -> Seeds:
@@ -123,7 +126,7 @@ def find_seeds(lookup: Lookup, cap: int, count: int | None = None, prior: Prior 
     if prior is not None:
         allowed = (allowed_poses(lookup.index, poses.centers, poses.turns, prior) for poses in portions)
         portions = [poses.select(np.flatnonzero(kept)) for poses, kept in zip(portions, allowed)]
-    return clustered(portions, lookup.index.settings, capped, count or lookup.index.settings.seeds)
+    return clustered(portions, capped, count or lookup.index.settings.limits.seeds)
 
 
 def _portions(spans: np.ndarray, most: int) -> Iterator[slice]:

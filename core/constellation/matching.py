@@ -10,7 +10,14 @@ import numpy as np
 from ..geometry.pose import Pose
 from .hypotheses import SeenLandmarks
 from .index import ConstellationIndex
-from .settings import ConstellationSettings
+from .settings import NoiseModel
+
+NOISE_FACTORS = (0.5, 3.0)
+"""How much less and more noise than assumed an image may have; measured from its own residuals."""
+
+ASSUMED_MATCHES = 4
+"""So many matches with just the assumed noise count with the measured ones: as many numbers as a pose has twice over,
+so that a handful of residuals can't make the noise vanish. Set by hand."""
 
 MEDIAN_OF_RAYLEIGH = 1.1774
 """Median length of a residual whose two coordinates have a standard deviation of 1."""
@@ -35,17 +42,15 @@ class Nearest:
         return Nearest(self.distances[poses], self.objects[poses], self.deviations[poses])
 
 
-def center_noise(
-    log_areas_px: np.ndarray, pixel_size: np.ndarray | float, settings: ConstellationSettings
-) -> np.ndarray:
+def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray | float, noise: NoiseModel) -> np.ndarray:
     """Assumed σ of centers, map units.
 
     Args:
         log_areas_px: (…, n) ln of areas in px².
         pixel_size: Map units, broadcastable.
-        settings: Of the constellation.
+        noise: What is assumed.
     """
-    return pixel_size * np.hypot(settings.center_noise_px, settings.center_noise_in_sizes * np.exp(log_areas_px / 2))
+    return pixel_size * np.hypot(noise.center_noise_px, noise.center_noise_in_sizes * np.exp(log_areas_px / 2))
 
 
 def places_on_map(query: SeenLandmarks, poses: Sequence[Pose]) -> np.ndarray:
@@ -57,7 +62,7 @@ def nearest_objects(index: ConstellationIndex, query: SeenLandmarks, poses: Sequ
     """What is nearest to the image's objects at each of S poses, (S, n) each, with the assumed deviations."""
     distances, objects = index.matcher.match(places_on_map(query, poses), query.ranks)
     sizes = np.array([abs(pose.turn) for pose in poses])
-    noise = center_noise(query.log_areas, sizes[:, None], index.settings)
+    noise = center_noise(query.log_areas, sizes[:, None], index.settings.noise)
     return Nearest(distances.astype(np.float64), objects, noise)
 
 
@@ -84,7 +89,7 @@ def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
     return np.maximum(1 - (distances / ends) ** 2, 0) ** 2
 
 
-def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSettings) -> np.ndarray:
+def noise_factor(residuals: np.ndarray, fitted: int) -> np.ndarray:
     """(…) σ of matches over the assumed one.
 
     From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
@@ -93,7 +98,6 @@ def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSett
     Args:
         residuals: (…, n) lengths over the assumed σ; inf where there is none, but one at least in each row.
         fitted: Numbers of the pose.
-        settings: Of the constellation.
     """
     count = np.isfinite(residuals).sum(axis=-1)
     ordered = np.sort(residuals, axis=-1)
@@ -101,8 +105,8 @@ def noise_factor(residuals: np.ndarray, fitted: int, settings: ConstellationSett
         np.take_along_axis(ordered, place[..., None], axis=-1)[..., 0] for place in ((count - 1) // 2, count // 2)
     )
     measured = ((low + high) / 2 / MEDIAN_OF_RAYLEIGH) ** 2 * 2 * count / np.maximum(2 * count - fitted, 1)
-    assumed = settings.assumed_matches
-    return np.clip(np.sqrt((count * measured + assumed) / (count + assumed)), *settings.noise_factors)
+    assumed = ASSUMED_MATCHES
+    return np.clip(np.sqrt((count * measured + assumed) / (count + assumed)), *NOISE_FACTORS)
 
 
 def median(values: np.ndarray) -> float:

@@ -7,7 +7,11 @@ from typing import Any
 import cv2
 import numpy as np
 
-from .settings import ConstellationSettings
+CANDIDATES_PER_NEIGHBOR = 5
+"""Neighbors looked at for each larger one wanted: half of them are larger by construction, locally more or fewer."""
+
+DENSITY_NEIGHBORS = 6
+"""The distance of this neighbor of the same class gives the local density."""
 
 KD_TREE_SINGLE = 4
 """OpenCV's name for its exact, deterministic k-d tree (FLANN_INDEX_KDTREE_SINGLE)."""
@@ -86,7 +90,7 @@ def nearest(points_xy: np.ndarray, queries_xy: np.ndarray, count: int) -> tuple[
     return make_tree(points_xy).knnSearch(queries_xy, count, params={"checks": -1})
 
 
-def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int, settings: ConstellationSettings) -> np.ndarray:
+def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.ndarray:
     """Each object's nearest objects of larger area.
 
     Whatever the scale of an image, the same objects are found: that is how dense towns are thinned. Objects are halved
@@ -97,7 +101,6 @@ def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int, setting
         points_xy: (N, 2) float.
         areas: (N,) in the square of any unit.
         count: Objects wanted for each.
-        settings: Of the constellation.
 
     Returns:
         (N, count) int32, nearest first, −1 where there are no more.
@@ -106,7 +109,7 @@ def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int, setting
     points = centered_float32(points_xy)
     # Position breaks ties of area, so that the answer does not hang on the objects' order.
     order = np.lexsort((points[:, 1], points[:, 0], areas))
-    first, candidates = 0, settings.candidates_per_neighbor * count
+    first, candidates = 0, CANDIDATES_PER_NEIGHBOR * count
     while first < len(order):
         members = order[first:]
         anchors = members[: max(len(members) // 2, 1)] if len(members) > candidates else members
@@ -115,7 +118,7 @@ def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int, setting
     return found
 
 
-def local_density(points_xy: np.ndarray, classes: np.ndarray, settings: ConstellationSettings) -> np.ndarray:
+def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
     """(N,) objects of the same class per unit of area around each object.
 
     From the distance of the k-th neighbor of its class, k / (π d²); of the whole extent where a class has few objects.
@@ -123,9 +126,8 @@ def local_density(points_xy: np.ndarray, classes: np.ndarray, settings: Constell
     Args:
         points_xy: (N, 2) float.
         classes: (N,) class of each object, or its rank.
-        settings: Of the constellation.
     """
-    points, count = centered_float32(points_xy), settings.density_neighbors
+    points, count = centered_float32(points_xy), DENSITY_NEIGHBORS
     density = np.empty(len(classes))
     extent = float(np.prod(np.maximum(np.ptp(points, axis=0), 1e-6))) if len(points) else 1.0
     for value in np.unique(classes):

@@ -9,7 +9,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .settings import ConstellationSettings
+from .settings import Decision
+
+EMPTY_SIDE_LANDMARKS = 5
+"""Landmarks without which one side of an image tells nothing about whether it shows the same place."""
+
+UNEVEN_LOG_ODDS = 8.0
+"""How much more likely, ln, two shares of the image's landmarks alone have to be than one for those of the emptier side
+to be sought elsewhere."""
 
 DIRECTIONS = np.exp(2j * np.pi * np.arange(16) / 16)
 CUTS = np.linspace(-0.4, 0.4, 9)
@@ -49,7 +56,7 @@ class Agreement:
     agree: np.ndarray
 
 
-def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings: ConstellationSettings) -> Side | None:
+def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings: Decision) -> Side | None:
     """The side of an image on which hardly anything agrees with the map, while on the other much does.
 
     Every side of every cut is looked at: the likelihood of two shares that agree, one a side, over that of one share
@@ -75,18 +82,18 @@ def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings
     return _side(best, diagonal)
 
 
-def uneven_side(of_image: Agreement, diagonal: float, settings: ConstellationSettings) -> Side | None:
+def uneven_side(of_image: Agreement, diagonal: float, settings: Decision) -> Side | None:
     """The side on which hardly any of the image's landmarks agree, so that another place is worth a search; or None."""
     told = _told(of_image, diagonal, settings)
     best = int(told.argmax())
-    return _side(best, diagonal) if told[best] >= settings.uneven_log_odds else None
+    return _side(best, diagonal) if told[best] >= UNEVEN_LOG_ODDS else None
 
 
 def _side(number: int, diagonal: float) -> Side:
     return Side(complex(_DIRECTIONS[number]), float(_BEGINS[number]) * diagonal / 2)
 
 
-def _told(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> np.ndarray:
+def _told(seen: Agreement, diagonal: float, settings: Decision) -> np.ndarray:
     """(S,) how much more likely two shares are than one, for both sides of every cut of an image.
 
     0 where there are too few landmarks to tell, or the side is not emptier.
@@ -95,7 +102,7 @@ def _told(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> 
     inside = along > _BEGINS[:, None] * diagonal / 2
     here, agree = inside.sum(axis=1), inside[:, seen.agree].sum(axis=1)
     there, others = len(seen.points) - here, int(seen.agree.sum()) - agree
-    tells = (np.minimum(here, there) >= settings.empty_side_landmarks) & (
+    tells = (np.minimum(here, there) >= EMPTY_SIDE_LANDMARKS) & (
         agree * there <= settings.empty_side_share * others * here
     )
     told = _likelihood(agree, here) + _likelihood(others, there) - _likelihood(agree + others, here + there)

@@ -13,9 +13,9 @@ import numpy as np
 from ..geometry.pose import Pose
 from ..localization import Prior
 from .clusters import Seeds
-from .hypotheses import SeenLandmarks
+from .hypotheses import MINIMUM_OBJECTS, SeenLandmarks
 from .lookup import Lookup, allowed_poses, find_seeds
-from .settings import ConstellationSettings
+from .settings import Decision, SearchLimits
 from .verification import (
     PoseEvidence,
     Verifier,
@@ -25,6 +25,32 @@ from .verification import (
     verify,
     verify_tilted,
 )
+
+ROUGH_GATES = (0.012, 0.006)
+"""How far a match may be off in the rough fits, one after the other, share of the image's diagonal. Set by hand."""
+
+FEW_OBJECTS = 40
+"""Up to so many objects a pose is verified from its seed as well as from its rough fit, which may have settled on wrong
+matches. Set by hand."""
+
+SAME_PLACE_IN_NOISE = 5.0
+"""Poses whose objects lie nearer to each other than this many σ are the same place."""
+
+SAME_TILTED_PLACE = 0.04
+"""The same of a level and a tilted pose, share of the image's diagonal. Set by hand."""
+
+REPEATED = 0.15
+"""A step is a repeat of the map if it leads this share of the objects to another of their class … Set by hand."""
+
+REPEAT_REACH = 0.5
+"""… and is at most this share of their extent long. Set by hand."""
+
+COPY_REACH = 1.0
+"""Diagonals of the image around a fix in which ground is sought that looks the same: two estates built by one plan are
+beside each other."""
+
+COPY_AREA_IN_NOISE = 3.0
+"""Objects of such ground have the areas of each other within so many ``area_deviation``."""
 
 
 class Round(NamedTuple):
@@ -47,12 +73,11 @@ def rounds(everything: Lookup) -> list[Round]:
     By chance a map of more landmarks has more places that look like the image, of which more are tried where the first
     rounds brought nothing.
     """
-    index = everything.index
-    settings = index.settings
-    some = everything.every(max(-(-len(everything.triangles) // settings.first_triangles), 1))
-    more = round(settings.seeds * max(len(index) / settings.landmarks_of_few_seeds, 1.0) ** 0.5)
-    first, second, *others = settings.maximum_hits
-    quick = [Round(some, first, settings.seeds), Round(everything, second, settings.seeds)]
+    limits = everything.index.settings.limits
+    some = everything.every(max(-(-len(everything.triangles) // limits.first_triangles), 1))
+    more = round(limits.seeds * max(len(everything.index) / limits.landmarks_of_few_seeds, 1.0) ** 0.5)
+    first, second, *others = limits.maximum_hits
+    quick = [Round(some, first, limits.seeds), Round(everything, second, limits.seeds)]
     return quick + [Round(everything, cap, more) for cap in others]
 
 
@@ -66,18 +91,18 @@ def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple
     """The best few poses of a level camera at different places, best first; and the clusters they come from."""
     settings = verifier.index.settings
     seeds = find_seeds(reach.lookup, reach.cap, reach.seeds, reach.prior)
-    found = Found(query, settings)
+    found = Found(query, settings.decision)
     if not len(seeds.centers):
         return [], seeds
-    gates = [gate * query.diagonal for gate in settings.rough_gates]
-    rough = query.select(telling_objects(query, settings.rough_objects))
+    gates = [gate * query.diagonal for gate in ROUGH_GATES]
+    rough = query.select(telling_objects(query, settings.limits.rough_objects))
     centers, turns, scores = rough_scores(verifier.index, rough, seeds.centers, seeds.turns, gates)
-    telling = query.select(telling_objects(query, settings.largest_objects))
+    telling = query.select(telling_objects(query, settings.limits.largest_objects))
     poses: list[Pose] = []
-    for number in _worth_a_trial(query, centers, turns, scores, settings):
+    for number in _worth_a_trial(query, centers, turns, scores, settings.limits):
         poses.append(Pose(complex(centers[number]), complex(turns[number])))
         seed = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
-        if len(telling.points) <= settings.few_objects and seed != poses[-1]:
+        if len(telling.points) <= FEW_OBJECTS and seed != poses[-1]:
             # The rough fit of few objects may have settled on wrong matches.
             poses.append(seed)
     for evidence in verify(verifier, telling, poses):
@@ -86,7 +111,7 @@ def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple
 
 
 def _worth_a_trial(
-    query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, scores: np.ndarray, settings: ConstellationSettings
+    query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, scores: np.ndarray, limits: SearchLimits
 ) -> list[int]:
     """The roughly fitted poses that are verified, best first: of those at one place the best, none far below the best.
 
@@ -95,7 +120,7 @@ def _worth_a_trial(
         centers: (S,) complex, map units from the index's origin.
         turns: (S,) complex, heading and pixel size.
         scores: (S,) of the rough fits.
-        settings: How many, and how far below.
+        limits: How many, and how far below.
     """
     chosen: list[int] = []
     tried: list[np.ndarray] = []
@@ -104,12 +129,12 @@ def _worth_a_trial(
         on_map = centers[number] + turns[number] * query.points
         if tried and (_distances(on_map, tried) < 2.0 * abs(turns[number])).any():
             continue
-        if tried and scores[number] < settings.rough_share * best:
+        if tried and scores[number] < limits.rough_share * best:
             break
         best = max(best, float(scores[number]))
         chosen.append(number)
         tried.append(on_map)
-        if len(chosen) == settings.verified:
+        if len(chosen) == limits.verified:
             break
     return chosen
 
@@ -121,18 +146,18 @@ def tilted_poses(
     settings = verifier.index.settings
     if not level:
         return []
-    strongest, telling = level[0], query.select(telling_objects(query, settings.largest_objects))
+    strongest, telling = level[0], query.select(telling_objects(query, settings.limits.largest_objects))
     if _is_level(verifier, telling, strongest):
         return level
-    found = Found(query, settings, level)
+    found = Found(query, settings.decision, level)
     if strongest.log_odds > 0:
         focus = complex(telling.points[strongest.matched].mean()) if len(strongest.matched) else 0j
         tilted = verify_tilted(verifier, telling, strongest.pose, focus)
         found.add(tilted)
-        if _is_as_good(tilted, strongest, settings):
+        if _is_as_good(tilted, strongest, settings.decision):
             return found.best_first
-    if not _agrees(strongest, settings):
-        for number in range(min(settings.tilted_verified, len(seeds.centers))):
+    if not _agrees(strongest, settings.decision):
+        for number in range(min(settings.limits.tilted_verified, len(seeds.centers))):
             pose = Pose(complex(seeds.centers[number]), complex(seeds.turns[number]))
             found.add(verify_tilted(verifier, telling, pose, complex(seeds.focuses[number])))
     return found.best_first
@@ -145,10 +170,8 @@ class Found:
         poses: In the order in which they came.
     """
 
-    def __init__(
-        self, query: SeenLandmarks, settings: ConstellationSettings, poses: Sequence[PoseEvidence] = ()
-    ) -> None:
-        self._query, self._settings = query, settings
+    def __init__(self, query: SeenLandmarks, decision: Decision, poses: Sequence[PoseEvidence] = ()) -> None:
+        self._query, self._decision = query, decision
         self.poses = list(poses)
         self._on_map = [evidence.pose.on_map(query.points) for evidence in poses]
 
@@ -165,7 +188,7 @@ class Found:
         """Takes it in unless a better one is at its place; a tilted one must be clearly better."""
         on_map = evidence.pose.on_map(self._query.points)
         same = self._at_its_place(evidence, on_map)
-        better = evidence.log_odds - (0 if evidence.pose.is_level else self._settings.tilted_margin)
+        better = evidence.log_odds - (0 if evidence.pose.is_level else self._decision.tilted_margin)
         if all(better > self.poses[number].log_odds for number in np.flatnonzero(same)):
             others = np.flatnonzero(~same)
             self.poses = [*(self.poses[number] for number in others), evidence]
@@ -175,11 +198,10 @@ class Found:
         """(k,) bool: poses that put the image's objects on the same spots, as far as their noise tells."""
         if not self.poses:
             return np.zeros(0, bool)
-        settings = self._settings
         noise = np.maximum([other.noise for other in self.poses], evidence.noise)
         size = abs(evidence.pose.turn)
-        reach = np.maximum(settings.same_place_in_noise * noise, 2.0 * size)
-        of_tilt = settings.same_tilted_place * self._query.diagonal * size
+        reach = np.maximum(SAME_PLACE_IN_NOISE * noise, 2.0 * size)
+        of_tilt = SAME_TILTED_PLACE * self._query.diagonal * size
         is_tilted = [not (evidence.pose.is_level and other.pose.is_level) for other in self.poses]
         reach = np.where(is_tilted, np.maximum(reach, of_tilt), reach)
         return _distances(on_map, self._on_map) < reach
@@ -197,27 +219,27 @@ def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence
 
     A few of an image's landmarks may lie so near each other that no tilt shows.
     """
-    settings = verifier.index.settings
-    if evidence.log_odds < settings.minimum_log_odds or evidence.noise_factor > 1:
+    decision = verifier.index.settings.decision
+    if evidence.log_odds < decision.minimum_log_odds or evidence.noise_factor > 1:
         return False
-    if len(evidence.matched) <= settings.few_objects and not _agrees(evidence, settings):
+    if len(evidence.matched) <= FEW_OBJECTS and not _agrees(evidence, decision):
         return False
-    return gained_by_tilt(verifier, telling, evidence) < settings.tilted_margin
+    return gained_by_tilt(verifier, telling, evidence) < decision.tilted_margin
 
 
-def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, settings: ConstellationSettings) -> bool:
+def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, decision: Decision) -> bool:
     """Whether a tilted pose needs no other: it is as good as a level one and no better, or explains the image."""
-    if tilted.log_odds < max(level.log_odds - settings.tilted_slack, settings.minimum_log_odds):
+    if tilted.log_odds < max(level.log_odds - decision.tilted_slack, decision.minimum_log_odds):
         return False
-    is_level = len(level.matched) > settings.few_objects and tilted.log_odds < level.log_odds + settings.tilted_margin
-    return is_level or _agrees(tilted, settings)
+    is_level = len(level.matched) > FEW_OBJECTS and tilted.log_odds < level.log_odds + decision.tilted_margin
+    return is_level or _agrees(tilted, decision)
 
 
-def _agrees(evidence: PoseEvidence, settings: ConstellationSettings) -> bool:
+def _agrees(evidence: PoseEvidence, decision: Decision) -> bool:
     """Whether a pose explains the image, so that no other camera needs a trial."""
     share = len(evidence.matched) / max(evidence.considered, 1)
-    exact = evidence.noise_factor < settings.tilted_noise
-    return evidence.log_odds >= settings.minimum_log_odds and exact and share > settings.tilted_share
+    exact = evidence.noise_factor < decision.tilted_noise
+    return evidence.log_odds >= decision.minimum_log_odds and exact and share > decision.tilted_share
 
 
 def with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
@@ -243,8 +265,8 @@ def _with_moved(
     verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence], steps: list[complex]
 ) -> list[PoseEvidence]:
     settings = verifier.index.settings
-    best, telling = found[0], query.select(telling_objects(query, settings.largest_objects))
-    known = Found(query, settings, found)
+    best, telling = found[0], query.select(telling_objects(query, settings.limits.largest_objects))
+    known = Found(query, settings.decision, found)
     for moved in verify(verifier, telling, [Pose(best.pose.center + step, best.pose.turn) for step in steps]):
         if not known.knows(moved):
             known.add(moved)
@@ -255,41 +277,41 @@ def repeats(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) ->
     """Steps at which enough of the matched objects have another of their class, most frequent first."""
     index, settings = verifier.index, verifier.index.settings
     points, ranks = index.points[evidence.objects], index.ranks[evidence.objects]
-    if len(points) < settings.minimum_objects:
+    if len(points) < MINIMUM_OBJECTS:
         return []
     noise = evidence.noise
     steps = (points[:, None] - points[None])[ranks[:, None] == ranks[None]]
-    longest = settings.repeat_reach * np.ptp(points.real)
-    steps = steps[(np.abs(steps) > settings.same_place_in_noise * noise) & (np.abs(steps) < longest)]
+    longest = REPEAT_REACH * np.ptp(points.real)
+    steps = steps[(np.abs(steps) > SAME_PLACE_IN_NOISE * noise) & (np.abs(steps) < longest)]
     cells = np.round(steps / (2 * noise))
     _, first, counts = np.unique(cells, return_index=True, return_counts=True)
-    order = np.argsort(-counts, kind="stable")[: settings.verified]
-    return [complex(steps[first[k]]) for k in order if counts[k] >= settings.repeated * len(points)]
+    order = np.argsort(-counts, kind="stable")[: settings.limits.verified]
+    return [complex(steps[first[k]]) for k in order if counts[k] >= REPEATED * len(points)]
 
 
 def copies(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvidence) -> list[complex]:
     """Steps at which enough of the matched objects have one of their class and area, most frequent first."""
     index, settings = verifier.index, verifier.index.settings
-    if len(evidence.objects) < settings.minimum_objects:
+    if len(evidence.objects) < MINIMUM_OBJECTS:
         return []
-    largest = np.argsort(-index.log_areas[evidence.objects], kind="stable")[: settings.few_objects]
+    largest = np.argsort(-index.log_areas[evidence.objects], kind="stable")[:FEW_OBJECTS]
     matched = evidence.objects[largest]
     points = index.points[matched]
-    reach = settings.copy_reach * query.diagonal * abs(evidence.pose.turn)
+    reach = COPY_REACH * query.diagonal * abs(evidence.pose.turn)
     corner = complex(reach, reach)
     low, high = complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
     around = index.within(low - corner, high + corner)
     alike = index.ranks[matched][:, None] == index.ranks[around]
     areas = index.log_areas[matched][:, None] - index.log_areas[around]
-    alike &= np.abs(areas) < settings.copy_area_in_noise * settings.area_deviation
+    alike &= np.abs(areas) < COPY_AREA_IN_NOISE * settings.noise.area_deviation
     which, other = np.nonzero(alike)
     steps = index.points[around[other]] - points[which]
-    cell = settings.same_place_in_noise * evidence.noise
+    cell = SAME_PLACE_IN_NOISE * evidence.noise
     steps = steps[np.abs(steps) > cell]
     if not len(steps):
         return []
     columns, rows = (np.rint(part / cell).astype(np.int64) for part in (steps.real, steps.imag))
     _, cells, counts = np.unique(columns * (np.ptp(rows) + 1) + rows, return_inverse=True, return_counts=True)
-    enough = np.flatnonzero(counts >= settings.repeated * len(points))
-    most = enough[np.argsort(-counts[enough], kind="stable")[: settings.verified]]
+    enough = np.flatnonzero(counts >= REPEATED * len(points))
+    most = enough[np.argsort(-counts[enough], kind="stable")[: settings.limits.verified]]
     return [complex(steps[cells == number].mean()) for number in most]

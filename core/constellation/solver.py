@@ -22,19 +22,16 @@ from ..landmarks.landmarks import Landmarks
 from ..localization import IMAGE_PARTS, LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
 from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
-from .hypotheses import SeenLandmarks, query_triangles
+from .hypotheses import MINIMUM_OBJECTS, SeenLandmarks, query_triangles
 from .index import ConstellationIndex, full_area
 from .lookup import Lookup
 from .parts import Agreement, Side, empty_side, uneven_side
-from .search import Round, level_poses, rounds, search, tilted_poses, with_copies, with_repeats
+from .search import SAME_TILTED_PLACE, Round, level_poses, rounds, search, tilted_poses, with_copies, with_repeats
 from .settings import ConstellationSettings
-from .verification import (
-    PoseEvidence,
-    Verifier,
-    telling_objects,
-    verify,
-    verify_tilted,
-)
+from .verification import MINIMUM_MATCHES, PoseEvidence, Verifier, telling_objects, verify, verify_tilted
+
+SIDE_PIXEL_SIZES = 1.11
+"""Two parts of an image have about the same pixel size up to this ratio."""
 
 
 def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
@@ -60,7 +57,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     settings = index.settings
     query = make_query(objects, index, size_wh)
     count = query.usable_count
-    if count < settings.minimum_objects:
+    if count < MINIMUM_OBJECTS:
         return _too_few(count, index, False)
     smallest = minimum_area_px if minimum_area_px is not None else float(objects.areas_px.min())
     verifier = Verifier(index, *size_wh, float(full_area(smallest, 1.0)))
@@ -70,7 +67,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
         return decided
     best = searched.found[0]
     of_image = _agreement(query, best, settings)
-    side = uneven_side(of_image, query.diagonal, settings)
+    side = uneven_side(of_image, query.diagonal, settings.decision)
     other = None if side is None else _other_place(query, verifier, best, side)
     if other is None:
         return replace(decided, reason=_remark(of_image, _agreement_of_map(index, best), query.diagonal, settings))
@@ -95,8 +92,8 @@ def matches_at(
     """
     settings = index.settings
     query = make_query(objects, index, size_wh)
-    telling = query.select(telling_objects(query, settings.largest_objects))
-    if len(telling.points) < settings.minimum_matches:
+    telling = query.select(telling_objects(query, settings.limits.largest_objects))
+    if len(telling.points) < MINIMUM_MATCHES:
         return None
     verifier = Verifier(index, *size_wh, float(full_area(objects.areas_px.min(), 1.0)))
     pose = Pose(complex(*place.position) - index.origin, turn_of(*place.oriented))
@@ -104,7 +101,7 @@ def matches_at(
     if len(evidence.matched):
         focus = complex(telling.points[evidence.matched].mean())
         tilted = verify_tilted(verifier, telling, pose, focus)
-        evidence = tilted if tilted.log_odds > evidence.log_odds + settings.tilted_margin else evidence
+        evidence = tilted if tilted.log_odds > evidence.log_odds + settings.decision.tilted_margin else evidence
     return _matches(objects, query, index, evidence) if evidence.log_odds > 0 else None
 
 
@@ -133,9 +130,9 @@ def _search_for(
             continue
         searched = replace(searched, found=with_repeats(verifier, query, found))
         is_last = reach is looks[-1] or reach.lookup is everything and not capped
-        if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings):
+        if is_last or may_be_a_fix(searched.opponents(index), allowed_risk, settings.decision):
             searched = replace(searched, decoys=_decoys(verifier, query, reach, searched))
-            if risk_of_best(searched.opponents(index), settings) <= allowed_risk:
+            if risk_of_best(searched.opponents(index), settings.decision) <= allowed_risk:
                 searched = replace(searched, found=with_copies(verifier, query, searched.found, prior))
                 break
     return searched
@@ -146,8 +143,8 @@ def _decoys(verifier: Verifier, query: SeenLandmarks, reach: Round, searched: _S
     mirrored, settings = query.mirrored(), verifier.index.settings
     level, seeds = level_poses(verifier, mirrored, reach.mirrored())
     opponents = replace(searched, decoys=level).opponents(verifier.index)
-    strongest = opponents.strongest + settings.tilted_slack
-    if risk_against(opponents, strongest, settings) <= LEAST_RISK:
+    strongest = opponents.strongest + settings.decision.tilted_slack
+    if risk_against(opponents, strongest, settings.decision) <= LEAST_RISK:
         return level
     return tilted_poses(verifier, mirrored, level, seeds)
 
@@ -180,8 +177,8 @@ def _decide(
     best = found[0]
     pose, covariance = _refined(index, query, best, searched.errors)
     opponents = searched.opponents(index)
-    rivals = [other for other in found[1:] if risk_against(opponents, other.log_odds, settings) > allowed_risk]
-    status, reason = verdict(opponents, len(rivals), allowed_risk, settings)
+    rivals = [other for other in found[1:] if risk_against(opponents, other.log_odds, settings.decision) > allowed_risk]
+    status, reason = verdict(opponents, len(rivals), allowed_risk, settings.decision)
     if status is Status.NO_MATCH and count < objects_needed(index):
         status, reason = Status.TOO_FEW_REFERENCES, _too_few(count, index, capped).reason
     # What the image itself leaves open: a map that is not exact makes no place doubtful.
@@ -190,7 +187,7 @@ def _decide(
     if status is Status.FIX and flaw is not None:
         status, reason = flaw
     places = (_place(index, best, pose), *(_place(index, evidence, evidence.pose) for evidence in rivals))
-    risk = risk_of_best(opponents, settings)
+    risk = risk_of_best(opponents, settings.decision)
     return Localization(
         status,
         Method.CONSTELLATION,
@@ -216,16 +213,16 @@ def _flaw(
     """Status and reason of a place that is no fix however sure it is: of two places, or too loose."""
     index, settings = verifier.index, verifier.index.settings
     of_image = _agreement(query, best, settings)
-    if empty_side(of_image, _agreement_of_map(index, best), query.diagonal, settings) is not None:
+    if empty_side(of_image, _agreement_of_map(index, best), query.diagonal, settings.decision) is not None:
         return Status.AMBIGUOUS, Sentence("localization.one_side_elsewhere")
-    if error_95 is None or error_95 > settings.largest_error * query.diagonal * abs(best.pose.turn):
+    if error_95 is None or error_95 > settings.decision.largest_error * query.diagonal * abs(best.pose.turn):
         return Status.NO_MATCH, Sentence("localization.position_too_loose")
     return None
 
 
 def _agreement(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> Agreement:
     """Which of the image's landmarks that could be on the map agree with it."""
-    telling = telling_objects(query, settings.largest_objects)
+    telling = telling_objects(query, settings.limits.largest_objects)
     return Agreement(query.points[telling[evidence.possible]], np.isin(evidence.possible, evidence.matched))
 
 
@@ -241,23 +238,23 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
     One camera made both, most likely: at about the same pixel size, less evidence is enough.
     """
     index, settings = verifier.index, verifier.index.settings
-    telling = telling_objects(query, settings.largest_objects)
+    telling = telling_objects(query, settings.limits.largest_objects)
     others = query.select(np.setdiff1d(telling[best.possible], telling[best.matched]))
     others = others.select(np.flatnonzero(side.holds(others.points)))
-    thorough = replace(settings, verified=settings.side_verified, rough_share=0.0)
-    there = replace(verifier, index=replace(index, settings=thorough), side=side)
+    thorough = replace(settings.limits, verified=settings.limits.side_verified, rough_share=0.0)
+    there = replace(verifier, index=replace(index, settings=replace(settings, limits=thorough)), side=side)
     anywhere = Lookup(there.index, others, query_triangles(others, settings), None)
-    reach = Round(anywhere, settings.maximum_hits[1], settings.side_seeds)
-    size, ratio = abs(best.pose.turn), settings.side_pixel_sizes
+    reach = Round(anywhere, settings.limits.maximum_hits[1], settings.limits.side_seeds)
+    size, ratio = abs(best.pose.turn), SIDE_PIXEL_SIZES
     same_camera = Prior(pixel_size_range=(size / ratio, size * ratio))
-    for prior, least in ((same_camera, settings.side_log_odds), (None, settings.minimum_log_odds)):
+    for prior, least in ((same_camera, settings.decision.side_log_odds), (None, settings.decision.minimum_log_odds)):
         found, seeds = level_poses(there, others, reach._replace(prior=prior))
         if found and (found[0].log_odds > 0 or not best.pose.is_level):
             found = tilted_poses(there, others, found, seeds)
         if found and found[0].log_odds >= least:
             moved = float(np.median(np.abs(found[0].pose.on_map(others.points) - best.pose.on_map(others.points))))
             # Nearer, it is the same ground, seen by a tilted camera or a lens that no pose describes.
-            return found[0] if moved > settings.same_tilted_place * query.diagonal * size else None
+            return found[0] if moved > SAME_TILTED_PLACE * query.diagonal * size else None
     return None
 
 
@@ -266,7 +263,7 @@ def _remark(
 ) -> Sentence | None:
     """What a fix doesn't hold for: a side on which hardly any landmarks agree, though they show no other place."""
     for code, seen in (("localization.one_side_unknown", of_image), ("localization.one_side_unseen", of_map)):
-        side = uneven_side(seen, diagonal, settings)
+        side = uneven_side(seen, diagonal, settings.decision)
         if side is not None:
             held = side.holds(seen.points)
             right, up = side.direction.real, side.direction.imag
@@ -289,7 +286,7 @@ def _place(index: ConstellationIndex, evidence: PoseEvidence, pose: Pose) -> Pla
 
 def _matched(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> np.ndarray:
     """(m,) the matched ones among all landmarks of the image."""
-    return telling_objects(query, settings.largest_objects)[evidence.matched]
+    return telling_objects(query, settings.limits.largest_objects)[evidence.matched]
 
 
 def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex, evidence: PoseEvidence) -> Matches:
@@ -317,10 +314,10 @@ def objects_needed(index: ConstellationIndex) -> int:
     """Objects that an image needs for a fix in this catalogue, if all are on the map and noise is small."""
     settings = index.settings
     if not len(index):
-        return settings.minimum_objects
+        return MINIMUM_OBJECTS
     deviation = 0.1 * np.exp(np.median(index.log_areas) / 2)
     each = np.log(0.6 / (2 * np.pi * deviation**2 * np.median(index.densities)))
-    return 3 + int(np.ceil(settings.minimum_log_odds / max(float(each), 1.0)))
+    return 3 + int(np.ceil(settings.decision.minimum_log_odds / max(float(each), 1.0)))
 
 
 def _too_few(count: int, index: ConstellationIndex, capped: bool) -> Localization:

@@ -7,7 +7,6 @@ from itertools import combinations
 import numpy as np
 
 from .neighbors import nearest_larger
-from .settings import ConstellationSettings
 
 DESCRIPTORS = 5
 """Numbers that describe a triangle besides its three labels."""
@@ -16,22 +15,19 @@ DESCRIPTORS = 5
 ORDERS = np.array([(0, 1, 2), (0, 2, 1), (1, 0, 2), (1, 2, 0), (2, 0, 1), (2, 1, 0)], np.int64)
 
 
-def triples(
-    points: np.ndarray, areas: np.ndarray, neighbor_count: int, settings: ConstellationSettings
-) -> tuple[np.ndarray, np.ndarray]:
+def triples(points: np.ndarray, areas: np.ndarray, neighbor_count: int) -> tuple[np.ndarray, np.ndarray]:
     """Triples of an object and two of its nearest larger ones.
 
     Args:
         points: (N,) complex.
         areas: (N,) in the square of the same unit.
         neighbor_count: K, nearest larger objects of each.
-        settings: Of the constellation.
 
     Returns:
         (N, K) int32 neighbors and (N, P) bool, which of the P = K (K − 1) / 2 ``neighbor_pairs`` exist.
     """
     points_xy = np.column_stack([points.real, points.imag])
-    neighbors = nearest_larger(points_xy, areas, neighbor_count, settings)
+    neighbors = nearest_larger(points_xy, areas, neighbor_count)
     pairs = neighbor_pairs(neighbor_count)
     exists = neighbors >= 0
     return neighbors, exists[:, pairs[:, 0]] & exists[:, pairs[:, 1]]

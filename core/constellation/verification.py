@@ -15,6 +15,7 @@ from ..geometry.pose import Pose, fit_similarity, fit_tilted, huber
 from .hypotheses import SeenLandmarks
 from .index import AREA_BIN, AREA_BINS, ConstellationIndex
 from .matching import (
+    NOISE_FACTORS,
     Nearest,
     biweight,
     center_noise,
@@ -25,7 +26,31 @@ from .matching import (
     places_on_map,
 )
 from .parts import Side
-from .settings import ConstellationSettings
+from .settings import NoiseModel
+
+MINIMUM_MATCHES = 4
+"""Matches without which a pose is not fitted again: it has four numbers."""
+
+REFINEMENTS = 6
+"""Rounds of match and fit for one pose. Set by hand."""
+
+ROBUST_REFINEMENTS = 4
+"""The first of them, which trust near matches more, to leave wrong ones; the others weigh by Huber's rule, whose
+uncertainty ``level_covariance`` computes. Set by hand."""
+
+GROWING_GATE = 0.006
+"""For tilted cameras: how far off a match may be, besides its noise, share of the image's diagonal. Set by hand."""
+
+GROWING_REACH = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0, 1.0)
+"""For tilted cameras: how far from where the pose holds matches are taken, round by round, share of the diagonal. Set
+by hand."""
+
+ASSUMED_OBJECTS = 3
+"""Objects that make a hypothesis can't be evidence for it. Any three of those matched may have made it, so this many
+times their mean is taken off."""
+
+ASSUMED_OBJECTS_TILTED = 5
+"""The same for a tilted camera, whose pose has four numbers more, as many as two objects bring."""
 
 FIRST_NOISE_FACTOR = 2.0
 """Noise over the assumed one with which matches are first sought, of a pose that is not yet fitted."""
@@ -103,17 +128,16 @@ def match_ratios(
         nearest: What is nearest to them.
         log_scale: ln pixel size, broadcastable.
     """
-    settings, deviations = index.settings, nearest.deviations
+    noise, deviations = index.settings.noise, nearest.deviations
     found = np.maximum(nearest.objects, 0)
     position = -0.5 * (nearest.distances / deviations) ** 2 - np.log(2 * np.pi * deviations**2 * index.densities[found])
     area = query.log_areas + 2 * log_scale
     off = area - index.log_areas[found]
-    outliers = settings.area_outliers
-    seen = (1 - outliers) * _normal(off, settings.area_deviation)
-    seen += outliers * _normal(off, settings.area_outlier_deviation)
+    seen = (1 - noise.area_outliers) * _normal(off, noise.area_deviation)
+    seen += noise.area_outliers * _normal(off, noise.area_outlier_deviation)
     bins = np.clip(((area - AREA_BINS[0]) / AREA_BIN).astype(np.int64), 0, len(AREA_BINS) - 1)
     ratio = np.exp(np.clip(position, -50, 30)) * seen / index.area_densities[query.ranks, bins]
-    return np.where((nearest.objects >= 0) & (nearest.distances <= settings.gate_in_noise * deviations), ratio, 0)
+    return np.where((nearest.objects >= 0) & (nearest.distances <= noise.gate_in_noise * deviations), ratio, 0)
 
 
 def gains(ratios: np.ndarray, distractors: float | np.ndarray) -> np.ndarray:
@@ -126,7 +150,7 @@ def averaged_log_odds(
     matched: np.ndarray,
     missing: np.ndarray | int,
     assumed: np.ndarray | int,
-    settings: ConstellationSettings,
+    noise: NoiseModel,
 ) -> np.ndarray:
     """(…) logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
 
@@ -138,9 +162,9 @@ def averaged_log_odds(
         matched: (…, n) bool, those with a match.
         missing: (…) objects of the map that should be seen and aren't.
         assumed: (…) matches that may have made the hypothesis; so many times their mean gain is taken off.
-        settings: The shares.
+        noise: The shares.
     """
-    distractors, unseen = np.array(settings.distractors), np.log1p(-np.array(settings.visibility))
+    distractors, unseen = np.array(noise.distractors), np.log1p(-np.array(noise.visibility))
     gained = gains(ratios, distractors.reshape(-1, *[1] * ratios.ndim))
     counts = np.maximum(matched.sum(axis=-1), 1)
     of_image = gained.sum(axis=-1) - assumed * np.maximum((gained * matched).sum(axis=-1) / counts, 0)
@@ -168,13 +192,13 @@ def rough_scores(
     Returns:
         (S,) centers, turns and scores.
     """
-    settings = index.settings
+    noise = index.settings.noise
     for gate in gates:
         size = np.abs(turns)[:, None]
         distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
         off = query.log_areas + 2 * np.log(size) - index.log_areas[np.maximum(objects, 0)]
         near = (distances <= gate * size) & (np.abs(off) < 1.5)
-        weights = near / center_noise(query.log_areas, size, settings) ** 2
+        weights = near / center_noise(query.log_areas, size, noise) ** 2
         fitted = fit_similarity(query.points[None], index.points[np.maximum(objects, 0)], weights)
         enough = near.sum(axis=1) >= 4
         enough &= np.abs(np.log(np.maximum(np.abs(fitted[1]), 1e-12) / size[:, 0])) < 0.3
@@ -182,9 +206,9 @@ def rough_scores(
         turns = np.where(enough, fitted[1], turns)
     size = np.abs(turns)[:, None]
     distances, objects = index.matcher.match(centers[:, None] + turns[:, None] * query.points, query.ranks)
-    deviations = 1.5 * center_noise(query.log_areas, size, settings)
+    deviations = 1.5 * center_noise(query.log_areas, size, noise)
     ratios = match_ratios(index, query, Nearest(distances, objects, deviations), np.log(size))
-    return centers, turns, gains(ratios, settings.rough_distractors).sum(axis=1)
+    return centers, turns, gains(ratios, noise.rough_distractors).sum(axis=1)
 
 
 def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
@@ -213,15 +237,15 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
         pose: A first one.
         focus: Where in the image it holds; matches spread from there over the image.
     """
-    settings = verifier.index.settings
-    gate = settings.growing_gate * query.diagonal
-    for reach in settings.growing_reach:
+    sigmas = verifier.index.settings.noise.gate_in_noise
+    gate = GROWING_GATE * query.diagonal
+    for reach in GROWING_REACH:
         nearest = nearest_objects(verifier.index, query, [pose])
-        ends = gate * abs(pose.turn) + settings.gate_in_noise * nearest.deviations
+        ends = gate * abs(pose.turn) + sigmas * nearest.deviations
         (matched,), (distances,), (ends,) = matched_within(nearest, ends), nearest.distances, ends
         (objects,), (deviations,) = nearest.objects, nearest.deviations
         kept = np.flatnonzero(matched & (np.abs(query.points - focus) <= reach * query.diagonal))
-        if len(kept) < settings.minimum_matches:
+        if len(kept) < MINIMUM_MATCHES:
             break
         loose = deviations[kept] / np.maximum(biweight(distances[kept], ends[kept]), 0.05) ** 0.5
         fitted = fit_tilted(query.points[kept], verifier.index.points[objects[kept]], loose, pose, query.diagonal)
@@ -243,7 +267,7 @@ def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvide
     level = np.abs(evidence.pose.on_map(image) - on_map)
     loose = evidence.deviations / np.sqrt(huber(level, evidence.deviations))
     tilted = fit_tilted(image, on_map, loose, evidence.pose, query.diagonal)
-    least = (verifier.index.settings.noise_factors[0] / evidence.noise_factor) ** 2
+    least = (NOISE_FACTORS[0] / evidence.noise_factor) ** 2
     before, after = (((off / loose) ** 2).mean() / 2 for off in (level, np.abs(tilted.on_map(image) - on_map)))
     return len(image) * float(_surprise(before, least) - _surprise(after, least))
 
@@ -261,12 +285,12 @@ def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], ti
         return []
     poses, factors = list(poses), np.full(len(poses), FIRST_NOISE_FACTOR)
     moving = np.arange(len(poses))
-    for number in range(settings.refinements):
+    for number in range(REFINEMENTS):
         nearest = nearest_objects(index, query, [poses[k] for k in moving])
         factor = factors[moving, None]
-        ends = settings.gate_in_noise * factor * nearest.deviations
+        ends = settings.noise.gate_in_noise * factor * nearest.deviations
         kept = matched_within(nearest, ends)
-        enough = kept.sum(axis=1) >= settings.minimum_matches
+        enough = kept.sum(axis=1) >= MINIMUM_MATCHES
         moving, kept, ends, factor, nearest = (
             moving[enough],
             kept[enough],
@@ -277,7 +301,7 @@ def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], ti
         if not len(moving):
             break
         weights = 1 / nearest.deviations**2
-        if number < settings.robust_refinements:
+        if number < ROBUST_REFINEMENTS:
             weights *= np.maximum(biweight(nearest.distances, ends), 1e-6)
         else:
             weights *= huber(nearest.distances, factor * nearest.deviations)
@@ -294,7 +318,7 @@ def _refined(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], ti
         for k, pose in zip(moving, fitted):
             poses[k] = pose
         residuals = np.abs(places_on_map(query, fitted) - on_map) / nearest.deviations
-        factors[moving] = noise_factor(np.where(kept, residuals, np.inf), 8 if tilted else 4, settings)
+        factors[moving] = noise_factor(np.where(kept, residuals, np.inf), 8 if tilted else 4)
     return weigh_all(verifier, query, poses, factors)
 
 
@@ -333,20 +357,22 @@ def weigh_all(
     log_sizes = np.log([pose.pixel_sizes(query.points) for pose in poses])
     nearest = nearest_objects(index, query, poses)
     deviations = factors[:, None] * nearest.deviations
-    is_matched = matched_within(nearest, settings.gate_in_noise * deviations)
+    is_matched = matched_within(nearest, settings.noise.gate_in_noise * deviations)
     objects = np.where(is_matched, nearest.objects, -1)
     ratios = match_ratios(index, query, Nearest(nearest.distances, objects, deviations), log_sizes)
     # Smaller than anything on the map, more than area noise explains: neither for nor against. Were those that match
     # for it, a pose at which hardly anything is large enough would have nothing against it.
-    smallest = np.log(max(index.minimum_area_m2, 1e-12)) - settings.smaller_in_noise * settings.area_deviation
+    smallest = (
+        np.log(max(index.minimum_area_m2, 1e-12)) - settings.noise.smaller_in_noise * settings.noise.area_deviation
+    )
     could_be = query.log_areas + 2 * log_sizes >= smallest
     is_matched &= could_be
     expected = [expected_objects(verifier, query, pose) for pose in poses]
     missing = np.array(
         [len(some) - np.isin(of[has], some).sum() for some, of, has in zip(expected, objects, is_matched)]
     )
-    makers = [settings.assumed_objects if pose.is_level else settings.assumed_objects_tilted for pose in poses]
-    log_odds = averaged_log_odds(np.where(could_be, ratios, 1.0), is_matched, missing, np.array(makers), settings)
+    makers = [ASSUMED_OBJECTS if pose.is_level else ASSUMED_OBJECTS_TILTED for pose in poses]
+    log_odds = averaged_log_odds(np.where(could_be, ratios, 1.0), is_matched, missing, np.array(makers), settings.noise)
     found = []
     for k, pose in enumerate(poses):
         matched = np.flatnonzero(is_matched[k])
@@ -372,6 +398,6 @@ def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np
     if verifier.side is not None:
         seen &= verifier.side.holds(inside)
     smallest = np.log(max(verifier.minimum_area_px, 1e-12))
-    if len(query.points) >= settings.largest_objects:
+    if len(query.points) >= settings.limits.largest_objects:
         smallest = max(smallest, float(query.log_areas.min()))
-    return found[seen & (log_areas_px > smallest + settings.area_deviation)]
+    return found[seen & (log_areas_px > smallest + settings.noise.area_deviation)]

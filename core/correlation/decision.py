@@ -18,6 +18,9 @@ from ..localization import MORE_LIKELY_WRONG, RISK, CorrelationPeaks, Status, ri
 from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
 
+LEAST_CHANCE = 0.1
+"""Least Fisher's z that a lead is measured in: where nothing else fits at all, chance would be nothing."""
+
 
 def fisher_z(correlation: float) -> float:
     """artanh, bounded: makes the spread of correlations by chance alike whatever their size (Fisher 1915)."""
@@ -66,7 +69,7 @@ def ranked(
     scores = [score for score, _ in places]
     details = surprises([detail for _, detail in places], [detail for _, detail in mirrored], settings)
     mirror = mirrored[0][0] if mirrored else 0.0
-    chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(settings.least_chance)))
+    chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(LEAST_CHANCE)))
     _, by_lead, by_detail = settings.confidence_curve
     worth = [by_lead * fisher_z(score) / chance + by_detail * detail for score, detail in zip(scores, details)]
     best, *others = order = [int(n) for n in np.argsort([-value for value in worth], kind="stable")]
@@ -74,22 +77,22 @@ def ranked(
     return order, CorrelationPeaks(scores[best], other_score, mirror, details[best], other_detail)
 
 
-def lead(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
+def lead(peaks: CorrelationPeaks) -> float:
     """Lead over the stronger opponent in Fisher's z, in units of that one's: of what chance reaches here."""
-    chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), settings.least_chance)
+    chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
     return fisher_z(peaks.score) / chance - 1
 
 
 def log_odds_over_chance(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """Ln of the odds that the best place is right, against that it is one by chance."""
     offset, by_lead, by_detail = settings.confidence_curve
-    return offset + by_lead * lead(peaks, settings) + by_detail * peaks.detail
+    return offset + by_lead * lead(peaks) + by_detail * peaks.detail
 
 
 def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
     """The same against that another place is right, which is as good as the best others in score and in detail."""
     _, by_lead, by_detail = settings.confidence_curve
-    chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), settings.least_chance)
+    chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
     lead_here = (fisher_z(peaks.score) - fisher_z(peaks.runner_up)) / chance
     return by_lead * lead_here + by_detail * (peaks.detail - peaks.runner_up_detail)
 

@@ -15,6 +15,12 @@ from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid
 from .refine import ScoredPose, map_under
 
+PART_SHARE = 0.3
+"""Share of an image's edge that a part of it reaches in from that edge."""
+
+PART_KNOWN = 0.3
+"""Least share of a part that image and map both have labels of."""
+
 
 @dataclass(frozen=True)
 class Part:
@@ -65,7 +71,6 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
     Returns:
         Correlation −1…1 of all of it, and the parts of which enough has labels in image and map.
     """
-    settings = pyramid.settings
     there, on_map = map_under(image, pyramid, pose)
     known = (image.known > 0.5) & (on_map > 0.5)
     if not known.any():
@@ -73,7 +78,7 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
     # Against the mean of all that is known: a part is a piece of the same comparison.
     seen, there = (evidence - evidence[known].mean(axis=0) for evidence in (image.evidence, there))
     height, width = known.shape
-    reach_x, reach_y = (max(1, round(settings.part_share * edge)) for edge in (width, height))
+    reach_x, reach_y = (max(1, round(PART_SHARE * edge)) for edge in (width, height))
     every = slice(None)
     cuts = {
         "left": (every, slice(reach_x)),
@@ -84,7 +89,7 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
     parts = []
     for name, cut in cuts.items():
         held = known[cut]
-        if held.mean() >= settings.part_known:
+        if held.mean() >= PART_KNOWN:
             both = seen[cut][held], there[cut][held]
             seen_energy, there_energy = (float((one**2).sum(axis=1).mean()) / pyramid.energy for one in both)
             parts.append(Part(name, _agreement(*both, pyramid.quiet), (seen_energy, there_energy)))

@@ -17,7 +17,33 @@ from .decision import fisher_z
 from .refine import ScoredPose, pose_covariance, refine
 from .refine_many import refine_many
 from .search import SearchSpace, search
-from .settings import CorrelationSettings
+
+LEAST_LABELED = 0.3
+"""Share of the image that has to be labeled with classes of the map."""
+
+LEAST_ENERGY = 0.02
+"""Evidence about its mean that the image has to have, in units of the map's mean energy a pixel: one class everywhere,
+or nearly, fits every place of that class."""
+
+TURN_STEP_DEG = 14.4
+"""Step of the headings: moves the middle of the edges of an image of ``coarse_edge`` by one coarse pixel either way."""
+
+SCALE_STEP = 1.2
+"""Ratio of neighboring pixel sizes, for the same reason."""
+
+CHANCE_PEAKS = (1, 12)
+"""From which to before which of a pixel size's peaks the median is what chance gives there; the first may be the right
+place. Set by hand."""
+
+WIDE_EDGE = 8
+"""Edge of the image at the look before the first one on large maps (``most_at_once``). Set by hand."""
+
+WIDE_STEP = 1.5
+"""Turns and ratios of pixel sizes of that look, in those of the first one: what comes of it starts nearer to the
+optimum than half a turn of it. Set by hand."""
+
+WIDE_CANDIDATES = (4096, 512)
+"""Places of that look that are refined at its own pixels, and at those of the first look. Set by hand."""
 
 OVERSHOOT = 1.15
 """A pose may be refined to a pixel size beyond the outermost one looked at by this ratio: half a step and a bit."""
@@ -47,12 +73,11 @@ def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
 
 def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence | None:
     """Why the image can't be found on any map; None when it may."""
-    settings = pyramid.settings
     labeled = float(coarse.known.mean())
-    if labeled < settings.least_labeled:
-        return Sentence("localization.too_few_labels", labeled=labeled, least=settings.least_labeled)
+    if labeled < LEAST_LABELED:
+        return Sentence("localization.too_few_labels", labeled=labeled, least=LEAST_LABELED)
     energy = float(coarse.evidence.var(axis=(0, 1)).sum()) / pyramid.energy
-    if energy < settings.least_energy:
+    if energy < LEAST_ENERGY:
         return Sentence("localization.hardly_one_class")
     return None
 
@@ -65,13 +90,12 @@ def search_space(pyramid: MapPyramid, prior: Prior, step: float = 1.0) -> Search
     Raises:
         ValueError: The prior has no range of pixel sizes.
     """
-    settings = pyramid.settings
     if prior.pixel_size_range is None:
         raise ValueError("Without a range of pixel sizes nothing can be searched.")
     low, high = np.log(prior.pixel_size_range[0]), np.log(prior.pixel_size_range[1])
-    count = max(1, int(np.ceil((high - low) / (step * np.log(settings.scale_step)) - 1e-9)))
+    count = max(1, int(np.ceil((high - low) / (step * np.log(SCALE_STEP)) - 1e-9)))
     sizes = np.exp(low + (np.arange(count) + 0.5) * (high - low) / count)
-    turn_deg = step * settings.turn_step_deg
+    turn_deg = step * TURN_STEP_DEG
     if prior.heading_deg is None or prior.heading_range_deg >= 180:
         headings = np.arange(0.0, 360.0 - 1e-9, turn_deg)
     else:
@@ -92,10 +116,10 @@ def _shape(plane: np.ndarray) -> tuple[int, int]:
     return height, width
 
 
-def near_size(space: SearchSpace, pixel_size_m: float, settings: CorrelationSettings) -> SearchSpace:
+def near_size(space: SearchSpace, pixel_size_m: float) -> SearchSpace:
     """The part of a search space whose pixel sizes are within a step of one."""
     step = np.abs(np.log(space.pixel_sizes_m / pixel_size_m))
-    return replace(space, pixel_sizes_m=space.pixel_sizes_m[step <= max(step.min(), np.log(settings.scale_step))])
+    return replace(space, pixel_sizes_m=space.pixel_sizes_m[step <= max(step.min(), np.log(SCALE_STEP))])
 
 
 def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
@@ -121,8 +145,8 @@ def search_spaces(
     settings, space, wide = pyramid.settings, search_space(pyramid, prior), None
     looks = comparisons(space, reduced_image(image, settings.coarse_edge))
     if looks > settings.most_at_once:
-        wide = search_space(pyramid, prior, settings.wide_step)
-        looks = comparisons(wide, reduced_image(image, settings.wide_edge))
+        wide = search_space(pyramid, prior, WIDE_STEP)
+        looks = comparisons(wide, reduced_image(image, WIDE_EDGE))
     return None if looks > settings.most_comparisons else (space, wide)
 
 
@@ -171,15 +195,13 @@ class ChanceLevels:
         return float(np.tanh(max(moved, 0.0)))
 
 
-def chance_levels(
-    peaks: np.ndarray, pixel_sizes_m: np.ndarray, settings: CorrelationSettings, are_chosen: bool = False
-) -> ChanceLevels:
+def chance_levels(peaks: np.ndarray, pixel_sizes_m: np.ndarray, are_chosen: bool = False) -> ChanceLevels:
     """Chance's level from the peaks of a look, (N, 5) best first: of each pixel size the median of a few.
 
     All 0 where a pixel size has too few peaks to tell, as within a small radius; unless the peaks ``are_chosen`` of all
     sizes together, when its neighbors tell.
     """
-    first, last = settings.chance_peaks
+    first, last = CHANCE_PEAKS
     nearest = np.abs(np.log(peaks[:, 4, None] / pixel_sizes_m)).argmin(axis=1)
     told = []
     for number, size_m in enumerate(pixel_sizes_m):
@@ -205,7 +227,7 @@ def best_places(
     settings, quiet = pyramid.settings, pyramid.quiet
     space, wide = spaces
     peaks = first_peaks(image, pyramid, spaces, count / settings.candidates)
-    chance = chance_levels(peaks, space.pixel_sizes_m, settings, wide is not None)
+    chance = chance_levels(peaks, space.pixel_sizes_m, wide is not None)
     poses = _poses_of(peaks)
     # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.
     for edge, kept in (
@@ -232,11 +254,11 @@ def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, sh
         peaks = np.array(found, np.float64).reshape(-1, 5)
         return peaks[np.argsort(-peaks[:, 0], kind="stable")]
 
-    many, few = (round(share * count) for count in settings.wide_candidates)
-    peaks = search(reduced_image(image, settings.wide_edge), pyramid, wide)
-    poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes, settings))
-    peaks = refined(poses[:many], settings.wide_edge)
-    poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes, settings, are_chosen=True))
+    many, few = (round(share * count) for count in WIDE_CANDIDATES)
+    peaks = search(reduced_image(image, WIDE_EDGE), pyramid, wide)
+    poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes))
+    peaks = refined(poses[:many], WIDE_EDGE)
+    poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes, are_chosen=True))
     return refined(distinct(poses, image, _HALF * settings.apart, few), settings.coarse_edge)
 
 

@@ -15,7 +15,24 @@ import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .settings import CorrelationSettings
+
+LEAST_KNOWN = 0.5
+"""Share of the footprint that has to be labeled on the map, of a place to be looked at."""
+
+LEAST_KNOWN_MOVED = 0.4
+"""The same when a place is moved to where it fits best: less, so that the limit does not hold places at the map's
+edge."""
+
+LARGEST_STEP = (1.5, 1.5, 0.06, 0.06)
+"""Bound of one Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. Beyond it the linearization
+does not hold."""
+
+CONVERGED = 0.02
+"""A step is the last one when it moves nothing by more than this share of a coarse pixel. Set by hand, for the time."""
+
+DAMPING = 1e-4
+"""Added to the normal equations, share of their trace. What changes the image less than that is not determined by it:
+the place along a straight shore that crosses it."""
 
 NOT_COMPARABLE = -1.0
 """Score where the map has too few labels under the image, or either of them shows the same all over."""
@@ -74,7 +91,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
         quiet: Energy a pixel added to the map's own in the score.
         steps: At most.
     """
-    best, settings = pose, pyramid.settings
+    best = pose
     for step in range(steps + 1):
         fit = _linearized(image, pyramid, pose, quiet)
         pose = replace(pose, score=fit.score)
@@ -82,8 +99,8 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
             best = pose
         if step == steps or fit.pull is None or fit.score < best.score - 0.1:
             break
-        move = _move(fit.pull, image, settings)
-        if (np.abs(move) < settings.converged * parameter_units(image)).all():
+        move = _move(fit.pull, image)
+        if (np.abs(move) < CONVERGED * parameter_units(image)).all():
             break
         pose = moved(pose, move)
     return best
@@ -101,8 +118,8 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     pull = _linearized(image, pyramid, pose, quiet).pull
     if pull is None:
         return False
-    _, known = map_under(image, pyramid, moved(pose, _move(pull, image, pyramid.settings)))
-    return float(known.mean()) < pyramid.settings.least_known_moved
+    _, known = map_under(image, pyramid, moved(pose, _move(pull, image)))
+    return float(known.mean()) < LEAST_KNOWN_MOVED
 
 
 def moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
@@ -123,7 +140,7 @@ def moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
-    return _linearized(image, pyramid, pose, quiet, pyramid.settings.least_known).score
+    return _linearized(image, pyramid, pose, quiet, LEAST_KNOWN).score
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
@@ -137,7 +154,7 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
     if pull is None:
         return np.full((4, 4), np.inf)
     strengths = np.linalg.eigvalsh(_normal(pull))
-    damping = pyramid.settings.damping
+    damping = DAMPING
     if strengths[0] <= damping * strengths.sum():
         return np.full((4, 4), np.inf)
     inverse, units = _inverse(pull, damping), parameter_units(image)
@@ -178,7 +195,7 @@ def _linearized(
 ) -> _Fit:
     """A pose's score and pull; ``least_known``: of the footprint, that of poses that are moved if None."""
     patch, known = map_under(image, pyramid, pose)
-    if known.mean() < (pyramid.settings.least_known_moved if least_known is None else least_known):
+    if known.mean() < (LEAST_KNOWN_MOVED if least_known is None else least_known):
         return _Fit(NOT_COMPARABLE)
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
     there = patch - patch.mean(axis=(0, 1))
@@ -216,11 +233,11 @@ def _inverse(pull: _Pull, damping: float) -> np.ndarray:
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 
-def _move(pull: _Pull, image: EvidenceLevel, settings: CorrelationSettings) -> np.ndarray:
+def _move(pull: _Pull, image: EvidenceLevel) -> np.ndarray:
     """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
     descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
-    limit = np.array(settings.largest_step) * np.array([*image.pixel, 1, 1])
-    return np.clip(-(_inverse(pull, settings.damping) @ descent) * parameter_units(image), -limit, limit)
+    limit = np.array(LARGEST_STEP) * np.array([*image.pixel, 1, 1])
+    return np.clip(-(_inverse(pull, DAMPING) @ descent) * parameter_units(image), -limit, limit)
 
 
 def clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:

@@ -12,8 +12,17 @@ import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import NOT_COMPARABLE, ScoredPose, difference, map_under, moved, parameter_units
-from .settings import CorrelationSettings
+from .refine import (
+    DAMPING,
+    LARGEST_STEP,
+    LEAST_KNOWN_MOVED,
+    NOT_COMPARABLE,
+    ScoredPose,
+    difference,
+    map_under,
+    moved,
+    parameter_units,
+)
 
 LARGEST_RASTER = 32_766
 """OpenCV samples rasters with shorter edges than 2¹⁵."""
@@ -40,11 +49,11 @@ def refine_many(
     seen = image.evidence - image.evidence.mean(axis=(0, 1))
     for step in range(steps + 1):
         patches, known = _maps_under(image, pyramid, poses)
-        scores, gains, there = _scored(seen, patches, known, quiet, pyramid.settings)
+        scores, gains, there = _scored(seen, patches, known, quiet)
         poses = [replace(pose, score=float(score)) for pose, score in zip(poses, scores)]
         best = [pose if pose.score > kept.score else kept for pose, kept in zip(poses, best)]
         if step < steps:
-            moves = _moves(image, seen, there, np.maximum(gains, 0), pyramid.settings)
+            moves = _moves(image, seen, there, np.maximum(gains, 0))
             poses = [moved(pose, move) for pose, move in zip(poses, moves)]
     return best
 
@@ -84,7 +93,7 @@ def _places(image: EvidenceLevel, poses: list[ScoredPose], level_pixel_m: float)
 
 
 def _scored(
-    seen: np.ndarray, patches: np.ndarray, known: np.ndarray, quiet: float, settings: CorrelationSettings
+    seen: np.ndarray, patches: np.ndarray, known: np.ndarray, quiet: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(N,) scores, (N,) gains of the image in the map, and the map (N, h, w, C) free of its means."""
     there = patches - patches.mean(axis=(1, 2), keepdims=True)
@@ -92,13 +101,11 @@ def _scored(
     energy = np.einsum("nhwc,nhwc->n", there, there)
     product = np.einsum("nhwc,hwc->n", there, seen)
     scores = product / np.sqrt(norm * np.maximum(energy + quiet * known[0].size, 1e-30))
-    usable = (known.mean(axis=(1, 2)) >= settings.least_known_moved) & (energy > 0)
+    usable = (known.mean(axis=(1, 2)) >= LEAST_KNOWN_MOVED) & (energy > 0)
     return np.where(usable, scores, NOT_COMPARABLE), product / norm, there
 
 
-def _moves(
-    image: EvidenceLevel, seen: np.ndarray, there: np.ndarray, gains: np.ndarray, settings: CorrelationSettings
-) -> np.ndarray:
+def _moves(image: EvidenceLevel, seen: np.ndarray, there: np.ndarray, gains: np.ndarray) -> np.ndarray:
     """(N, 4) Gauss–Newton steps: x, y in image pixels, radians, ln pixel size."""
     count, height, width, _ = there.shape
     model = gains[:, None, None, None].astype(np.float32) * seen
@@ -115,7 +122,7 @@ def _moves(
         for column in range(row + 1):
             normal[:, row, column] = normal[:, column, row] = np.einsum("nk,nk->n", flat[row], flat[column])
     pull = np.stack([np.einsum("nk,nk->n", slope, residual) for slope in flat], axis=1)
-    damped = settings.damping * np.maximum(np.trace(normal, axis1=1, axis2=2), 1e-30)
+    damped = DAMPING * np.maximum(np.trace(normal, axis1=1, axis2=2), 1e-30)
     steps = np.linalg.solve(normal + damped[:, None, None] * np.eye(4), pull[..., None].astype(float))[..., 0]
-    limit = np.array(settings.largest_step) * np.array([*image.pixel, 1, 1])
+    limit = np.array(LARGEST_STEP) * np.array([*image.pixel, 1, 1])
     return np.clip(-steps * parameter_units(image), -limit, limit)

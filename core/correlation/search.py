@@ -20,6 +20,13 @@ import cv2
 import numpy as np
 
 from .class_pyramid import EvidenceLevel, MapPyramid
+from .refine import LEAST_KNOWN
+
+TILE_SIZE = 128
+"""Edge of a tile of the FFT, coarse pixels: a power of two is quickest, about four times the turned image is best."""
+
+THREADS = 2
+"""Tiles compared at a time; changes nothing but the time."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +98,7 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
         (N, 5) float64: score, x, y (meters right and down of the map's corner), heading (°), pixel size (m); best
         first.
     """
-    threads = pyramid.settings.threads
+    threads = THREADS
     templates = _templates(image, pyramid, space)
 
     def one_tile(job: tuple[float, _Tile]) -> list[tuple[float, ...]]:
@@ -152,7 +159,7 @@ class _Templates:
 def _templates(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> _Templates:
     edge = template_edge(image)
     pixel = float(np.sqrt(image.pixel[0] * image.pixel[1]))
-    tile_size = _even_size(max(pyramid.settings.tile_size, 2 * edge))
+    tile_size = _even_size(max(TILE_SIZE, 2 * edge))
     extent = max(space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1])
     needed = int(np.ceil(extent / (pixel * float(space.pixel_sizes_m.min())))) + edge + 1
     tile_size = min(tile_size, _even_size(needed))
@@ -230,7 +237,7 @@ def _tile_scores(
         energy -= _correlation([spectrum], [templates.mask], places) ** 2 / templates.mask_sum
     share = _correlation([_Spectrum.of(known, size)], [templates.mask], places) / templates.mask_sum
     weight = 1 / np.sqrt(np.maximum(energy, 0) + templates.quiet)
-    weight[share < pyramid.settings.least_known] = 0
+    weight[share < LEAST_KNOWN] = 0
     if not weight.any():
         return None
     scores = np.empty((len(templates.spectra), places, places), np.float32)

@@ -42,6 +42,9 @@ from .refine import NOT_COMPARABLE, ScoredPose, is_held_by_edge, score_at
 from .search import SearchSpace
 from .view_effects import view_effect
 
+ALTERNATIVE_BAND = 0.1
+"""Other places are results when their score is at most this much below the best one's."""
+
 
 def localize(  # noqa: PLR0913 - an image by its labels and their shares, the map, and what is known beforehand
     labels_hw: np.ndarray,
@@ -112,7 +115,7 @@ def _weighed(
     best_size = poses[0].pixel_size_m
     # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
     space, wide = spaces
-    near = near_size(space, best_size, settings), None if wide is None else near_size(wide, best_size, settings)
+    near = near_size(space, best_size), None if wide is None else near_size(wide, best_size)
     mirrored, _ = best_places(mirrored_level(image), pyramid, near, settings.decoys)
     scores = [chance.moved(pose.score, pose.pixel_size_m, best_size) for pose in poses]
     decoys = [pose.score for pose in mirrored]
@@ -211,7 +214,7 @@ def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was 
     if status is Status.FIX:
         status, reason = exactness, looseness
     best, risk = _place(pyramid, pose), risk_of_peaks(peaks, settings)
-    least = peaks.score - settings.alternative_band
+    least = peaks.score - ALTERNATIVE_BAND
     alternatives = (best, *(_place(pyramid, other) for other in others if other.score >= least))
     return Localization(
         status,

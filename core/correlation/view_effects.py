@@ -16,7 +16,7 @@ import numpy as np
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import NOT_COMPARABLE, ScoredPose, axes, clustered, difference
+from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered, difference
 
 POSE, COUNT = 4, 9
 """Numbers of a level pose (right, down, heading, ln pixel size; half a diagonal is the unit of the first two); and with
@@ -181,7 +181,7 @@ class _System:
         patch, share = self._patch(assumed)
         there = patch - patch.mean(axis=(0, 1))
         norm, energy = float((self._seen**2).sum()), float((there**2).sum())
-        if share.mean() < self._pyramid.settings.least_known_moved or norm <= 0 or energy <= 0:
+        if share.mean() < LEAST_KNOWN_MOVED or norm <= 0 or energy <= 0:
             return None
         product = float((self._seen * there).sum())
         gain = product / norm
@@ -196,7 +196,7 @@ class _System:
         residual = (there - gain * self._seen).ravel()
         units = 1 / np.sqrt(np.maximum((slopes.astype(np.float64) ** 2).sum(axis=1), 1e-30))
         normal = cv2.mulTransposed(slopes, False, dtype=cv2.CV_64F) * np.outer(units, units)
-        if np.linalg.eigvalsh(normal)[0] <= self._pyramid.settings.damping:
+        if np.linalg.eigvalsh(normal)[0] <= DAMPING:
             return None
         inverse = np.linalg.inv(normal) * np.outer(units, units)
         descent = np.einsum("ik,k->i", slopes, residual).astype(np.float64)

@@ -13,7 +13,7 @@ import numpy as np
 from ..localizer.localizer import Localizer
 from .evidence import seen_image
 from .links import links_by_image
-from .measurement import Measurement, distance, measured_near, shared_variance
+from .measurement import GATE, Measurement, distance, measured_near, shared_variance
 from .model import FlightImage, FlightPose, FlightResult
 from .motion import Link
 from .pool import Pool, moved, predicted, updated
@@ -31,7 +31,7 @@ from .smoothing import (
 )
 from .states import turned
 from .telling import told_pose
-from .tracker import FlightTracker, Looked
+from .tracker import SIZE_RANGE, FlightTracker, Looked
 
 ROUNDS = 3
 """In which images are looked at where all others expect them; the last one only weighs."""
@@ -140,7 +140,7 @@ class FlightSolver:
                 break
             back = moved(pool.states, link, back=True)
             pool = replace(predicted(pool, link), states=back)
-            size, ratio = float(np.exp(pool.states[0, 3])), settings.size_range
+            size, ratio = float(np.exp(pool.states[0, 3])), SIZE_RANGE
             prior = replace(images[number].prior, pixel_size_range=(size / ratio, size * ratio))
             seen = seen_image(images[number].labels_hw, pyramid, prior, images[number].own, settings)
             pool = updated(pool, seen, pyramid, 1.0, settings)
@@ -164,7 +164,7 @@ class FlightSolver:
         settings, numbers = self.settings, range(track.first, track.last + 1)
         looked = [self._looked[number] for number in numbers]
         links = [one.link for one in looked[1:] if one.link is not None]
-        drift = drift_of(links, settings)
+        drift = drift_of(links)
         first, kept = [one.measured for one in looked], [one.measured for one in looked]
         estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
         for look in range(ROUNDS):
@@ -177,14 +177,12 @@ class FlightSolver:
                 if is_far and look + 1 < ROUNDS:
                     yield
                     measured = first[n] = measured_near(images[number], self.localizer, *expected.pose, settings)
-                if measured is not None and distance(measured, *expected.pose) > settings.gate:
+                if measured is not None and distance(measured, *expected.pose) > GATE:
                     measured = None
                 kept[n] = None if measured is None else softened(measured, expected)
             estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
         for number, estimate in zip(numbers, estimates):
-            poses[number] = told_pose(
-                images[number], number, self.localizer, estimate, track.risk, track.number, settings
-            )
+            poses[number] = told_pose(images[number], number, self.localizer, estimate, track.risk, track.number)
 
     def _estimated(
         self, looked: list[Looked], measured: list[Measurement | None], image: FlightImage, drift: float

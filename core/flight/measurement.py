@@ -20,6 +20,12 @@ from .nearby import places_near
 from .settings import FlightSettings
 from .states import place_of, state_of, turned
 
+LOOSEST = 0.05
+"""Measurements whose deviation is more than this share of the image's edge on the ground are not used."""
+
+GATE = 4.0
+"""Measurements farther from what the flight expects than so many deviations are outvoted."""
+
 FINEST_EDGE = 256
 """Pixels along an edge up to which an image is refined here: its neighbors tell the rest."""
 
@@ -97,10 +103,10 @@ def by_areas(
     if not found:
         return None
     whole = mixed(found)
-    loosest_m = settings.loosest * edge_m(evidence, float(np.exp(whole.state[3])))
+    loosest_m = LOOSEST * edge_m(evidence, float(np.exp(whole.state[3])))
     if np.trace(whole.covariance[:2, :2]) / 2 > loosest_m**2:
         return None
-    return whole if distance(whole, state, covariance) <= settings.gate else None
+    return whole if distance(whole, state, covariance) <= GATE else None
 
 
 def _measured_at(
@@ -144,7 +150,7 @@ def mixed(found: Sequence[tuple[Measurement, float]]) -> Measurement:
 
 
 def by_landmarks(
-    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
+    image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray
 ) -> Measurement | None:
     """The constellation's fix near an expected place; None where there is none.
 
@@ -153,22 +159,21 @@ def by_landmarks(
         localizer: Of the database.
         state: (4,) expected.
         covariance: (4, 4) of that.
-        settings: Of flights.
     """
     deviations = np.sqrt(np.diag(covariance))
     size = float(np.exp(state[3]))
-    radius = settings.gate * float(deviations[:2].max()) + 0.01 * float(np.sqrt(image.labels_hw.size)) * size
-    ratio = float(np.exp(settings.gate * deviations[3] + 0.02))
+    radius = GATE * float(deviations[:2].max()) + 0.01 * float(np.sqrt(image.labels_hw.size)) * size
+    ratio = float(np.exp(GATE * deviations[3] + 0.02))
     prior = Prior(
         place_of(state, localizer.pyramid.frame.origin).position,
         radius,
         float(np.degrees(state[2]) % 360),
-        float(min(np.degrees(settings.gate * deviations[2]) + 2.0, 180.0)),
+        float(min(np.degrees(GATE * deviations[2]) + 2.0, 180.0)),
         (size / ratio, size * ratio),
     )
     found = localizer.localize_by_constellation(image.labels_hw, prior, image.biases)
     measured = of_own(found, localizer.pyramid)
-    if measured is None or distance(measured, state, covariance) > settings.gate:
+    if measured is None or distance(measured, state, covariance) > GATE:
         return None
     return Measurement(measured.state, measured.covariance)
 
@@ -194,13 +199,13 @@ def measured_near(
         settings: Of flights.
     """
     own = of_own(image.own, localizer.pyramid)
-    if own is not None and distance(own, state, covariance) <= settings.gate:
+    if own is not None and distance(own, state, covariance) <= GATE:
         return own
     found = by_areas(image, localizer, state, covariance, settings)
     if found is not None:
-        near = by_landmarks(image, localizer, found.state, found.covariance, settings)
+        near = by_landmarks(image, localizer, found.state, found.covariance)
         return near or found
-    return by_landmarks(image, localizer, state, covariance, settings)
+    return by_landmarks(image, localizer, state, covariance)
 
 
 def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:

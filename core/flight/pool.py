@@ -18,6 +18,9 @@ from .motion import Link
 from .settings import FlightSettings
 from .states import as_poses, as_states, turned, turns_of
 
+OWN_MOST = 12.0
+"""Most log odds that an image's own best place counts: the flight can outvote it."""
+
 SAME_HEADING_DEG = 20.0
 """Hypotheses whose headings differ by more are different ones at the same place."""
 
@@ -141,7 +144,7 @@ def own_worth(states: np.ndarray, variances: np.ndarray, seen: SeenImage, settin
 def own_lead(seen: SeenImage, settings: FlightSettings) -> float:
     """The lead that makes a flight as sure of a place as the image by itself is; not above 0 where that is not."""
     offset, slope = settings.risk_curve
-    return (min(seen.own_odds, settings.own_most) - offset) / slope if seen.own_odds > 0 else 0.0
+    return (min(seen.own_odds, OWN_MOST) - offset) / slope if seen.own_odds > 0 else 0.0
 
 
 def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:

@@ -18,6 +18,9 @@ from .motion import Link, LinkSource
 from .settings import FlightSettings
 from .states import turned
 
+DRIFT = 0.01
+"""Deviation of a flight's constant errors of links: share of the distance along and, in radians, across."""
+
 SIZE = 8
 TAILS = 4.0
 """Degrees of freedom of measurements' errors: 1 in 100 is as far off as 1 in 40,000 would be without tails."""
@@ -84,19 +87,18 @@ def first_estimate(state: np.ndarray, deviations: np.ndarray, shared_m2: float, 
     return Estimate(np.array([*state, 0.0, 0.0, 0.0, 0.0]), np.diag(variances))
 
 
-def drift_of(links: Iterable[Link], settings: FlightSettings) -> float:
+def drift_of(links: Iterable[Link]) -> float:
     """Deviation of links' constant errors: half of the variance that they state may be the same all along.
 
     Args:
         links: Of the flight, as far as known; assumed ones tell nothing.
-        settings: Of flights: the least.
     """
     shares = [
         np.sqrt(np.trace(np.array(link.covariance)[:2, :2]) / 4) / abs(link.step)
         for link in links
         if link.source is not LinkSource.ASSUMED and abs(link.step) > 0
     ]
-    return float(np.clip(np.median(shares), settings.drift, MOST_DRIFT)) if shares else settings.drift
+    return float(np.clip(np.median(shares), DRIFT, MOST_DRIFT)) if shares else DRIFT
 
 
 def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSettings) -> Step:

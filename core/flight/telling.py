@@ -14,9 +14,14 @@ from ..localizer.localizer import Localizer
 from ..sentences import Sentence
 from .measurement import distance, of_own
 from .model import FlightImage, FlightPose, PoseSource
-from .settings import FlightSettings
 from .smoothing import TAILS, Estimate
 from .states import place_of
+
+WRONG_SHARE = 0.1
+"""A pose that is farther off than this share of the image's edge is wrong, as the benchmarks judge."""
+
+LOOSEST_POSE = 0.5
+"""An image whose 95 % radius is larger than this share of its edge is left without a place."""
 
 SAME_SHARE = 0.02
 """An image's own fix that is within this share of its edge agrees with the flight, however exact it claims to be."""
@@ -29,7 +34,6 @@ def told_pose(  # noqa: PLR0913 - an image, and what its track says
     estimate: Estimate,
     risk: float,
     track: int,
-    settings: FlightSettings,
 ) -> FlightPose:
     """An estimate as what is told of an image: a place, unless it could as well lie beside the image.
 
@@ -40,15 +44,14 @@ def told_pose(  # noqa: PLR0913 - an image, and what its track says
         estimate: Of its pose.
         risk: That its track is wrong.
         track: Number of that.
-        settings: Of flights.
     """
     place = place_of(estimate.state, localizer.pyramid.frame.origin)
     size = place.oriented[1]
     known: PoseCovariance = covariance_of(estimate.pose_covariance, size, ())
     edge_m = float(np.sqrt(image.labels_hw.size)) * size
-    if known.radius_95 is None or known.radius_95 > settings.loosest_pose * edge_m:
+    if known.radius_95 is None or known.radius_95 > LOOSEST_POSE * edge_m:
         return unplaced(image, number, Sentence("flight.too_loose", radius=known.radius_95, edge=edge_m))
-    risk = max(risk, LEAST_RISK, chance_off(estimate.pose_covariance, settings.wrong_share * edge_m))
+    risk = max(risk, LEAST_RISK, chance_off(estimate.pose_covariance, WRONG_SHARE * edge_m))
     own = of_own(image.own, localizer.pyramid)
     agrees = False
     if own is not None:

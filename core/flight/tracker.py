@@ -19,10 +19,28 @@ from .measurement import Measurement, measured_near, shared_after, shared_varian
 from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
 from .model import FlightImage, FlightPose
 from .motion import MOST_LOG_SCALE, Link, LinkSource, as_rows
-from .pool import Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
+from .pool import OWN_MOST, Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
 from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
 from .telling import told_pose, unplaced
+
+OVERLAP_SHARE = 0.35
+"""Least weight of an image that shows hardly new ground."""
+
+APART = 0.25
+"""Tracks are different from this share of the image's edge on the ground on, as places of map correlation are."""
+
+SEARCH_FIRST = 4
+"""So many images of a flight are searched on the whole map … Set by hand, for the time."""
+
+SEARCH_EVERY = (2, 5)
+"""… then one of so many before a track is held, and one of so many while one is. Set by hand, for the time."""
+
+ASSUMED = (0.4, 20.0, 0.1)
+"""Deviations of a link that is assumed: share of the distance, degrees, ln pixel size."""
+
+SIZE_RANGE = 1.15
+"""Ratio to either side in which a pixel size is searched around the known one."""
 
 STATE_VERSION = 2
 
@@ -164,7 +182,7 @@ class FlightTracker:
         if image.prior.pixel_size_range is not None:
             return image.prior
         if self._held is not None:
-            size, ratio = float(np.exp(self._held.mean[3])), self.settings.size_range
+            size, ratio = float(np.exp(self._held.mean[3])), SIZE_RANGE
             return replace(image.prior, pixel_size_range=(size / ratio, size * ratio))
         sizes = self.localizer.pixel_sizes(image.size_wh[::-1], default_scales(Method.MAP_CORRELATION))
         return replace(image.prior, pixel_size_range=sizes)
@@ -174,7 +192,7 @@ class FlightTracker:
         latest = self._past[0].link if self._past else None
         if latest is None:
             return None
-        share, heading_deg, size = self.settings.assumed
+        share, heading_deg, size = ASSUMED
         known = np.diag([*[(share * abs(latest.step)) ** 2] * 2, np.radians(heading_deg) ** 2, size**2])
         return replace(latest, turn=0.0, log_scale=0.0, covariance=as_rows(known), source=LinkSource.ASSUMED)
 
@@ -185,13 +203,13 @@ class FlightTracker:
         length = abs(link.step)
         if link.in_meters:
             length /= float(np.exp(np.mean(np.log(seen.prior.pixel_size_range or (1.0, 1.0)))))
-        return float(np.clip(length / seen.edge_px, self.settings.overlap_share, 1.0))
+        return float(np.clip(length / seen.edge_px, OVERLAP_SHARE, 1.0))
 
     def _look(self, seen: SeenImage, link: Link | None, weight: float) -> None:
         """The hypotheses, and those of the mirrored flight while no track is held, with the image's evidence."""
-        searching, held = self.settings.search_every
+        searching, held = SEARCH_EVERY
         every = searching if self._held is None else held
-        is_searched = len(self._past) < self.settings.search_first or self._number % every == 0
+        is_searched = len(self._past) < SEARCH_FIRST or self._number % every == 0
         is_searched = is_searched or self._held is None and not len(self._mirror)
         self._pool = self._looked(self._pool, Past(seen, link or NOWHERE, weight), self._past if is_searched else None)
         if self._held is None:
@@ -209,10 +227,10 @@ class FlightTracker:
             pool = updated(predicted(pool, latest.link), seen, pyramid, weight, settings)
         if past is not None:
             count = settings.added if len(pool) else settings.candidates
-            new = started(best_of(seen, pyramid, count, settings.apart), seen, weight, settings)
+            new = started(best_of(seen, pyramid, count, APART), seen, weight, settings)
             new = new.joined(self._at_own(seen, weight))
             pool = pool.joined(with_past(new, past, pyramid, settings))
-        return pruned(pool, self._edge_m(seen), settings.hypotheses, settings.apart)
+        return pruned(pool, self._edge_m(seen), settings.hypotheses, APART)
 
     def _at_own(self, seen: SeenImage, weight: float) -> Pool:
         """A hypothesis at the image's own best place."""
@@ -274,7 +292,7 @@ class FlightTracker:
         """Risk of the track that is held. Where own fixes contest it, the past counts no more than one of them."""
         if not len(self._rival):
             return self._risk
-        odds = min(log_odds_of(self._risk), self.settings.own_most)
+        odds = min(log_odds_of(self._risk), OWN_MOST)
         return max(self._risk, risk_of(odds - self.settings.risk_curve[1] * float(self._rival.totals[0])))
 
     def _decided(self) -> float:
@@ -288,7 +306,7 @@ class FlightTracker:
 
     def _start(self, image: FlightImage, seen: SeenImage) -> Looked:
         """The first estimate of a track, at the best hypothesis."""
-        state, drift = self._pool.states[0], drift_of((past.link for past in self._past), self.settings)
+        state, drift = self._pool.states[0], drift_of(past.link for past in self._past)
         # A hypothesis is known to a pixel of the first look, however often that has looked.
         deviations = np.sqrt(look_noise(seen, state[None], self.settings.start_noise)[0][[0, 0, 1, 2]])
         bare = first_estimate(state, deviations, 0.0, drift)
@@ -307,7 +325,7 @@ class FlightTracker:
         held = self._held
         if held is None:
             return np.array([], int)
-        reach = self.settings.apart * self._edge_m(seen) + 3 * float(np.sqrt(held.covariance[:2, :2].trace()))
+        reach = APART * self._edge_m(seen) + 3 * float(np.sqrt(held.covariance[:2, :2].trace()))
         return np.flatnonzero(same_place(self._pool.states, held.state, reach))
 
     def _is_lost(self, seen: SeenImage) -> bool:
@@ -331,7 +349,7 @@ class FlightTracker:
             reason = Sentence("flight.undecided", risk=risk, allowed=allowed)
             status = Status.AMBIGUOUS if len(self._pool) > 1 else Status.NO_MATCH
             return unplaced(image, self._number, reason, status)
-        return told_pose(image, self._number, self.localizer, held, risk, self.track, self.settings)
+        return told_pose(image, self._number, self.localizer, held, risk, self.track)
 
 
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..constellation.cached import cached_index
+from ..constellation.hypotheses import SMALLEST_OBJECT_PX
 from ..constellation.index import ConstellationIndex, build_index
 from ..constellation.settings import CONSTELLATION
 from ..constellation.solver import localize as solve
@@ -36,7 +37,8 @@ def default_scales(method: Method) -> tuple[float, float]:
 
     Automatic leaves each of its two methods its own.
     """
-    return (LOCALIZER.correlation if method == Method.MAP_CORRELATION else LOCALIZER.constellation).scales
+    by_areas, by_landmarks = LOCALIZER.correlation.scales, LOCALIZER.constellation.limits.scales
+    return by_areas if method == Method.MAP_CORRELATION else by_landmarks
 
 
 @dataclass(frozen=True)
@@ -206,7 +208,7 @@ class Localizer:
         """
         height, width = shape_hw = _shape(labels_hw)
         prior = prior or Prior()
-        sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.scales)
+        sizes = prior.pixel_size_range or self.pixel_sizes(shape_hw, self.settings.constellation.limits.scales)
         prior = replace(prior, pixel_size_range=sizes)
         objects, smallest = self._objects(labels_hw, sizes[1])
         allowed_risk, errors = self.settings.allowed_risk, self.errors.with_biases(biases)
@@ -215,7 +217,7 @@ class Localizer:
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
         """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
         parameters = self._database.parameters
-        smallest = max(parameters.minimum_area / largest_pixel_size**2, self.settings.constellation.smallest_object_px)
+        smallest = max(parameters.minimum_area / largest_pixel_size**2, SMALLEST_OBJECT_PX)
         return extract_landmarks(labels_hw, self._database.class_table.reference_values, smallest), smallest
 
     @property

@@ -127,12 +127,12 @@ class ImageInspector:
 def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> float:
     """Smallest area of a landmark: the database's on the ground if the image's pixel size is known, else the same
     share of the image as of a window."""
-    from ...core.constellation.settings import CONSTELLATION
+    from ...core.constellation.hypotheses import SMALLEST_OBJECT_PX
 
     parameters = database.parameters
     if query.pixel_size_m is None:
         return parameters.minimum_area / parameters.window_size**2 * size**2
-    return max(parameters.minimum_area / query.pixel_size_m**2, CONSTELLATION.smallest_object_px)
+    return max(parameters.minimum_area / query.pixel_size_m**2, SMALLEST_OBJECT_PX)
 
 
 def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> tuple[RunnerUp, ...]:

@@ -74,7 +74,8 @@ def test_an_index_of_something_else_is_built_again(tmp_path, monkeypatch, what):
     if what == "landmarks":
         references.areas_m2[7] *= 1.0000001
     elif what == "settings":
-        settings = replace(CONSTELLATION, minimum_side_in_sizes=CONSTELLATION.minimum_side_in_sizes * 1.1)
+        longer = replace(CONSTELLATION.limits, minimum_side_in_sizes=CONSTELLATION.limits.minimum_side_in_sizes * 1.1)
+        settings = replace(CONSTELLATION, limits=longer)
     elif what == "pixel":
         pixel = 2.0
     else:

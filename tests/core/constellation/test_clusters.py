@@ -1,15 +1,12 @@
 """Clusters of made poses."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from semref.core.constellation import clusters
-from semref.core.constellation.clusters import Poses, clustered, poses_in_cells
-from semref.core.constellation.settings import CONSTELLATION
+from semref.core.constellation.clusters import CELL_OF_IMAGE, CELL_OF_TURN, Poses, clustered, poses_in_cells
 
-STEP = CONSTELLATION.cell_of_turn
+STEP = CELL_OF_TURN
 
 
 def made_poses(rng, count, spread):
@@ -24,9 +21,9 @@ def made_poses(rng, count, spread):
 def test_of_very_many_poses_the_fullest_cells_are_the_same_as_when_all_are_sorted(monkeypatch, spread):
     """Few cells, most of them full; many, of which some are; so many that hardly any holds two poses."""
     poses = made_poses(np.random.default_rng(4), 30_000, spread)
-    counted = clustered([poses], CONSTELLATION, False, 40)
+    counted = clustered([poses], False, 40)
     monkeypatch.setattr(clusters, "_SORTED_AT_ONCE", 10**9)
-    everything = clustered([poses], CONSTELLATION, False, 40)
+    everything = clustered([poses], False, 40)
     assert len(counted.votes) >= 40
     for name in ("centers", "turns", "focuses", "votes"):
         np.testing.assert_array_equal(getattr(counted, name), getattr(everything, name))
@@ -41,7 +38,7 @@ def test_the_fullest_cells_are_found_though_others_share_their_groups(monkeypatc
     mixed = poses.select(rng.permutation(30_000))
     for bits in (8, 12, 21):
         monkeypatch.setattr(clusters, "_GROUP_BITS", bits)
-        assert clustered([mixed], CONSTELLATION, False, 2).votes.tolist() == [500, 400]
+        assert clustered([mixed], False, 2).votes.tolist() == [500, 400]
 
 
 def test_of_few_cells_with_very_many_poses_each_the_fullest_are_found_in_few_steps(monkeypatch):
@@ -49,21 +46,21 @@ def test_of_few_cells_with_very_many_poses_each_the_fullest_are_found_in_few_ste
     poses = made_poses(np.random.default_rng(9), 60_000, 3)
     steps, keyed = [], clusters._keyed
     monkeypatch.setattr(clusters, "_keyed", lambda *args: (steps.append(1), keyed(*args))[1])
-    counted = clustered([poses], CONSTELLATION, False, 40)
+    counted = clustered([poses], False, 40)
     assert 2 <= len(steps) < 40
     monkeypatch.setattr(clusters, "_SORTED_AT_ONCE", 10**9)
-    np.testing.assert_array_equal(counted.centers, clustered([poses], CONSTELLATION, False, 40).centers)
+    np.testing.assert_array_equal(counted.centers, clustered([poses], False, 40).centers)
 
 
 def test_clusters_of_portions_are_those_of_all_poses_together():
     poses = made_poses(np.random.default_rng(5), 30_000, 60)
     parts = [poses.select(part) for part in np.split(np.arange(30_000), [0, 100, 20_000])]
     for portions in (parts, [*parts[:2], poses.select(np.arange(0)), *parts[2:]]):
-        one, other = clustered(portions, CONSTELLATION, True, 40), clustered([poses], CONSTELLATION, True, 40)
+        one, other = clustered(portions, True, 40), clustered([poses], True, 40)
         for name in ("centers", "turns", "focuses", "votes"):
             np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
         assert one.capped
-    assert len(clustered([], CONSTELLATION, False, 40).votes) == 0
+    assert len(clustered([], False, 40).votes) == 0
 
 
 def test_poses_lie_in_cells_that_grow_with_the_pixel_size_by_steps():
@@ -71,11 +68,11 @@ def test_poses_lie_in_cells_that_grow_with_the_pixel_size_by_steps():
     count, diagonal = 400, 900.0
     centers = rng.uniform(-5e4, 5e4, count) + 1j * rng.uniform(-5e4, 5e4, count)
     turns = np.exp(rng.uniform(-1.5, 1.5, count) + 1j * rng.uniform(-4, 4, count))
-    poses = poses_in_cells(centers, turns, centers * 0, diagonal, CONSTELLATION)
+    poses = poses_in_cells(centers, turns, centers * 0, diagonal)
     steps = np.rint(np.log(np.abs(turns)) / STEP)
-    cells = CONSTELLATION.cell_of_image * diagonal * np.exp(steps * STEP)
+    cells = CELL_OF_IMAGE * diagonal * np.exp(steps * STEP)
     for shift in (0, 1):
-        lattice = clusters._Lattice(shift, CONSTELLATION)
+        lattice = clusters._Lattice(shift)
         across, along, sizes, turned = lattice.columns(poses.places)
         np.testing.assert_array_equal(across, np.floor(centers.real / cells + shift / 2))
         np.testing.assert_array_equal(along, np.floor(centers.imag / cells + shift / 2))
@@ -83,23 +80,23 @@ def test_poses_lie_in_cells_that_grow_with_the_pixel_size_by_steps():
         around = int(np.ceil(2 * np.pi / STEP))
         headings = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * around + shift / 2) % around
         np.testing.assert_array_equal(turned, headings)
-    assert len(poses_in_cells(centers[:0], turns[:0], centers[:0], diagonal, CONSTELLATION)) == 0
+    assert len(poses_in_cells(centers[:0], turns[:0], centers[:0], diagonal)) == 0
 
 
 def test_poses_of_next_to_no_pixel_size_are_counted_as_the_farthest():
     """Two landmarks at one spot, but for rounding, make triangles that no image shows."""
     centers, turns = np.array([1e6 - 2e6j, 10 + 10j, 12 + 10j]), np.array([1e-12j, 1, 1])
     with np.errstate(all="raise"):
-        poses = poses_in_cells(centers, turns, centers, 900.0, CONSTELLATION)
-        seeds = clustered([poses], CONSTELLATION, False, 2)
+        poses = poses_in_cells(centers, turns, centers, 900.0)
+        seeds = clustered([poses], False, 2)
     assert poses.places[:2, 0].tolist() == [2**30, -(2**30)]
     assert seeds.votes.tolist() == [2, 1] and seeds.centers[0] == 11 + 10j
 
 
-def test_poses_of_one_cell_are_one_cluster_at_their_mean():
+def test_poses_of_one_cell_are_one_cluster_at_their_mean(monkeypatch):
     centers, turns = np.array([10 + 10j, 12 + 14j, 900 + 0j]), np.array([1 + 0j, 1.002 + 0j, 1 + 0j])
     focuses = np.array([0j, 30 + 0j, 7j])
-    settings = replace(CONSTELLATION, cell_of_image=0.1)
-    seeds = clustered([poses_in_cells(centers, turns, focuses, 900.0, settings)], settings, False, 1)
+    monkeypatch.setattr(clusters, "CELL_OF_IMAGE", 0.1)
+    seeds = clustered([poses_in_cells(centers, turns, focuses, 900.0)], False, 1)
     assert seeds.votes.tolist() == [2] and not seeds.capped
     assert (seeds.centers[0], seeds.turns[0], seeds.focuses[0]) == pytest.approx((11 + 12j, 1.001, 15))

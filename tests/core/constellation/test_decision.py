@@ -12,7 +12,7 @@ SURE = Opponents(200.0, -20.0, 0.0, 10_000, False)
 
 
 def risk(**changed):
-    return risk_of_best(replace(SURE, **changed), CONSTELLATION)
+    return risk_of_best(replace(SURE, **changed), CONSTELLATION.decision)
 
 
 def test_the_risk_falls_with_the_log_odds_and_never_vanishes():
@@ -46,17 +46,17 @@ def test_a_larger_map_and_a_capped_search_ask_for_more():
     ],
 )
 def test_the_reason_tells_what_is_missing(changed, rivals, status, code):
-    found, reason = verdict(replace(SURE, **changed), rivals, RISK, CONSTELLATION)
+    found, reason = verdict(replace(SURE, **changed), rivals, RISK, CONSTELLATION.decision)
     assert (found, reason and reason.code) == (status, code)
 
 
 def test_the_risk_that_is_allowed_decides():
     doubtful = replace(SURE, log_odds=20.0)
-    told = risk_of_best(doubtful, CONSTELLATION)
-    assert verdict(doubtful, 0, 1.01 * told, CONSTELLATION)[0] == Status.FIX
-    assert verdict(doubtful, 0, 0.99 * told, CONSTELLATION)[0] == Status.NO_MATCH
-    assert may_be_a_fix(replace(doubtful, mirror=19.0), 1.01 * told, CONSTELLATION)
-    assert risk_against(doubtful, 19.0, CONSTELLATION) > 100 * told
+    told = risk_of_best(doubtful, CONSTELLATION.decision)
+    assert verdict(doubtful, 0, 1.01 * told, CONSTELLATION.decision)[0] == Status.FIX
+    assert verdict(doubtful, 0, 0.99 * told, CONSTELLATION.decision)[0] == Status.NO_MATCH
+    assert may_be_a_fix(replace(doubtful, mirror=19.0), 1.01 * told, CONSTELLATION.decision)
+    assert risk_against(doubtful, 19.0, CONSTELLATION.decision) > 100 * told
 
 
 def test_risk_and_log_odds_are_each_others_inverse():
@@ -66,5 +66,5 @@ def test_risk_and_log_odds_are_each_others_inverse():
 
 def test_a_rival_below_even_odds_takes_nothing_off_and_one_above_does():
     doubtful = replace(SURE, log_odds=20.0)
-    alone, worse, little = (risk_against(doubtful, rival, CONSTELLATION) for rival in (0.0, -5.0, 0.5))
+    alone, worse, little = (risk_against(doubtful, rival, CONSTELLATION.decision) for rival in (0.0, -5.0, 0.5))
     assert alone == worse < little

@@ -66,7 +66,7 @@ def test_objects_cut_by_the_edge_make_no_triangles(catalogue):
 @pytest.mark.parametrize("count", [10_000, 23_000_000, 24_000_000, 60_000_000])
 def test_the_code_of_the_last_triangle_fits_its_kind_whatever_the_number_of_landmarks(count):
     kind = np.dtype(part_shapes(count, CONSTELLATION)["triangles"][0])
-    last = count * len(neighbor_pairs(CONSTELLATION.neighbors)) * len(ORDERS) - 1
+    last = count * len(neighbor_pairs(CONSTELLATION.limits.neighbors)) * len(ORDERS) - 1
     assert last <= np.iinfo(kind).max
     # Half the memory where that is enough.
     assert (kind == np.int32) == (last <= np.iinfo(np.int32).max)

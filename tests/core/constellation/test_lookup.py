@@ -44,7 +44,7 @@ def test_the_true_pose_has_the_most_votes(index, cut, place):
 
 def test_no_cluster_is_told_twice(index, cut):
     seeds = seeds_of(index, cut(*TRUE).query, Prior(pixel_size_range=SCALES))
-    assert len(set(zip(seeds.centers.tolist(), seeds.turns.tolist()))) == len(seeds.votes) > CONSTELLATION.seeds
+    assert len(set(zip(seeds.centers.tolist(), seeds.turns.tolist()))) == len(seeds.votes) > CONSTELLATION.limits.seeds
 
 
 def test_poses_are_the_fits_of_triangles_whose_classes_agree(index, cut):

@@ -1,12 +1,10 @@
 """Neighbors equal those of a search through all pairs."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
+from semref.core.constellation import neighbors
 from semref.core.constellation.neighbors import ClassMatcher, local_density, nearest_larger
-from semref.core.constellation.settings import CONSTELLATION
 
 
 def test_the_matcher_finds_the_same_objects_as_a_search_through_all():
@@ -28,11 +26,12 @@ def test_an_object_of_an_unknown_class_has_no_match():
     assert objects.tolist() == [[-1, 0]] and distances.tolist() == [[np.inf, 0.0]]
 
 
-def test_nearest_larger_objects_equal_those_of_a_search_through_all():
+def test_nearest_larger_objects_equal_those_of_a_search_through_all(monkeypatch):
     rng = np.random.default_rng(4)
     points, areas = rng.uniform(0, 1000, (150, 2)), rng.permutation(150) + 1.0
     # As many candidates as there are objects: nothing is left out for the time.
-    found = nearest_larger(points, areas, 3, replace(CONSTELLATION, candidates_per_neighbor=50))
+    monkeypatch.setattr(neighbors, "CANDIDATES_PER_NEIGHBOR", 50)
+    found = nearest_larger(points, areas, 3)
     for one in range(150):
         larger = np.flatnonzero(areas > areas[one])
         by_distance = larger[np.argsort(np.hypot(*(points[larger] - points[one]).T))][:3]
@@ -41,5 +40,5 @@ def test_nearest_larger_objects_equal_those_of_a_search_through_all():
 
 def test_the_density_of_an_even_lattice_is_one_object_a_cell():
     x, y = np.meshgrid(np.arange(30) * 10.0, np.arange(30) * 10.0)
-    density = local_density(np.column_stack([x.ravel(), y.ravel()]), np.zeros(900, int), CONSTELLATION)
+    density = local_density(np.column_stack([x.ravel(), y.ravel()]), np.zeros(900, int))
     assert np.median(density) == pytest.approx(1 / 100, rel=0.3)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from semref.core.constellation import search, solver, verification
-from semref.core.constellation.hypotheses import query_triangles
+from semref.core.constellation.hypotheses import MINIMUM_OBJECTS, query_triangles
 from semref.core.constellation.index import build_index
 from semref.core.constellation.lookup import Lookup
 from semref.core.constellation.settings import CONSTELLATION
@@ -36,14 +36,14 @@ TILTED = Pose(100 + 50j, 1 + 0j, 0.001 + 0j)
     [
         ({}, True),
         ({"log_odds": 20.0}, False),
-        ({"noise_factor": CONSTELLATION.tilted_noise}, False),
+        ({"noise_factor": CONSTELLATION.decision.tilted_noise}, False),
         ({"considered": 17}, False),
         ({"considered": 16}, True),
         ({"count": 0, "considered": 0}, False),
     ],
 )
 def test_a_level_camera_explains_an_image_of_high_odds_little_noise_and_most_objects(changes, agrees):
-    assert search._agrees(evidence_at(LEVEL, **changes), CONSTELLATION) == agrees
+    assert search._agrees(evidence_at(LEVEL, **changes), CONSTELLATION.decision) == agrees
 
 
 @pytest.mark.parametrize(
@@ -82,15 +82,15 @@ def test_a_tilted_pose_needs_no_other_trial_where_the_camera_is_level_or_it_expl
     log_odds, count, considered, needs_no_other
 ):
     tilted, level = (evidence_at(pose, odds, count, considered) for pose, odds in ((TILTED, log_odds), (LEVEL, 100.0)))
-    assert search._is_as_good(tilted, level, CONSTELLATION) == needs_no_other
-    assert not search._is_as_good(evidence_at(TILTED, 15.0), evidence_at(LEVEL, 16.0), CONSTELLATION)
+    assert search._is_as_good(tilted, level, CONSTELLATION.decision) == needs_no_other
+    assert not search._is_as_good(evidence_at(TILTED, 15.0), evidence_at(LEVEL, 16.0), CONSTELLATION.decision)
 
 
 def test_poses_are_at_one_place_within_their_noise(cut):
     query = cut(*SEEN).query
 
     def is_one_place(one, other):
-        return search.Found(query, CONSTELLATION, [other]).knows(one)
+        return search.Found(query, CONSTELLATION.decision, [other]).knows(one)
 
     for deviation, reach in ((1.0, 5.0), (0.1, 2.0)):
         one = evidence_at(LEVEL, deviation=deviation)
@@ -106,12 +106,12 @@ def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_b
     query = cut(*SEEN).query
     far = evidence_at(Pose(LEVEL.center + 500, LEVEL.turn), 40.0)
     level, better = evidence_at(LEVEL, 100.0), evidence_at(LEVEL, 101.0)
-    found = search.Found(query, CONSTELLATION)
+    found = search.Found(query, CONSTELLATION.decision)
     for one, left in ((level, [level]), (far, [level, far]), (better, [far, better]), (level, [far, better])):
         found.add(one)
         assert [id(pose) for pose in found.poses] == [id(pose) for pose in left]
     assert [id(pose) for pose in found.best_first] == [id(better), id(far)]
-    hardly, clearly = (evidence_at(TILTED, 101.0 + CONSTELLATION.tilted_margin + more) for more in (0, 0.1))
+    hardly, clearly = (evidence_at(TILTED, 101.0 + CONSTELLATION.decision.tilted_margin + more) for more in (0, 0.1))
     found.add(hardly)
     assert found.poses[-1] is better
     found.add(clearly)
@@ -140,7 +140,7 @@ def at_the_copy(built_twice, index, cut):
     made = cut(1000.0, 1000.0, 30.0, 1.0)
     here = made.pose.center + index.origin - built_twice.origin
     verifier = verification.Verifier(built_twice, EDGE, EDGE, 60.0)
-    telling = made.query.select(verification.telling_objects(made.query, CONSTELLATION.largest_objects))
+    telling = made.query.select(verification.telling_objects(made.query, CONSTELLATION.limits.largest_objects))
     (copy,) = verification.verify(verifier, telling, [Pose(here + complex(*STEP), made.pose.turn)])
     return made.query, verifier, here, copy
 
@@ -176,10 +176,10 @@ def test_the_first_search_takes_triangles_from_all_over_the_image(cut, index):
     everything = looked_up(index, cut(*SEEN).query)
     first, *others = search.rounds(everything)
     assert all(reach.lookup is everything for reach in others)
-    assert (first.cap, *(reach.cap for reach in others)) == CONSTELLATION.maximum_hits
+    assert (first.cap, *(reach.cap for reach in others)) == CONSTELLATION.limits.maximum_hits
     triangles, some = everything.triangles, first.lookup.triangles
-    step = -(-len(triangles) // CONSTELLATION.first_triangles)
-    assert step > 1 and len(some) <= CONSTELLATION.first_triangles
+    step = -(-len(triangles) // CONSTELLATION.limits.first_triangles)
+    assert step > 1 and len(some) <= CONSTELLATION.limits.first_triangles
     np.testing.assert_array_equal(some.members, triangles.members[::step])
     few = looked_up(index, cut(*SEEN).query, len(triangles) // 100)
     assert len(search.rounds(few)[0].lookup.triangles) == len(few.triangles)
@@ -187,18 +187,18 @@ def test_the_first_search_takes_triangles_from_all_over_the_image(cut, index):
 
 def test_of_a_larger_map_more_poses_are_tried_where_the_first_searches_brought_nothing(cut, index):
     query = cut(*SEEN).query
-    assert {reach.seeds for reach in search.rounds(looked_up(index, query))} == {CONSTELLATION.seeds}
-    large = replace(CONSTELLATION, landmarks_of_few_seeds=len(index) // 9)
+    assert {reach.seeds for reach in search.rounds(looked_up(index, query))} == {CONSTELLATION.limits.seeds}
+    large = replace(CONSTELLATION, limits=replace(CONSTELLATION.limits, landmarks_of_few_seeds=len(index) // 9))
     seeds = [reach.seeds for reach in search.rounds(looked_up(replace(index, settings=large), query))]
-    assert seeds[:2] == [CONSTELLATION.seeds] * 2
-    assert seeds[2:] == [pytest.approx(3 * CONSTELLATION.seeds, rel=0.02)] * 2
+    assert seeds[:2] == [CONSTELLATION.limits.seeds] * 2
+    assert seeds[2:] == [pytest.approx(3 * CONSTELLATION.limits.seeds, rel=0.02)] * 2
 
 
 def test_too_few_objects_are_told_with_how_many_more_the_catalogue_needs(index):
     needed = solver.objects_needed(index)
     assert 4 < needed < 12
     empty = MapLandmarks(np.empty((0, 2)), np.empty(0, np.uint8), np.empty(0), np.empty(0, bool))
-    assert solver.objects_needed(build_index(empty, 1.0)) == CONSTELLATION.minimum_objects
+    assert solver.objects_needed(build_index(empty, 1.0)) == MINIMUM_OBJECTS
     centers = np.random.default_rng(0).uniform(50, 600, (3, 2))
     objects = Landmarks(centers, np.ones(3, np.uint8), np.full(3, 200.0), np.zeros((3, 4), np.int64), np.zeros(3, bool))
     found = solver.localize(objects, (EDGE, EDGE), index, Prior(pixel_size_range=(0.4, 2.5)))

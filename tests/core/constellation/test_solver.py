@@ -117,8 +117,9 @@ def tried_tilted(monkeypatch):
 
 def test_a_tilted_camera_is_tried_for_the_mirror_only_where_it_could_change_the_risk(ground, tried_tilted):
     counts, found = [], []
-    for slack in (CONSTELLATION.tilted_slack, 1e9):
-        settings = dataclasses.replace(CONSTELLATION, tilted_slack=slack)
+    for slack in (CONSTELLATION.decision.tilted_slack, 1e9):
+        decision = dataclasses.replace(CONSTELLATION.decision, tilted_slack=slack)
+        settings = dataclasses.replace(CONSTELLATION, decision=decision)
         index = dataclasses.replace(ground.index, settings=settings)
         objects = ground.see(seen_from(1400, 1600, 77.0), NOISE)
         tried_tilted.clear()
@@ -263,7 +264,7 @@ def test_more_poses_are_told_where_more_are_asked_for(ground):
     query = make_query(ground.see(view, NOISE, 5), ground.index, (SIZE, SIZE))
     lookup = Lookup(ground.index, query, query_triangles(query, CONSTELLATION), PRIOR)
     usual = find_seeds(lookup, 10**9)
-    more = find_seeds(lookup, 10**9, 5 * CONSTELLATION.seeds)
+    more = find_seeds(lookup, 10**9, 5 * CONSTELLATION.limits.seeds)
     assert len(more.centers) > 4 * len(usual.centers)
     np.testing.assert_array_equal(more.votes[: len(usual.votes) // 2], usual.votes[: len(usual.votes) // 2])
     assert (np.diff(more.votes) <= 0).all()
@@ -271,7 +272,8 @@ def test_more_poses_are_told_where_more_are_asked_for(ground):
 
 def test_a_place_that_capped_searches_leave_out_is_found_by_one_that_looks_everything_up(ground):
     view = seen_from(1400, 1600, 77.0)
-    narrow = dataclasses.replace(CONSTELLATION, maximum_hits=(0, 0, 10**9))
+    limits = dataclasses.replace(CONSTELLATION.limits, maximum_hits=(0, 0, 10**9))
+    narrow = dataclasses.replace(CONSTELLATION, limits=limits)
     capped = dataclasses.replace(ground.index, settings=narrow)
     objects = ground.see(view)
     found = localize(objects, (SIZE, SIZE), capped, PRIOR)

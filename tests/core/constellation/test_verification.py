@@ -10,8 +10,11 @@ from semref.core.constellation.hypotheses import SeenLandmarks
 from semref.core.constellation.index import AREA_BINS
 from semref.core.constellation.matching import Nearest, center_noise, noise_factor
 from semref.core.constellation.parts import Side
+from semref.core.constellation.search import ROUGH_GATES
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.constellation.verification import (
+    ASSUMED_OBJECTS,
+    ASSUMED_OBJECTS_TILTED,
     Verifier,
     averaged_log_odds,
     expected_objects,
@@ -88,19 +91,19 @@ def test_evidence_of_several_poses_is_averaged_for_each(index):
     matched = ratios > 1
     matched[2] = False
     missing = np.array([0, 3, 7, 30])
-    together = averaged_log_odds(ratios, matched, missing, np.array([3, 5, 3, 5]), CONSTELLATION)
+    together = averaged_log_odds(ratios, matched, missing, np.array([3, 5, 3, 5]), CONSTELLATION.noise)
     for number, makers in enumerate((3, 5, 3, 5)):
         terms = []
-        for share in CONSTELLATION.distractors:
+        for share in CONSTELLATION.noise.distractors:
             gained = np.log(share + (1 - share) * ratios[number])
             mean = max(gained[matched[number]].mean(), 0) if matched[number].any() else 0
-            for seen in CONSTELLATION.visibility:
+            for seen in CONSTELLATION.noise.visibility:
                 terms.append(gained.sum() - makers * mean + missing[number] * np.log(1 - seen))
         assert together[number] == pytest.approx(np.logaddexp.reduce(terms) - np.log(len(terms)))
     # An object whose ratio is 1 changes nothing.
     more = np.column_stack([ratios, np.ones(4)]), np.column_stack([matched, np.zeros(4, bool)])
     np.testing.assert_allclose(
-        averaged_log_odds(*more, missing, 3, CONSTELLATION)[[0, 2]], together[[0, 2]], rtol=1e-12
+        averaged_log_odds(*more, missing, 3, CONSTELLATION.noise)[[0, 2]], together[[0, 2]], rtol=1e-12
     )
 
 
@@ -131,8 +134,8 @@ def test_a_match_speaks_for_a_pose_by_its_distance_its_size_and_how_rare_both_ar
     for k in (0, 1, 2):
         area = query.log_areas[k] + np.log(4.0)
         off = area - sizes[objects[k]]
-        size = (1 - settings.area_outliers) * normal(off, settings.area_deviation)
-        size += settings.area_outliers * normal(off, settings.area_outlier_deviation)
+        size = (1 - settings.noise.area_outliers) * normal(off, settings.noise.area_deviation)
+        size += settings.noise.area_outliers * normal(off, settings.noise.area_outlier_deviation)
         usual = by_class[query.ranks[k], np.flatnonzero(area >= AREA_BINS)[-1]]
         place = normal(distances[k], deviations[k]) * normal(0, deviations[k]) / densities[objects[k]]
         assert found[k] == pytest.approx(place * size / usual)
@@ -141,8 +144,8 @@ def test_a_match_speaks_for_a_pose_by_its_distance_its_size_and_how_rare_both_ar
 
 
 def test_rough_fits_draw_near_poses_to_the_truth_and_leave_far_ones(index, made):
-    query = made.query.select(telling_objects(made.query, CONSTELLATION.rough_objects))
-    gates = [gate * query.diagonal for gate in CONSTELLATION.rough_gates]
+    query = made.query.select(telling_objects(made.query, CONSTELLATION.limits.rough_objects))
+    gates = [gate * query.diagonal for gate in ROUGH_GATES]
     offsets = np.array([0, 3 - 2j, 400 + 300j])
     grown = np.array([1, 1.005 * np.exp(0.004j), 1])
     centers, turns, scores = rough_scores(index, query, made.pose.center + offsets, made.pose.turn * grown, gates)
@@ -166,11 +169,11 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     inside = (np.abs(seen.real) < EDGE / 2 - edges) & (np.abs(seen.imag) < EDGE / 2 - edges)
     assert sorted(found) == np.flatnonzero(inside).tolist()
     # Of an image that has more objects than are looked at, none smaller than the smallest of these.
-    many = replace(CONSTELLATION, largest_objects=len(made.query.points))
     smallest = float(np.median(made.query.log_areas))
     larger = made.query.select(np.flatnonzero(made.query.log_areas >= smallest))
-    fewer = Verifier(replace(index, settings=replace(many, largest_objects=len(larger.points))), EDGE, EDGE, 9.0)
-    limit = larger.log_areas.min() + 2 * np.log(1.1) + CONSTELLATION.area_deviation
+    limits = replace(CONSTELLATION.limits, largest_objects=len(larger.points))
+    fewer = Verifier(replace(index, settings=replace(CONSTELLATION, limits=limits)), EDGE, EDGE, 9.0)
+    limit = larger.log_areas.min() + 2 * np.log(1.1) + CONSTELLATION.noise.area_deviation
     expected = np.flatnonzero(inside & (index.log_areas > limit))
     assert sorted(expected_objects(fewer, larger, made.pose)) == expected.tolist()
     assert 0 < len(expected) < inside.sum()
@@ -225,7 +228,7 @@ def noisy(cut_of, index, pose, seed=4, share=1.3):
     """Objects of a cut whose centers are off by known noise, a share of what is assumed."""
     rng = np.random.default_rng(seed)
     objects = cut_of.objects
-    noise = share * center_noise(cut_of.query.log_areas, 1.0, CONSTELLATION)
+    noise = share * center_noise(cut_of.query.log_areas, 1.0, CONSTELLATION.noise)
     off = noise * (rng.normal(size=len(objects)) + 1j * rng.normal(size=len(objects)))
     points = pose.in_image(index.points[objects]) + off
     log_areas = index.log_areas[objects] - 2 * np.log(pose.pixel_sizes(points))
@@ -241,9 +244,9 @@ def test_a_verified_pose_is_the_fit_of_its_matches_by_hubers_weights(index, veri
     found = verify_tilted(verifier, query, made.pose, 0j) if tilt else verify(verifier, query, [made.pose])[0]
     assert len(found.matched) == len(made.objects)
     image, on_map = query.points[found.matched], index.points[found.objects]
-    assumed = center_noise(query.log_areas[found.matched], abs(found.pose.turn), CONSTELLATION)
+    assumed = center_noise(query.log_areas[found.matched], abs(found.pose.turn), CONSTELLATION.noise)
     distances = np.abs(found.pose.on_map(image) - on_map)
-    assert found.noise_factor == pytest.approx(noise_factor(distances / assumed, numbers, CONSTELLATION), rel=1e-4)
+    assert found.noise_factor == pytest.approx(noise_factor(distances / assumed, numbers), rel=1e-4)
     pose = found.pose
     for _ in range(30):
         weights = huber(np.abs(pose.on_map(image) - on_map), found.noise_factor * assumed) / assumed**2
@@ -256,12 +259,12 @@ def test_a_verified_pose_is_the_fit_of_its_matches_by_hubers_weights(index, veri
 
 def test_log_odds_are_those_of_all_objects_that_could_be_on_the_map(index, verifier, made):
     seen = made.query.select(np.arange(len(made.objects))[6:])
-    count, settings = len(seen.points), CONSTELLATION
-    for tilt, makers in ((0j, settings.assumed_objects), (1e-9 + 0j, settings.assumed_objects_tilted)):
+    count, noise = len(seen.points), CONSTELLATION.noise
+    for tilt, makers in ((0j, ASSUMED_OBJECTS), (1e-9 + 0j, ASSUMED_OBJECTS_TILTED)):
         evidence = weigh(verifier, seen, replace(made.pose, slope=tilt), 1.0)
         assert len(evidence.matched) == count == evidence.considered and evidence.missing > 0
-        deviations = center_noise(seen.log_areas, 1.1, settings)
+        deviations = center_noise(seen.log_areas, 1.1, noise)
         nearest = Nearest(np.zeros(count), made.objects[6:], deviations)
         ratios = match_ratios(index, seen, nearest, np.full(count, np.log(1.1)))
-        expected = averaged_log_odds(ratios, np.ones(count, bool), evidence.missing, makers, settings)
+        expected = averaged_log_odds(ratios, np.ones(count, bool), evidence.missing, makers, noise)
         assert evidence.log_odds == pytest.approx(expected, rel=1e-4)

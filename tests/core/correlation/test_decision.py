@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from semref.core.correlation.decision import (
+    LEAST_CHANCE,
     decide,
     exact_enough,
     fisher_z,
@@ -46,7 +47,7 @@ def test_the_risk_falls_with_the_lead_over_the_stronger_opponent_and_with_the_de
     risks = [risk_of_peaks(one) for one in peaks]
     assert risks == sorted(risks, reverse=True) and risks[0] > 0.9 and risks[-1] < 1e-4
     assert lead(peaks[2]) == pytest.approx(np.arctanh(0.7) / np.arctanh(0.3) - 1)
-    assert lead(CorrelationPeaks(0.7, 0.0, 0.0)) == pytest.approx(np.arctanh(0.7) / CORRELATION.least_chance - 1)
+    assert lead(CorrelationPeaks(0.7, 0.0, 0.0)) == pytest.approx(np.arctanh(0.7) / LEAST_CHANCE - 1)
 
 
 def test_another_place_that_is_as_good_makes_the_best_one_a_guess():

@@ -65,28 +65,27 @@ def test_a_score_is_moved_to_another_size_by_what_chance_gives_there():
     assert chance.moved(np.tanh(0.1), 1.0, 2.0) == 0.0
 
 
-def test_chance_is_the_median_of_good_peaks_and_none_where_there_are_too_few(patch_pyramid):
-    settings = patch_pyramid.settings
+def test_chance_is_the_median_of_good_peaks_and_none_where_there_are_too_few():
     scores = np.tanh(np.concatenate([[2.0], np.full(20, 0.3)]))
     peaks = np.array([(score, 0.0, 0.0, 0.0, size) for size in (1.0, 1.2) for score in scores])
-    assert chance_levels(peaks, np.array([1.0, 1.2]), settings).levels == pytest.approx([0.3, 0.3])
-    assert (chance_levels(peaks[:24], np.array([1.0, 1.2]), settings).levels == 0).all()
+    assert chance_levels(peaks, np.array([1.0, 1.2])).levels == pytest.approx([0.3, 0.3])
+    assert (chance_levels(peaks[:24], np.array([1.0, 1.2])).levels == 0).all()
 
 
-def test_of_chosen_peaks_the_sizes_that_have_enough_tell_for_the_others(patch_pyramid):
-    settings, sizes = patch_pyramid.settings, np.array([0.8, 1.0, 1.2])
+def test_of_chosen_peaks_the_sizes_that_have_enough_tell_for_the_others():
+    sizes = np.array([0.8, 1.0, 1.2])
     # Refined ones have sizes of their own.
     peaks = np.array([(np.tanh(0.3), 0.0, 0.0, 0.0, size) for size in (*[1.03] * 20, *[1.21] * 5)])
-    chance = chance_levels(peaks, sizes, settings, are_chosen=True)
+    chance = chance_levels(peaks, sizes, are_chosen=True)
     assert chance.at(sizes) == pytest.approx([0.3] * 3)
-    assert (chance_levels(peaks[:5], sizes, settings, are_chosen=True).levels == 0).all()
+    assert (chance_levels(peaks[:5], sizes, are_chosen=True).levels == 0).all()
 
 
 def test_decoys_are_looked_for_at_the_sizes_next_to_the_best(patch_pyramid):
     space = search_space(patch_pyramid, Prior(pixel_size_range=(0.5, 2.0)))
-    sizes = near_size(space, 1.0, patch_pyramid.settings).pixel_sizes_m
+    sizes = near_size(space, 1.0).pixel_sizes_m
     assert 1 <= len(sizes) <= 3 and np.abs(np.log(sizes)).max() <= np.log(1.2) + 1e-9
-    assert len(near_size(space, 0.1, patch_pyramid.settings).pixel_sizes_m) == 1
+    assert len(near_size(space, 0.1).pixel_sizes_m) == 1
 
 
 def test_a_prior_bounds_what_is_searched(patch_pyramid):

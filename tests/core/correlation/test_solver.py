@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from made_patches import FRAME, ORIGIN, PRIOR, error_m, made_map, spoiled, view
 
+from semref.core.correlation import refine, refine_many, search, view_effects
 from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
 from semref.core.correlation.places import comparisons, image_evidence, reduced_image, search_space
 from semref.core.correlation.settings import CORRELATION
@@ -150,11 +151,12 @@ def test_a_heading_prior_may_wrap_around_north(labels, pyramid):
 
 
 @pytest.mark.slow
-def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid):
+def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid, monkeypatch):
     image = view(labels, (1500, 700), 123, 0.9)
     first = localize(image, pyramid, PRIOR)
-    settings = replace(CORRELATION, tile_size=128, threads=1)
-    other = localize(image, MapPyramid(pyramid.labels, pyramid.frame, settings), PRIOR)
+    monkeypatch.setattr(search, "TILE_SIZE", 256)
+    monkeypatch.setattr(search, "THREADS", 1)
+    other = localize(image, pyramid, PRIOR)
     assert np.hypot(*np.subtract(first.best.position, other.best.position)) < 0.1
     assert abs(first.peaks.score - other.peaks.score) < 0.001
     assert abs(first.peaks.mirror - other.peaks.mirror) < 0.03
@@ -267,8 +269,10 @@ def test_at_the_edge_of_the_map_a_fix_is_right(labels, pyramid, beyond, heading_
     assert not result.is_fix or error_m(result.best, center) < 3
 
 
-def test_a_place_that_the_edge_of_the_map_holds_is_no_fix(labels):
-    pyramid = MapPyramid(most_frequent_labels(labels), FRAME, replace(CORRELATION, least_known_moved=0.5))
+def test_a_place_that_the_edge_of_the_map_holds_is_no_fix(labels, monkeypatch):
+    for module in (refine, refine_many, view_effects):
+        monkeypatch.setattr(module, "LEAST_KNOWN_MOVED", 0.5)
+    pyramid = MapPyramid(most_frequent_labels(labels), FRAME)
     center = 130.0, 1000.0
     result = localize(view(labels, center, 200, 1.2), pyramid, PRIOR)
     assert error_m(result.best, center) > 10

@@ -16,6 +16,8 @@ from semref.core.flight.evidence import best_of, random_poses, scored, seen_imag
 sys.path.insert(0, str(Path(__file__).parent))
 from conftest import FEW, FRAME
 
+from semref.core.flight.tracker import APART
+
 sys.path.pop(0)
 
 
@@ -43,12 +45,12 @@ def test_an_image_agrees_at_its_place_and_not_at_random_ones(seen, truth, locali
 
 
 def test_the_best_places_have_the_right_one_among_them_and_are_apart(seen, truth, localizer):
-    found = best_of(seen, localizer.pyramid, 20, FEW.apart)
+    found = best_of(seen, localizer.pyramid, 20, APART)
     away = [np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in found]
     assert min(away) < 25
     points = np.array([(pose.x, pose.y) for pose in found])
     gaps = np.hypot(*(points[:, None] - points).transpose(2, 0, 1))
-    assert gaps[~np.eye(len(points), dtype=bool)].min() > 0.9 * FEW.apart * 288
+    assert gaps[~np.eye(len(points), dtype=bool)].min() > 0.9 * APART * 288
 
 
 def test_on_a_large_map_the_best_places_are_chosen_at_larger_pixels_first(seen, truth, localizer, monkeypatch):
@@ -57,7 +59,7 @@ def test_on_a_large_map_the_best_places_are_chosen_at_larger_pixels_first(seen, 
     chosen = []
     choose = places._wide_peaks
     monkeypatch.setattr(places, "_wide_peaks", lambda *asked: chosen.append(asked) or choose(*asked))
-    found = best_of(seen, large, 20, FEW.apart)
+    found = best_of(seen, large, 20, APART)
     assert len(chosen) == 1
     assert min(np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in found) < 25
 
@@ -65,13 +67,13 @@ def test_on_a_large_map_the_best_places_are_chosen_at_larger_pixels_first(seen, 
 def test_on_a_map_that_is_too_large_for_an_image_there_are_no_best_places(seen, localizer):
     whole = localizer.pyramid
     large = MapPyramid(whole.labels, whole.frame, replace(CORRELATION, most_at_once=0, most_comparisons=1))
-    assert best_of(seen, large, 20, FEW.apart) == []
+    assert best_of(seen, large, 20, APART) == []
 
 
 def test_an_image_of_one_class_says_nothing(localizer, flown):
     flat = seen_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
     assert flat.evidence is None
-    assert best_of(flat, localizer.pyramid, 20, FEW.apart) == []
+    assert best_of(flat, localizer.pyramid, 20, APART) == []
 
 
 def test_random_places_are_the_same_every_time(seen, localizer):

@@ -32,8 +32,8 @@ def test_class_areas_measure_an_image_near_its_place(flown, localizer, truth):
 
 
 def test_far_from_its_place_an_image_measures_nothing(flown, localizer, truth):
-    for way in (by_areas, by_landmarks):
-        assert way(flown.images[3], localizer, truth + (500, 300, 1.0, 0.0), EXPECTED, FEW) is None
+    there = flown.images[3], localizer, truth + (500, 300, 1.0, 0.0), EXPECTED
+    assert by_areas(*there, FEW) is by_landmarks(*there) is None
 
 
 def test_an_own_fix_is_a_measurement_and_a_place_that_is_none_is_not(localizer):

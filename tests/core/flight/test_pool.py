@@ -5,7 +5,7 @@ import pytest
 
 from semref.core.flight.evidence import SeenImage
 from semref.core.flight.motion import Link, as_rows
-from semref.core.flight.pool import Pool, moved, own_worth, predicted, pruned, same_place
+from semref.core.flight.pool import OWN_MOST, Pool, moved, own_worth, predicted, pruned, same_place
 from semref.core.flight.settings import FLIGHT
 from semref.core.localization import Prior
 
@@ -48,7 +48,7 @@ def test_an_own_place_speaks_for_hypotheses_at_it_alone():
     pool = pool_at((0, 0, 0.0), (2000, 0, 0.0))
     seen = SeenImage(None, 320.0, (0.0, 1.0), Prior(), np.array([20.0, 0.0, 0.05, np.log(2.0)]), 30.0)
     offset, slope = FLIGHT.risk_curve
-    most = (FLIGHT.own_most - offset) / slope
+    most = (OWN_MOST - offset) / slope
     assert own_worth(pool.states, pool.variances, seen, FLIGHT).tolist() == [most, 0.0]
     unsure = SeenImage(None, 320.0, (0.0, 1.0), Prior(), seen.own_state, -1.0)
     assert own_worth(pool.states, pool.variances, unsure, FLIGHT).tolist() == [0.0, 0.0]

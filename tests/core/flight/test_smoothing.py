@@ -9,6 +9,7 @@ from semref.core.flight.measurement import Measurement
 from semref.core.flight.motion import Link, LinkSource, as_rows
 from semref.core.flight.settings import FLIGHT
 from semref.core.flight.smoothing import (
+    DRIFT,
     Estimate,
     drift_of,
     first_estimate,
@@ -19,7 +20,7 @@ from semref.core.flight.smoothing import (
     without_measurement,
 )
 
-STEP_M, SHARED_M2, OWN_M2, DRIFT = 200.0, 4.0, 4.0, 0.01
+STEP_M, SHARED_M2, OWN_M2 = 200.0, 4.0, 4.0
 HEADING, SIZE = 0.005, 0.003
 
 
@@ -35,7 +36,7 @@ def track(count, measured, rng, shared_m2=SHARED_M2):
     kept = np.exp(-STEP_M / FLIGHT.map_length)
     displacement = rng.normal(0, np.sqrt(SHARED_M2), 2)
     covariance = np.diag([SHARED_M2 + OWN_M2] * 2 + [0.01**2, 0.01**2])
-    estimates, steps = [first_estimate(np.zeros(4), np.array([50, 50, 0.1, 0.1]), shared_m2, FLIGHT.drift)], []
+    estimates, steps = [first_estimate(np.zeros(4), np.array([50, 50, 0.1, 0.1]), shared_m2, DRIFT)], []
     for number in range(count):
         if number:
             steps.append(step_over(estimates[-1], a_link(number - 1, rng), shared_m2, FLIGHT))
@@ -84,7 +85,7 @@ def test_later_images_tell_of_earlier_ones():
 
 
 def test_motion_in_meters_needs_no_pixel_size():
-    start = first_estimate(np.array([0, 0, np.pi / 2, 3.0]), np.array([1, 1, 0.0, 1.0]), 1.0, FLIGHT.drift)
+    start = first_estimate(np.array([0, 0, np.pi / 2, 3.0]), np.array([1, 1, 0.0, 1.0]), 1.0, DRIFT)
     step = step_over(start, Link.of_odometry(0, 1, 0.0, 100.0, 0.0, 1.0, 0.0), 1.0, FLIGHT)
     assert step.predicted.state[:2] == pytest.approx((100.0, 0.0))
     assert deviation(step.predicted).max() < 3
@@ -133,6 +134,6 @@ def test_links_that_state_more_may_be_wrong_all_along_by_more():
     def stated(share, source=LinkSource.PIXELS):
         return Link(0, 1, (0.0, -200.0), 0.0, 0.0, as_rows(np.diag([2 * (share * 200) ** 2] * 2 + [1e-4] * 2)), source)
 
-    assert drift_of([stated(0.05)] * 3, FLIGHT) == pytest.approx(0.05)
-    assert drift_of([stated(0.001)], FLIGHT) == FLIGHT.drift == drift_of([], FLIGHT)
-    assert drift_of([stated(0.001), *[stated(0.4, LinkSource.ASSUMED)] * 5], FLIGHT) == FLIGHT.drift
+    assert drift_of([stated(0.05)] * 3) == pytest.approx(0.05)
+    assert drift_of([stated(0.001)]) == DRIFT == drift_of([])
+    assert drift_of([stated(0.001), *[stated(0.4, LinkSource.ASSUMED)] * 5]) == DRIFT

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from semref.core.flight.settings import FLIGHT
 from semref.core.flight.smoothing import Estimate
 from semref.core.flight.telling import chance_off, told_pose
 from semref.core.localization import LEAST_RISK
@@ -12,7 +11,7 @@ from semref.core.localization import LEAST_RISK
 def told(flown, localizer, sigma_m, risk=1e-6):
     state = np.array([420.0, -700.0, 1.0, np.log(3.0), 0.0, 0.0, 0.0, 0.0])
     known = np.diag([sigma_m**2, sigma_m**2, 1e-4, 1e-4, 1.0, 1.0, 1e-4, 1e-4])
-    return told_pose(flown.images[2], 2, localizer, Estimate(state, known), risk, 1, FLIGHT)
+    return told_pose(flown.images[2], 2, localizer, Estimate(state, known), risk, 1)
 
 
 def test_the_risk_of_a_pose_is_its_tracks_or_that_of_lying_off_alone(flown, localizer):
