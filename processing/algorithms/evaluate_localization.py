@@ -22,6 +22,7 @@ from ...core.errors import LabelMapError, ParameterError
 from ...core.localization import Method
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
 from ..framework import parameters
+from ..framework.assessing import noise_ranges
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.parameters import with_help
 from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
@@ -70,9 +71,6 @@ class EvaluateLocalization(SemRefAlgorithm):
     TAGS = ("accuracy", "trials", "benchmark", "success rate", "false accept", "noise", "report", "table")
 
     DATABASE, LABELS, REPORT, SEED = parameters.DATABASE, parameters.LABELS, parameters.REPORT, parameters.SEED
-    MISSED, INVENTED, MISNAMED, RAGGED = parameters.MISSED, parameters.INVENTED, parameters.MISNAMED, parameters.RAGGED
-    BACKGROUND, DISPLACED, SHIFTED = parameters.BACKGROUND, parameters.DISPLACED, parameters.SHIFTED
-    LEANING, LENS, TILT = parameters.LEANING, parameters.LENS, parameters.TILT
     METHODS = "METHODS"
     TRIALS = "TRIALS"
     MIRRORED = "MIRRORED"
@@ -230,20 +228,9 @@ class EvaluateLocalization(SemRefAlgorithm):
     def _ranges(self, values: Values) -> TrialRanges:
         """Raises ParameterError for ranges that can't be."""
         from ...core.evaluation.evaluation import TrialRanges
-        from ..framework.network_noise import compared_network
 
-        factor = parameters.NETWORK_FACTORS[values.choice(parameters.NETWORK)]
-        compared = compared_network(values)
-
-        def limits(key: str) -> tuple[float, float]:
-            if key in compared:
-                return compared[key], compared[key]
-            if factor is None or key not in parameters.OF_NETWORKS:
-                return values.range(key)
-            low, high = USUAL[key]
-            return factor * low, factor * high
-
-        return TrialRanges(**{key.lower(): limits(key) for key in USUAL})
+        ranges = noise_ranges(values, USUAL, values.range)
+        return TrialRanges(**{key.lower(): found for key, found in ranges.items()})
 
     def read_layers(self, values: Values) -> None:
         self._layer = values.label_map(self.LABELS)

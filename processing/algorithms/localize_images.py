@@ -20,12 +20,11 @@ from ...core.errors import ParameterError
 from ..compat import DOUBLE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework import parameters, priors
 from ..framework.base import Declared, cancelable, check_canceled
-from ..framework.localized_image import LabelImages, LocalizedImage, say, with_jumps
+from ..framework.localized_image import LabelImages, LocalizedImage, say, with_far_photos, with_jumps
 from ..framework.localized_layers import write_grounds, write_matches, write_positions
 from ..framework.localizing import LocalizeAlgorithm, localize_image, scheduled_images
 from ..framework.parameters import with_help
 from ..framework.photo_labels import pace_results
-from ..framework.photo_positions import with_far_photos
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..translation import tr

@@ -8,9 +8,8 @@ from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterEnum, Qgs
 
 from ...core.errors import ClassTableError, ParameterError
 from ..framework import parameters
-from ..framework.annotation import AnnotationAlgorithm
+from ..framework.annotation import PRESETS, AnnotationAlgorithm
 from ..framework.base import Declared, check_canceled
-from ..framework.class_presets import PRESETS
 from ..framework.parameters import with_help
 from ..translation import tr
 
@@ -61,7 +60,7 @@ class MakeClassTable(AnnotationAlgorithm):
                 QgsProcessingParameterEnum(
                     self.PRESET,
                     tr("Nomenclature"),
-                    options=(tr("None"), *(preset.title for preset in PRESETS)),
+                    options=(tr("None"), *PRESETS),
                     defaultValue=0,
                 ),
                 tr(
@@ -75,12 +74,13 @@ class MakeClassTable(AnnotationAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.labels.class_proposal import proposed_table
+        from ...storage.text_tables import read_class_table
         from ..exchange.annotation import class_texts
 
         found = class_texts(self._source, feedback.isCanceled)
         check_canceled(feedback)
-        number = values.choice(self.PRESET)
-        table = proposed_table(found, PRESETS[number - 1].table() if number else None)
+        preset = ("", *PRESETS.values())[values.choice(self.PRESET)]
+        table = proposed_table(found, read_class_table(preset) if preset else None)
         chosen = values.parts(self.REFERENCE_CLASSES)
         try:
             table = table.with_references(chosen) if chosen else table

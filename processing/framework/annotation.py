@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsGeometry
@@ -25,6 +26,15 @@ if TYPE_CHECKING:
     from ..exchange.annotation import AnnotationSource
     from ..exchange.annotation_features import AnnotationReading
     from .values import Values
+
+CLASS_TABLES = Path(__file__).resolve().parents[2] / "resources" / "class_tables"
+PRESETS = {
+    "OpenStreetMap": str(CLASS_TABLES / "openstreetmap.csv"),
+    "LCDB v5 (New Zealand)": str(CLASS_TABLES / "lcdb.csv"),
+    "CORINE Land Cover": str(CLASS_TABLES / "corine.csv"),
+    "Urban Atlas": str(CLASS_TABLES / "urban_atlas.csv"),
+}
+"""Class tables that ship, by the proper names of their nomenclatures; in the order of PRESET, of which 0 is none."""
 
 
 class AnnotationAlgorithm(SemRefAlgorithm):

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
 
 from ...core.errors import DatabaseError
 from ...core.localization import Method
 from ..compat import DOUBLE
+from ..reports.network_noise import read_network
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
 from . import parameters
 from .base import SemRefAlgorithm, cancelable, check_canceled
-from .network_noise import compared_network
 from .parameters import with_help
 
 if TYPE_CHECKING:
@@ -45,6 +45,39 @@ USUAL: dict[str, tuple[float, float | None]] = {
 """What is assumed by default, and the largest value, by key: percent, map units, degrees."""
 
 
+NETWORK_FACTORS = (None, 0.5, 1.0, 2.0)
+"""By option of NETWORK: multiplies what is assumed of a network; None leaves it to the numbers that are given."""
+
+OF_NETWORKS = ("MISSED", "INVENTED", "MISNAMED", "RAGGED", "BACKGROUND", "SHIFTED")
+"""The errors that are a network's; the others are the map's and the camera's."""
+
+
+def noise_ranges(
+    values: Values, usual: Mapping[str, tuple[float, float]], read: Callable[[str], tuple[float, float]]
+) -> dict[str, tuple[float, float]]:
+    """How poor labels are: by a comparison's report, else by the network in a word, else by the parameters themselves.
+
+    Args:
+        values: With NETWORK and COMPARISON.
+        usual: (lowest, highest) that is assumed of a usable network, by key.
+        read: Gives the range that a parameter has.
+
+    Raises:
+        ParameterError: The report can't be used, or a value.
+    """
+    factor, path = NETWORK_FACTORS[values.choice(parameters.NETWORK)], values.file(parameters.COMPARISON)
+    compared = read_network(path) if path else {}
+
+    def found(key: str) -> tuple[float, float]:
+        if key in compared and key in OF_NETWORKS:
+            return compared[key], compared[key]
+        if factor is not None and key in OF_NETWORKS:
+            return factor * usual[key][0], factor * usual[key][1]
+        return read(key)
+
+    return {key: found(key) for key in usual}
+
+
 def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
     usual, most = USUAL[key]
     parameter = QgsProcessingParameterNumber(key, title, type=DOUBLE, defaultValue=usual, minValue=0.0)
@@ -56,9 +89,6 @@ def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
 class AssessAlgorithm(SemRefAlgorithm):
     """An algorithm that simulates images of a database."""
 
-    MISSED, INVENTED, MISNAMED, RAGGED = parameters.MISSED, parameters.INVENTED, parameters.MISNAMED, parameters.RAGGED
-    BACKGROUND, DISPLACED, SHIFTED = parameters.BACKGROUND, parameters.DISPLACED, parameters.SHIFTED
-    LEANING, LENS, TILT = parameters.LEANING, parameters.LENS, parameters.TILT
     DATABASE, REPORT, SEED = parameters.DATABASE, parameters.REPORT, parameters.SEED
     MAP_CORRELATION = "MAP_CORRELATION"
     THRESHOLD = "THRESHOLD"
@@ -102,16 +132,9 @@ class AssessAlgorithm(SemRefAlgorithm):
         """How poor labels and cameras are taken to be, in map units. Raises ParameterError for what can't be."""
         from ...core.assessment.job import conditions_of
 
-        factor = parameters.NETWORK_FACTORS[values.choice(parameters.NETWORK)]
-        compared = compared_network(values)
-
-        def number(key: str) -> float:
-            if key in compared:
-                return compared[key]
-            is_given = factor is None or key not in parameters.OF_NETWORKS
-            return values.number(key) if is_given else factor * USUAL[key][0]
-
-        return conditions_of({key.lower(): number(key) for key in USUAL})
+        usual = {key: (number, number) for key, (number, _) in USUAL.items()}
+        ranges = noise_ranges(values, usual, lambda key: (values.number(key),) * 2)
+        return conditions_of({key.lower(): number for key, (number, _) in ranges.items()})
 
     def with_correlation(self, values: Values, database: ReferenceDatabase) -> bool:
         """Whether map correlation is assessed as well: it is wanted, and the database has what it needs."""

@@ -29,7 +29,7 @@ from ..packages.components import OPENCV, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
-from .apart import require_outputs_apart
+from .destinations import require_outputs_apart
 from .outputs import Outputs
 from .time_left import TellingFeedback
 from .values import Values

@@ -13,10 +13,11 @@ from ...core.sentences import Sentence
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
+from .base import check_canceled
 
 if TYPE_CHECKING:
     import numpy as np
-    from qgis.core import QgsProcessingFeedback
+    from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext, QgsProcessingFeedback
 
     from ...core.database.model import ReferenceDatabase, Windows
 
@@ -25,6 +26,9 @@ PlacedRow = tuple[Any, dict[str, Any]]
 
 ERROR = "error"
 """Status of an image that could not be read; the others come from the localizer."""
+
+FAR_M = 1000.0
+"""From the ground's border on; nearer, a camera that looks aside may well see it, and receivers err by less."""
 
 FIELDS = (
     ("image", "text"),
@@ -182,6 +186,32 @@ def with_jumps(
     summary = tr("{jumps} of {checked} fixes with a time are jumps.")
     feedback.pushInfo(summary.format(jumps=int(flags.sum()), checked=len(timed)))
     return checked
+
+
+def with_far_photos(
+    localized: Sequence[LocalizedImage],
+    database: ReferenceDatabase,
+    crs: QgsCoordinateReferenceSystem,
+    context: QgsCoordinateTransformContext,
+    feedback: QgsProcessingFeedback,
+) -> list[LocalizedImage]:
+    """The images, with their distance from the database's ground where a photo's GPS position is far from it; says so.
+
+    Localization itself never uses such positions. ``crs``: of the database.
+    """
+    from ...storage.photo_position import photo_lon_lat
+    from ..exchange.reference_systems import meters_from
+
+    told = []
+    for item in localized:
+        check_canceled(feedback)
+        place = None if item.result is None else photo_lon_lat(item.path)
+        away = None if place is None else meters_from(place, database.parameters.extent, crs, context)
+        if away is not None and away > FAR_M:
+            item = replace(item, gps_distance_m=away)
+            feedback.pushWarning(f"{os.path.basename(item.path)}: {far_sentence(away)}")
+        told.append(item)
+    return told
 
 
 def row(item: LocalizedImage) -> dict[str, Any]:

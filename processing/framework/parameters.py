@@ -33,12 +33,6 @@ OPEN_OUTPUT = "OPEN_OUTPUT"
 NETWORK = "NETWORK"
 COMPARISON = "COMPARISON"
 
-NETWORK_FACTORS = (None, 0.5, 1.0, 2.0)
-"""By option of NETWORK: multiplies what is assumed of a network; None leaves it to the numbers that are given."""
-
-OF_NETWORKS = (MISSED, INVENTED, MISNAMED, RAGGED, BACKGROUND, SHIFTED)
-"""The errors that are a network's; the others are the map's and the camera's."""
-
 
 def with_help(
     parameter: QgsProcessingParameterDefinition, text: str, advanced: bool = False, widget: str = ""
@@ -55,14 +49,9 @@ def with_help(
     if advanced:
         parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
     if widget:
-        parameter.setMetadata(widget_metadata(widget))
+        package = __name__.rpartition(".processing.")[0]
+        parameter.setMetadata({"widget_wrapper": {"class": f"{package}.ui.fields.dialog_widgets.{widget}"}})
     return parameter
-
-
-def widget_metadata(widget: str) -> dict[str, dict[str, str]]:
-    """Return the metadata by which dialogs show a parameter as ``widget``; they import it by this name."""
-    package = __name__.rpartition(".processing.")[0]
-    return {"widget_wrapper": {"class": f"{package}.ui.fields.dialog_widgets.{widget}"}}
 
 
 def database(text: str = "", optional: bool = False) -> QgsProcessingParameterDefinition:

@@ -6,23 +6,18 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProcessingModelAlgorithm
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingContext,
+    QgsProcessingFeedback,
+    QgsProcessingModelAlgorithm,
+    QgsProcessingParameterDefinition,
+)
 from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
 from ..version import algorithm_help_url
-from . import parameters
 from .base import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
-from .parameters import widget_metadata
-
-_WIDGETS = {
-    parameters.DATABASE: "DatabaseWidget",
-    parameters.MODEL: "ModelWidget",
-    parameters.CLASS_TABLE: "ClassTableWidget",
-    parameters.CLASS_FIELD: "ClassFieldWidget",
-    parameters.CLASS: "ClassNameWidget",
-}
-"""Widgets of the models' parameters, by name."""
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
 
@@ -121,21 +116,21 @@ class ShippedModel(QgsProcessingModelAlgorithm):
         return True
 
     def _translate(self) -> None:
-        model, texts = self.toVariant(), model_texts(self.name())
+        model, texts, of_steps = self.toVariant(), model_texts(self.name()), self._parameters_of_steps()
         for name, definition in model["parameterDefinitions"].items():
             definition["description"] = texts.names.get(name) or tr(definition["description"])
-            if name in _WIDGETS:
-                definition["metadata"] = widget_metadata(_WIDGETS[name])
+            if name in of_steps:
+                definition["metadata"] = of_steps[name].metadata()
         for child in model["children"].values():
             for output in child["outputs"].values():
                 output["component_description"] = tr(output["component_description"])
-        helps = {"ALG_DESC": texts.summary, **self._helps_of_steps(), **texts.helps}
+        helps = {"ALG_DESC": texts.summary, **{name: one.help() for name, one in of_steps.items()}, **texts.helps}
         model["help"] = {**model["help"], **helps}
         self.loadVariant(model)
 
-    def _helps_of_steps(self) -> dict[str, str]:
-        """What the algorithms say of the parameters that the model hands on to them."""
-        helps: dict[str, str] = {}
+    def _parameters_of_steps(self) -> dict[str, QgsProcessingParameterDefinition]:
+        """The algorithms' parameters that the model hands its own on to, by the name of its own."""
+        found: dict[str, QgsProcessingParameterDefinition] = {}
         registry = QgsApplication.processingRegistry()
         for child in self.childAlgorithms().values():
             algorithm = registry.algorithmById(child.algorithmId())
@@ -144,8 +139,8 @@ class ShippedModel(QgsProcessingModelAlgorithm):
                 # Only what the model hands on from its own parameters names one.
                 for name in (one.parameterName() for one in sources if definition):
                     if name:
-                        helps.setdefault(name, definition.help())
-        return helps
+                        found.setdefault(name, definition)
+        return found
 
     # --- QgsProcessingAlgorithm ---
 

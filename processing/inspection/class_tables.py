@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ..framework.class_presets import FOLDER, PRESETS
+from ..framework.annotation import CLASS_TABLES, PRESETS
 from ..translation import tr
 
 
@@ -42,17 +42,17 @@ def read_rows(path: str) -> list[ClassRow]:
 
 def preset_titles() -> list[str]:
     """Of the nomenclatures that ship."""
-    return [preset.title for preset in PRESETS]
+    return list(PRESETS)
 
 
 def preset_rows(number: int) -> list[ClassRow]:
     """The classes of one of them, by its place in ``preset_titles``."""
-    return _rows(PRESETS[number].table().to_csv())
+    return read_rows(list(PRESETS.values())[number])
 
 
 def is_shipped(path: str) -> bool:
     """Whether a file is one of the plugin's own, which an update would replace."""
-    return os.path.dirname(os.path.realpath(path)) == os.path.realpath(FOLDER)
+    return os.path.dirname(os.path.realpath(path)) == os.path.realpath(CLASS_TABLES)
 
 
 def new_row(values: Iterable[str]) -> ClassRow:

@@ -16,7 +16,8 @@ from qgis.core import (
 )
 
 from semref.core.labels.class_table import class_table_from_csv
-from semref.processing.framework.class_presets import PRESETS
+from semref.processing.framework.annotation import PRESETS
+from semref.storage.text_tables import read_class_table
 
 CLASS_TABLE, RASTERIZE = "semref:classtable", "semref:rasterizeannotation"
 
@@ -68,9 +69,9 @@ def test_the_table_is_good_for_the_layer_it_was_made_of(made, run_algorithm, tmp
     assert run_algorithm(RASTERIZE, given)["CLASS_COUNT"] == 3
 
 
-@pytest.mark.parametrize("preset", PRESETS, ids=lambda preset: preset.file)
+@pytest.mark.parametrize("preset", PRESETS)
 def test_presets_are_class_tables_whose_colors_differ_and_that_have_landmarks(preset):
-    table = preset.table()
+    table = read_class_table(PRESETS[preset])
     assert len({c.color for c in table}) >= 0.95 * len(table)
     assert 3 <= len(table.references) < len(table)
 
@@ -116,7 +117,7 @@ def test_the_classes_of_lcdb_are_called_as_its_data_call_them(real_data):
     """Every class that the layer has at any of its dates, by number and name."""
     source = ogr.Open(str(real_data("lcdb5_christchurch/lcdb5_christchurch.gpkg")))
     name = source.GetLayer(0).GetName()
-    table = {c.value: c.name for c in next(p for p in PRESETS if p.file == "lcdb.csv").table()}
+    table = {c.value: c.name for c in read_class_table(PRESETS["LCDB v5 (New Zealand)"])}
     for year in (1996, 2001, 2008, 2012, 2018):
         found = source.ExecuteSQL(f'SELECT DISTINCT "Class_{year}", "Name_{year}" FROM "{name}"')
         rows = {int(row.GetField(0)): row.GetField(1) for row in found}
@@ -126,7 +127,7 @@ def test_the_classes_of_lcdb_are_called_as_its_data_call_them(real_data):
 
 def test_the_classes_of_urban_atlas_are_called_as_its_data_call_them():
     """Values of the attribute class_2018, as others quote them from its files."""
-    names = {c.name.partition(" ")[2] for c in next(p for p in PRESETS if p.file == "urban_atlas.csv").table()}
+    names = {c.name.partition(" ")[2] for c in read_class_table(PRESETS["Urban Atlas"])}
     assert {
         "Continuous urban fabric (S.L. : > 80%)",
         "Discontinuous dense urban fabric (S.L. : 50% -  80%)",
@@ -151,14 +152,14 @@ LCDB = """0 1 2 5 6 10 12 14 15 16 20 21 22 30 33 40 41 43 44 45 46 47 50 51 52 
 """LCDB v5.0 with the two classes of the Chatham Islands."""
 
 
-@pytest.mark.parametrize(("file", "codes"), [("corine.csv", CORINE), ("urban_atlas.csv", URBAN_ATLAS)])
-def test_names_begin_with_the_published_codes_in_their_order(file, codes):
-    table = next(p for p in PRESETS if p.file == file).table()
+@pytest.mark.parametrize(("preset", "codes"), [("CORINE Land Cover", CORINE), ("Urban Atlas", URBAN_ATLAS)])
+def test_names_begin_with_the_published_codes_in_their_order(preset, codes):
+    table = read_class_table(PRESETS[preset])
     assert [(c.value, c.name.split()[0]) for c in table] == list(enumerate(codes.split(), 1))
 
 
 def test_values_of_lcdb_are_its_class_numbers():
-    table = next(p for p in PRESETS if p.file == "lcdb.csv").table()
+    table = read_class_table(PRESETS["LCDB v5 (New Zealand)"])
     assert [c.value for c in table] == [int(code) for code in LCDB.split()]
 
 
