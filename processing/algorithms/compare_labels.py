@@ -131,8 +131,7 @@ class CompareLabels(SemRefAlgorithm):
         from ...core.labels.comparison import LabelComparison
         from ...storage.comparing import DisagreementMap, LabelMapPair
         from ..exchange.layers import require_one_crs
-        from ..framework.class_biases import measured_shifts, say_shifts
-        from ..framework.compared_landmarks import measured_errors
+        from ..framework.compared_landmarks import measured_errors, measured_shifts, say_shifts
         from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
@@ -160,7 +159,7 @@ class CompareLabels(SemRefAlgorithm):
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
         """The copy of the model, where it is wanted."""
-        from ..framework.class_biases import model_with_biases
+        from ..framework.compared_landmarks import model_with_biases
 
         if outputs.wants(self.MODEL_OUTPUT):
             sun_deg = values.optional_number(self.SUN_DIRECTION)

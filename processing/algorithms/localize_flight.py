@@ -20,9 +20,16 @@ from ..compat import DOUBLE, SOURCE_LINE, SOURCE_POINT
 from ..framework import parameters, priors
 from ..framework.base import Declared, cancelable, check_canceled, interruptible
 from ..framework.flight_images import FlightReader, in_order, localized_of, say_pose, with_log
-from ..framework.flight_layers import FlownImage, report_points, tracks_of, write_flight_positions, write_tracks
 from ..framework.localized_image import LabelImages, with_far_photos, with_jumps
-from ..framework.localized_layers import write_grounds, write_matches
+from ..framework.localized_layers import (
+    FlownImage,
+    report_points,
+    tracks_of,
+    write_flight_positions,
+    write_grounds,
+    write_matches,
+    write_tracks,
+)
 from ..framework.localizing import LocalizeAlgorithm
 from ..framework.parameters import with_help
 from ..framework.photo_labels import pace_results

@@ -19,12 +19,11 @@ from qgis.core import (
 from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
 from ..framework import parameters
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.label_polygons import write_polygons
 from ..framework.parameters import with_help
 from ..framework.photo_labels import NetworkPace, describe, open_model, pace_results
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
-from ..framework.segmented_files import SeenGrid, SegmentedFiles
+from ..framework.segmented_files import SeenGrid, SegmentedFiles, write_polygons
 from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, require
 from ..translation import tr
 

@@ -1,25 +1,31 @@
-"""How poor a network's landmarks are: counted in a comparison, as numbers that assessments take."""
+"""What a comparison of label maps says of their landmarks: how many are wrong, and how far off each class is shown."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ...core.landmarks.class_shifts import LEAST_AREA_PX, PIECE_PX
+from ...core.errors import ModelError, ParameterError
+from ...core.geometry.error_settings import ClassBias
+from ...core.landmarks.class_shifts import LEAST_AREA_PX, PIECE_PX, ClassShift, class_shifts, piece_shifts
 from ...core.landmarks.compared import LandmarkErrors, piece_errors
-from ..reports.comparison_report import PIXEL, MeasuredErrors, MeasuredShifts
+from ..compat import is_metric
+from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
+from ..translation import tr
 from . import parameters
 from .base import check_canceled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from qgis.core import QgsProcessingFeedback
+    from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.labels.comparison import ClassMatch, LabelComparison
     from ...storage.comparing import LabelMapPair
+
 
 MOST_PERCENT = 100.0
 
@@ -89,3 +95,83 @@ def _shifted(shifts: MeasuredShifts) -> float | None:
         return None
     squares = [row.along[0] ** 2 + row.along[1] ** 2 + 2 * (row.spread or 0.0) ** 2 for row in shifts.rows]
     return float(np.sqrt(np.average(squares, weights=[row.pairs for row in shifts.rows])))
+
+
+def measured_shifts(
+    pair: LabelMapPair,
+    match: ClassMatch,
+    comparison: LabelComparison,
+    crs: QgsCoordinateReferenceSystem,
+    feedback: QgsProcessingFeedback,
+) -> MeasuredShifts:
+    """Shifts of the classes that both maps have; raises Canceled."""
+    values = [value for value in comparison.values if value and comparison.counts[value, value]]
+    pieces = []
+    for share, annotated, predicted in pair.pieces(PIECE_PX):
+        check_canceled(feedback)
+        pieces += piece_shifts(annotated, match.values[predicted], values)
+        feedback.setProgress(96 + 1.5 * share)
+    has_ground = pair.reference.dataset.GetGeoTransform(can_return_null=True) is not None
+    rows = tuple(_row(shift, match.name(shift.value), pair.geotransform, has_ground) for shift in class_shifts(pieces))
+    unit = PIXEL if not has_ground else METER if is_metric(crs) else MAP_UNIT
+    return MeasuredShifts(rows, unit, not has_ground)
+
+
+def say_shifts(shifts: MeasuredShifts, feedback: QgsProcessingFeedback) -> None:
+    """Tells each class's shift."""
+    for row in shifts.rows:
+        text = tr("{name}: shown {across:+.2f} and {along:+.2f} {unit} off ({axes}), {count} landmarks.")
+        axes = tr("right, down") if shifts.in_image else tr("east, north")
+        across, along = row.along
+        told = text.format(name=row.name, across=across, along=along, unit=shifts.unit, axes=axes, count=row.pairs)
+        feedback.pushInfo(told)
+
+
+def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) -> bytes:
+    """An ONNX file that states the biases of the classes it has; those of others that it stated stay.
+
+    Raises SemRefError where they are not known in meters, for a file that is no network, and for one in parts.
+    """
+    from ...core.segmentation.class_bias import KEY, class_bias_text, read_class_bias
+    from ...core.segmentation.metadata import named_channels
+    from ...core.segmentation.onnx_file import read_header, read_metadata, with_metadata
+
+    if shifts.unit != METER:
+        raise ParameterError("algorithms.bias_without_meters")
+    data = _content(path)
+    header = read_header(data)
+    if header is None:
+        raise ModelError("segmentation.no_onnx", path=path)
+    if header.weight_files:
+        raise ModelError("segmentation.weights_apart", path=path)
+    texts = read_metadata(data)
+    names = named_channels(texts, path)
+    known = None if names is None else {name.casefold() for name in names}
+    rows = [row for row in shifts.rows if known is None or row.name.casefold() in known]
+    if not rows:
+        raise ParameterError("algorithms.no_bias", path=path)
+    biases = read_class_bias(texts, names, path)
+    for row in rows:
+        bias = ClassBias(0, *row.along, spread=row.spread)
+        biases[row.name.casefold()] = replace(bias, sun_deg=sun_deg)
+    return with_metadata(data, KEY, class_bias_text(biases))
+
+
+def _content(path: str) -> bytes:
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        raise ModelError("segmentation.no_model_file", path=path) from None
+
+
+def _row(shift: ClassShift, name: str, transform: tuple, has_ground: bool) -> ShiftRow:
+    """Pixels as the map's units, or as they are without a georeference."""
+    right, down = shift.shift.real, shift.shift.imag
+    if not has_ground:
+        return ShiftRow(name, shift.pairs, (right, down), shift.deviation, shift.spread)
+    _, across, x_turn, _, y_turn, along = transform
+    size = abs(across * along - x_turn * y_turn) ** 0.5
+    spread = None if shift.spread is None else size * shift.spread
+    east, north = across * right + x_turn * down, y_turn * right + along * down
+    return ShiftRow(name, shift.pairs, (east, north), size * shift.deviation, spread)

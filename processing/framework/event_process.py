@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from qgis.core import QgsProcessingFeedback
-from qgis.PyQt.QtCore import QProcess
+from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...core.sentences import Sentence
 from .base import check_canceled
@@ -24,6 +24,16 @@ _LAST_LINES = 20
 
 _LONGEST_LINE = 1 << 20
 _LARGEST_NUMBER = 1e15
+
+
+def python_environment() -> QProcessEnvironment:
+    """QGIS's own environment for a Python that writes UTF-8 and leaves no compiled files."""
+    environment = QProcessEnvironment.systemEnvironment()
+    environment.insert("PYTHONIOENCODING", "utf-8")
+    environment.insert("PYTHONDONTWRITEBYTECODE", "1")
+    if os.name == "nt":
+        environment.insert("PYTHONUTF8", "1")
+    return environment
 
 
 class EventProcess:

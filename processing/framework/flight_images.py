@@ -12,8 +12,8 @@ from ...core.errors import ParameterError, SemRefError
 from ..translation import tr
 from ..wording.camera_messages import camera_remark
 from ..wording.sentences import worded
-from .flight_layers import FlownImage
 from .localized_image import LabelImages, LocalizedImage, say
+from .localized_layers import FlownImage
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback

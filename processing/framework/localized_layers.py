@@ -1,8 +1,10 @@
-"""The layers of localized images: positions, footprints, possible places and matches."""
+"""The layers of localized images and of flights: positions, tracks, footprints, possible places and matches."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from datetime import datetime, timezone
 from math import isnan
 from typing import TYPE_CHECKING, Any
@@ -10,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsGeometry, QgsPointXY
 from qgis.PyQt.QtCore import QDateTime, Qt
 
-from ..compat import POINT, POLYGON
+from ..compat import LINE, POINT, POLYGON
 from .localized_image import (
     ALTERNATIVE_FIELDS,
     FIELDS,
@@ -18,18 +20,42 @@ from .localized_image import (
     MATCH_FIELDS,
     LocalizedImage,
     alternatives,
+    error_probability,
     footprint_rows,
     match_rows,
     row,
 )
 
-POSITION_FIELDS = (*FIELDS, ("time", "datetime"))
-
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransformContext
 
     from ...core.database.model import ReferenceDatabase
+    from ...core.flight.model import FlightPose
+    from ...core.geometry.camera import Lens
+    from ..reports.flight_report import FlightPoint
     from .outputs import Outputs
+
+
+POSITION_FIELDS = (*FIELDS, ("time", "datetime"))
+FLIGHT_FIELDS = (
+    *FIELDS,
+    ("source", "text"),
+    ("track", "integer"),
+    ("outvoted", "boolean"),
+    ("number", "integer"),
+    ("time", "datetime"),
+)
+TRACK_FIELDS = (
+    ("track", "integer"),
+    ("images", "integer"),
+    ("own", "integer"),
+    ("first", "text"),
+    ("last", "text"),
+    ("length", "real"),
+    ("largest_error_95", "real"),
+    ("start", "datetime"),
+    ("end", "datetime"),
+)
 
 
 def moment(time_s: float | None) -> QDateTime | None:
@@ -109,3 +135,122 @@ def write_matches(
         for item in localized:
             for position, cells in match_rows(item, database):
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)
+
+
+@dataclass(frozen=True)
+class FlownImage:
+    """An image of a flight and what came of it.
+
+    Attributes:
+        localized: As of an image alone: what the flight says of it.
+        pose: What the flight says; None for an image that could not be read.
+        time_s: When it was taken, seconds since 1970 (UTC) or since any moment; None where unknown.
+        lens: Of the camera; None where unknown.
+    """
+
+    localized: LocalizedImage
+    pose: FlightPose | None = None
+    time_s: float | None = None
+    lens: Lens | None = None
+
+    @property
+    def is_placed(self) -> bool:
+        """Whether the flight places it."""
+        return self.pose is not None and self.pose.is_fix
+
+    @property
+    def source(self) -> str | None:
+        """Key of what its pose rests on; None without one."""
+        return str(self.pose.source) if self.is_placed else None
+
+
+def write_flight_positions(
+    outputs: Outputs,
+    key: str,
+    flown: Sequence[FlownImage],
+    crs: QgsCoordinateReferenceSystem,
+    context: QgsCoordinateTransformContext,
+) -> None:
+    """Writes one row an image, in the flight's order, with its style and by its time."""
+    from ..exchange.flight_styles import poses_look
+
+    is_timed = any(one.time_s is not None for one in flown)
+    with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, poses_look(is_timed)) as sink:
+        rows = position_rows([one.localized for one in flown], crs, context)
+        for number, (one, (geometry, cells)) in enumerate(zip(flown, rows), start=1):
+            sink.add(geometry, {**cells, **_flight_cells(one), "number": number, "time": moment(one.time_s)})
+
+
+def _flight_cells(one: FlownImage) -> dict[str, Any]:
+    if one.pose is None:
+        return {}
+    outvoted = one.pose.is_outvoted
+    return {"source": one.source, "track": one.pose.track or None, "outvoted": outvoted}
+
+
+def tracks_of(flown: Sequence[FlownImage]) -> list[list[FlownImage]]:
+    """The placed images of each track, in order."""
+    numbers = sorted({one.pose.track for one in flown if one.pose is not None and one.is_placed})
+    return [[one for one in flown if one.is_placed and one.pose.track == number] for number in numbers]
+
+
+def write_tracks(outputs: Outputs, key: str, flown: Sequence[FlownImage], crs: QgsCoordinateReferenceSystem) -> None:
+    """Writes one line a track; one of a single image is no line."""
+    from ..exchange.flight_styles import track_look
+
+    with outputs.layer(key, TRACK_FIELDS, LINE, crs, track_look()) as sink:
+        for members in tracks_of(flown):
+            if len(members) < 2:
+                continue
+            points = [QgsPointXY(*one.localized.result.position) for one in members]
+            line = QgsGeometry.fromPolylineXY(points)
+            errors = [e for e in (one.localized.result.error_95_m for one in members) if e is not None]
+            times = [one.time_s for one in members if one.time_s is not None]
+            cells = {
+                "track": members[0].pose.track,
+                "images": len(members),
+                "own": sum(one.source == "own" for one in members),
+                "first": members[0].localized.path,
+                "last": members[-1].localized.path,
+                "length": line.length(),
+                "largest_error_95": max(errors, default=None),
+                "start": moment(min(times, default=None)),
+                "end": moment(max(times, default=None)),
+            }
+            sink.add(line, cells)
+
+
+def report_points(flown: Sequence[FlownImage]) -> list[FlightPoint]:
+    """The images as a report shows them."""
+    return [_report_point(number, one) for number, one in enumerate(flown, start=1)]
+
+
+def _report_point(number: int, one: FlownImage) -> FlightPoint:
+    from ..reports.flight_report import FlightPoint
+
+    cells, item, time = row(one.localized), one.localized, moment(one.time_s)
+    shown = FlightPoint(
+        number,
+        os.path.basename(item.path),
+        reason=cells.get("reason") or "",
+        time="" if time is None else time.toString("yyyy-MM-dd hh:mm:ss"),
+    )
+    if one.pose is None or not one.is_placed or item.result is None:
+        return shown
+    known = item.result.covariance
+    ellipse = known and known.ellipse_95
+    size, lens = item.result.pixel_size_m, one.lens
+    focal_px = lens.focal_length_px(item.shape_hw) if lens is not None and lens.fits(item.shape_hw) else None
+    return replace(
+        shown,
+        source=one.source,
+        outvoted=one.pose.is_outvoted,
+        track=one.pose.track,
+        position=item.result.position,
+        heading_deg=item.result.heading_deg,
+        pixel_size=size,
+        height=size * focal_px if size and focal_px else None,
+        ellipse=ellipse and (ellipse.semi_major, ellipse.semi_minor, ellipse.orientation_deg),
+        radius_95=item.result.error_95_m,
+        error_probability=error_probability(item.result.confidence) if item.result.confidence else "",
+    )

@@ -21,7 +21,7 @@ from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
 from .base import check_canceled
-from .event_process import FAILED, EventProcess, failure
+from .event_process import FAILED, EventProcess, failure, python_environment
 from .parameters import with_help
 from .values import Values
 
@@ -244,12 +244,8 @@ def _python() -> str:
 
 def _environment() -> QProcessEnvironment:
     """QGIS's own, and its packages: those that SemRef installed lie in its profile."""
-    environment = QProcessEnvironment.systemEnvironment()
+    environment = python_environment()
     environment.insert("PYTHONPATH", os.pathsep.join(path for path in sys.path if os.path.isdir(path)))
-    environment.insert("PYTHONIOENCODING", "utf-8")
-    environment.insert("PYTHONDONTWRITEBYTECODE", "1")
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
         environment.insert(name, "1")
-    if os.name == "nt":
-        environment.insert("PYTHONUTF8", "1")
     return environment

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
 
 from qgis.core import QgsProcessingFeedback
-from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
+from qgis.PyQt.QtCore import QProcess
 
 from ...core.errors import TrainingError
 from ..translation import tr
-from .event_process import FAILED, EventProcess, failure
+from .event_process import FAILED, EventProcess, failure, python_environment
 
 PROGRAM = Path(__file__).resolve().parents[2] / "training"
 
@@ -50,7 +49,10 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
         Canceled: The user canceled.
     """
     process = QProcess()
-    process.setProcessEnvironment(_environment())
+    environment = python_environment()
+    for name in _QGIS_OWN:
+        environment.remove(name)
+    process.setProcessEnvironment(environment)
     process.start(python, [str(PROGRAM), *arguments])
     if not process.waitForStarted():
         raise TrainingError("training.not_started", python=python, reason=process.errorString())
@@ -72,17 +74,6 @@ def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
     if event["event"] == "broke":
         feedback.pushDebugInfo(event["text"])
         raise TrainingError("training.broke", reason=event["reason"].rstrip("."))
-
-
-def _environment() -> QProcessEnvironment:
-    environment = QProcessEnvironment.systemEnvironment()
-    for name in _QGIS_OWN:
-        environment.remove(name)
-    environment.insert("PYTHONIOENCODING", "utf-8")
-    environment.insert("PYTHONDONTWRITEBYTECODE", "1")
-    if os.name == "nt":
-        environment.insert("PYTHONUTF8", "1")
-    return environment
 
 
 class TrainingTeller:

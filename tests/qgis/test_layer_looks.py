@@ -27,9 +27,8 @@ from semref.processing.exchange.assessment_styles import cells_look, route_look
 from semref.processing.exchange.flight_styles import poses_look, track_look
 from semref.processing.exchange.layer_looks import changes_look, disagreements_look, issues_look, trials_look
 from semref.processing.exchange.position_looks import footprints_look, matches_look, places_look, positions_look
-from semref.processing.framework.flight_layers import FLIGHT_FIELDS
 from semref.processing.framework.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT_FIELDS, MATCH_FIELDS
-from semref.processing.framework.localized_layers import POSITION_FIELDS
+from semref.processing.framework.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS
 from semref.processing.wording.annotation_messages import FIELDS as ISSUE_FIELDS
 
 KINDS = {"text": "string", "real": "double", "integer": "int", "boolean": "bool", "datetime": "datetime"}

@@ -32,8 +32,7 @@ from ..widgets.layouts import narrow
 from .class_name_box import ClassNameBox
 from .epochs import TRAINING_VALUES, epochs_text
 from .guessed import class_field_of, class_of_all
-from .known import DATABASE, MODEL, chosen
-from .known_button import KnownButton
+from .known import DATABASE, MODEL, KnownButton, chosen
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Processing's own dialogs, by which it tells them apart itself."""

@@ -1,16 +1,21 @@
-"""The reference databases and the models that are at hand: of the project, the dock, a folder, and those used last."""
+"""The reference databases and models at hand – of the project, the dock, a folder, used last – and their button."""
 
 from __future__ import annotations
 
 import os
+from functools import partial
 from typing import NamedTuple
 
-from qgis.core import QgsProject, QgsSettings
+from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.gui import QgsFileWidget
+from qgis.PyQt.QtWidgets import QMenu, QToolButton
 
 from ...processing.inspection.models import model_files, models_folder
 from ...processing.translation import tr
 from ..layer_files import project_databases
 from ..project_state import MODEL_SETTING, remembered_database
+from ..widgets.controls import tool_button
+from ..widgets.texts import plain_tip
 
 _RECENT = {"database": "semref/recent/databases", "model": "semref/recent/models"}
 _MOST_RECENT = 8
@@ -65,3 +70,40 @@ def _recent(kind: str) -> list[str]:
 
 def _named(paths: list[str]) -> list[tuple[str, str]]:
     return [(os.path.splitext(os.path.basename(path))[0], path) for path in paths if path and os.path.isfile(path)]
+
+
+class KnownButton(QToolButton):
+    """Its menu lists the files of a kind when it is opened; the chosen one goes into the box."""
+
+    def __init__(self, box: QgsFileWidget, kind: str) -> None:
+        super().__init__(box)
+        self._kind = kind
+        text = tr("Databases at hand") if kind == DATABASE else tr("Models at hand")
+        tool_button("/mActionOpenTable.svg" if kind == MODEL else "/mIconDbSchema.svg", text, made=self)
+        self.setObjectName("SemRefKnown")
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.files = QMenu(self)
+        self.files.setToolTipsVisible(True)
+        self.setMenu(self.files)
+        self.files.aboutToShow.connect(self.list_files)
+        box.layout().addWidget(self)
+
+    def list_files(self) -> None:
+        """Lists what is at hand now."""
+        self.files.clear()
+        icon = QgsApplication.getThemeIcon("/mIconVector.svg" if self._kind == DATABASE else "/mIconFile.svg")
+        for heading, files in known_files(self._kind):
+            self.files.addSection(heading)
+            for name, path in files:
+                # An ampersand would underline what follows.
+                action = self.files.addAction(icon, name.replace("&", "&&"))
+                action.setToolTip(plain_tip(path))
+                action.setCheckable(True)
+                action.setChecked(path == self.parent().filePath())
+                action.triggered.connect(partial(self._take, path))
+        if self.files.isEmpty():
+            nothing = tr("No database yet") if self._kind == DATABASE else tr("No model yet")
+            self.files.addAction(nothing).setEnabled(False)
+
+    def _take(self, path: str, *_checked) -> None:
+        self.parent().setFilePath(path)
