@@ -150,33 +150,6 @@ def test_times_are_seconds_or_dates(tmp_path, text, seconds):
     assert camera.time_s == seconds and camera.attitude is None
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", "is no camera table"),
-        ("image\nIMG_1\n", "is no camera table: its header is “image”"),
-        ("roll,pitch\n1,2\n", "needs the column image"),
-        ("image,roll,pitch\nIMG_1,1,\n", "line 2: roll or pitch is empty; give both, or neither"),
-        ("image,roll,pitch\nIMG_1,x,2\n", "line 2: roll is “x”, which is not a number"),
-        ("image,roll,pitch\nIMG_1,0,-90\n", "line 2: A camera with a pitch of -90° does not look at the ground"),
-        ("image,focal_length_px,field_of_view\nIMG_1,1000,60\n", "say the same thing twice; give one of them"),
-        ("image,field_of_view\nIMG_1,180\n", "field_of_view is 180, which no camera has"),
-        ("image,focal_length_px\nIMG_1,-5\n", "focal_length_px is -5, which no camera has"),
-        ("image,roll,pitch\nIMG_1,1,2\nIMG_1.jpg,1,3\n", "line 3: the image IMG_1 is named a second time"),
-        ("image,roll,pitch\n,1,2\n", "line 2: no image is named"),
-        ("image,time\nIMG_1,noon\n", "line 2: time is “noon”; give seconds"),
-        ("image,time\nIMG_1,nan\n", "line 2: time is “nan”; give seconds"),
-        ("image,time\nIMG_1,2025-13-01\n", "line 2: time is “2025-13-01”"),
-        ("image,time\nIMG_1,2025-06-30T10:00:00\nIMG_2,12\n", "times in seconds and times with dates"),
-        ("image,roll,pitch\nIMG_7,1,2\n", "names none of the images, for example IMG_1.png"),
-    ],
-)
-def test_a_mistake_in_the_table_is_one_sentence(tmp_path, text, message):
-    with pytest.raises(ParameterError) as caught:
-        read_cameras([label_image(tmp_path)], table(tmp_path, text))
-    assert message in str(caught.value) and "cameras.csv" in str(caught.value)
-
-
 def test_a_table_that_is_missing_or_no_text_is_one_sentence(tmp_path):
     image = label_image(tmp_path)
     with pytest.raises(ParameterError, match="can't be read: No such file"):

@@ -7,7 +7,7 @@ from collections import Counter
 import numpy as np
 import pytest
 import shapely
-from made_annotation import KINDS, feature, moved, numbered, random_features, square
+from made_annotation import KINDS, feature, numbered, random_features, square
 
 from semref.core.annotation import findings as kinds
 from semref.core.annotation.check import AnnotationCheck, CheckSettings, DrawnRegion, find_raster_losses
@@ -124,12 +124,6 @@ def test_small_landmarks_are_told_as_drawn():
     assert [(f.feature_id, f.area) for f in small] == [(2, pytest.approx(9))]
 
 
-def test_an_invalid_geometry_is_told_where_it_is_and_why():
-    (finding,) = check([feature(BOWTIE)]).findings
-    assert finding.reason.startswith("Self-intersection") and "550002.00, 5220002.00" in finding.reason
-    assert shapely.contains(shapely.from_wkb(finding.wkb), moved(shapely.Point(2, 2)))
-
-
 def test_coordinates_that_are_none_are_told_and_left_out():
     with np.errstate(invalid="ignore"):
         broken = shapely.to_wkb(shapely.polygons([[0, 0], [np.nan, 5], [5, 5]]))
@@ -140,29 +134,6 @@ def test_coordinates_that_are_none_are_told_and_left_out():
 def test_a_multipolygon_whose_parts_touch_along_an_edge_is_invalid_though_its_parts_are_not():
     parts = shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)])
     assert [f.kind for f in check([feature(parts)]).findings] == [kinds.INVALID]
-
-
-def test_the_shared_border_of_neighbors_is_measured():
-    (finding,) = check(numbered([feature(square(0, 0, 5)), feature(square(5, 2, 9))])).findings
-    assert finding.kind == kinds.SAME_CLASS_NEIGHBORS and finding.number == pytest.approx(3)
-
-
-def test_neighbors_that_touch_in_a_point_are_told_once_and_share_no_border():
-    features = [feature(square(0, 0, 5)), feature(square(5, 5, 4)), feature(square(9, 1, 4)), feature(square(3, 5, 2))]
-    findings = check(numbered(features)).findings
-    told = {frozenset((f.feature_id, f.other_id)): (f.number, f.is_landmark) for f in findings}
-    assert len(findings) == 3
-    # The first and the second touch by a corner, but the fourth joins them.
-    assert told == {
-        frozenset((0, 3)): (pytest.approx(2), True),
-        frozenset((1, 3)): (pytest.approx(2), True),
-        frozenset((1, 2)): (0, True),
-    }
-
-
-def test_what_no_landmark_is_does_not_become_one():
-    (finding,) = check([feature(square(0, 0, 5), 9), feature(square(5, 0, 4), 9, feature_id=1)]).findings
-    assert not finding.is_landmark and finding.number == pytest.approx(4)
 
 
 def test_rounding_is_no_overlap():
@@ -189,13 +160,6 @@ def test_overlaps_have_the_area_of_a_plain_pairwise_intersection(kind, seed):
     assert {pair: area for pair, area in areas.items() if area > 0.01} == pytest.approx(expected, abs=1e-3)
 
 
-@pytest.mark.parametrize("kind", KINDS)
-def test_invalid_features_are_those_that_shapely_calls_so(kind):
-    features = random_features(kind, 5)
-    expected = [f.feature_id for f in features if not shapely.from_wkb(f.wkb).is_valid]
-    assert sorted({f.feature_id for f in check(features).findings if f.kind == kinds.INVALID}) == expected
-
-
 # --- pixels ---
 
 
@@ -217,9 +181,3 @@ def test_what_pixels_do_to_landmarks_is_told():
         (kinds.MERGED, 11, 10, 0),
         (kinds.SPLIT, 13, None, 2),
     ]
-
-
-def test_a_landmark_without_a_pixel_is_lost():
-    assert [
-        f.kind for f in find_raster_losses([landmark(1, 5)], runs_of_strip(np.zeros((3, 3), int), 0), 1.0, 9.0)
-    ] == [kinds.LOST]

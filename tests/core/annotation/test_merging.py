@@ -7,8 +7,8 @@ import pytest
 import shapely
 from made_annotation import feature, numbered, square
 
-from semref.core.annotation.findings import GAP, NOTHING, SLIVER, WARNING
-from semref.core.annotation.merging import THIN_M, MergeSettings, merge_finding, merge_gaps_and_slivers
+from semref.core.annotation.findings import GAP, SLIVER, WARNING
+from semref.core.annotation.merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from semref.core.annotation.polygons import AnnotatedPolygons
 from semref.core.annotation.surface import laid_polygons
 
@@ -32,36 +32,6 @@ def merged(surface, settings):
 
 def with_hole(size: float):
     return feature(shapely.difference(square(0, 0, 10), square(4, 4, size)))
-
-
-def test_clean_neighbors_stay_as_they_are():
-    surface = surface_of(feature(square(0, 0, 5)), feature(square(5, 0, 5), 2))
-    told, areas = merged(surface, MergeSettings())
-    assert told == []
-    assert areas == pytest.approx({1: 25.0, 2: 25.0})
-
-
-@pytest.mark.parametrize(("size", "limit", "is_filled"), [(1.0, 1.0, True), (1.0, 0.9, False), (2.0, 4.0, True)])
-def test_a_gap_up_to_the_limit_is_filled(size, limit, is_filled):
-    told, areas = merged(surface_of(with_hole(size)), MergeSettings(maximum_gap=limit))
-    assert bool(told) == is_filled
-    assert (NOTHING in areas) != is_filled
-    if is_filled:
-        assert told[0] == (pytest.approx(size**2), NOTHING, 1)
-
-
-def test_a_thin_gap_is_filled_however_large_it_is():
-    crack = shapely.difference(square(0, 0, 100), shapely.box(1, 50, 99, 50 + THIN_M / 2))
-    told, _ = merged(surface_of(feature(crack)), MergeSettings(maximum_gap=0.0))
-    assert [(before, after) for _, before, after in told] == [(NOTHING, 1)]
-
-
-def test_a_sliver_goes_to_the_longest_border():
-    strip = feature(shapely.box(0, 10, 30, 10.1), 9)
-    surface = surface_of(feature(square(0, 0, 10), 1), feature(shapely.box(0, 10.1, 30, 20), 2), strip)
-    told, areas = merged(surface, MergeSettings())
-    assert told == [(pytest.approx(3.0), 9, 2)]
-    assert areas == pytest.approx({1: 100.0, 2: 300.0})
 
 
 @pytest.mark.parametrize(("limit", "is_merged"), [(4.0, False), (4.1, True)])

@@ -115,9 +115,3 @@ def test_told_to_stop_anywhere_it_finds_nothing_rather_than_a_part(answers):
     values, polygons = outlined(lambda first, last: labels[first:last], labels.shape, lambda: next(asked) < answers)
     assert next(asked) == answers + 1
     assert len(values) == len(polygons) == 0
-
-
-def test_told_to_stop_it_finds_nothing():
-    labels = np.ones((4, 5), np.uint8)
-    values, polygons = outlined(lambda first, last: labels[first:last], labels.shape, lambda: False)
-    assert len(values) == len(polygons) == 0

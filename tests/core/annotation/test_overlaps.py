@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 from made_annotation import feature, numbered, square
 
-from semref.core.annotation.findings import DUPLICATE, ERROR, HIDDEN, INFORMATION, NOTHING, OVERLAP, WARNING
+from semref.core.annotation.findings import DUPLICATE, ERROR, HIDDEN, INFORMATION, OVERLAP, WARNING
 from semref.core.annotation.overlaps import (
-    classes_of_faces,
     find_duplicates,
     find_hidden,
     find_overlaps,
@@ -83,8 +82,3 @@ def test_neighbors_of_one_class_are_told_smaller_first_with_their_border():
 def test_touching_in_a_point_counts_for_landmarks_alone(landmark_classes, count):
     polygons, partition = laid(feature(square(0, 0, 5)), feature(square(5, 5, 3)))
     assert len(find_same_class_neighbors(polygons, partition, np.arange(2), landmark_classes)) == count
-
-
-def test_a_face_without_a_polygon_has_no_class():
-    polygons, _ = laid(feature(square(0, 0, 5), 7), feature(square(9, 0, 5), 4))
-    assert classes_of_faces(polygons, np.array([1, -1, 0])).tolist() == [4, NOTHING, 7]

@@ -33,13 +33,6 @@ def overlapping():
     return partition_polygons(np.array([square(0, 0, 4), square(2, 2, 4), square(10, 10, 1)]))
 
 
-def test_two_overlapping_squares_have_three_faces():
-    partition = overlapping()
-    assert sorted(partition.areas.tolist()) == [1.0, 4.0, 12.0, 12.0]
-    covers = {face: set(partition.cover_polygons[partition.cover_faces == face].tolist()) for face in range(4)}
-    assert covers[int(partition.areas.argsort()[1])] == {0, 1}
-
-
 def test_borders_between_faces_have_their_length():
     partition = overlapping()
     assert partition.border_lengths.tolist() == [4.0, 4.0]

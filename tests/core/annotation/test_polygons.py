@@ -24,10 +24,6 @@ def polygons_of(*features):
     return valid_polygons(features, split_parts(feature_geometries(features)))
 
 
-def test_no_features_have_no_polygons():
-    assert len(polygons_of()) == 0
-
-
 def test_parts_keep_the_place_of_their_feature():
     both = shapely.multipolygons([square(0, 0, 2), square(5, 0, 2)])
     polygons = polygons_of(feature(square(9, 9, 1), 3), feature(both, 4, 2.0))

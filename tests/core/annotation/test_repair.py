@@ -9,7 +9,6 @@ import pytest
 import shapely
 from made_annotation import KINDS, feature, moved, numbered, random_features, square
 
-from semref.core.annotation.check import AnnotationCheck, CheckSettings
 from semref.core.annotation.findings import (
     DISSOLVED,
     GAP,
@@ -17,7 +16,6 @@ from semref.core.annotation.findings import (
     NO_AREA,
     NOTHING,
     OVERLAP,
-    SAME_CLASS_NEIGHBORS,
     SLIVER,
 )
 from semref.core.annotation.merging import THIN_M, MergeSettings
@@ -89,16 +87,6 @@ def test_on_its_own_output_nothing_changes(kind, seed):
     assert again.changes == []
     assert [polygon.wkb for polygon in again.polygons] == [polygon.wkb for polygon in once.polygons]
     assert [polygon.feature for polygon in again.polygons] == list(range(len(once.polygons)))
-
-
-@every_kind
-@every_seed
-def test_the_check_finds_nothing_left_to_repair(kind, seed):
-    features = random_features(kind, seed)
-    check = AnnotationCheck(as_features(repair(features), features), CheckSettings(0.0, 1.0, (1, 2, 3, 4)))
-    list(check.steps())
-    # Two polygons that meet in a point can't be one.
-    assert {(finding.kind, finding.number) for finding in check.findings} <= {(SAME_CLASS_NEIGHBORS, 0.0)}
 
 
 @every_kind
@@ -185,13 +173,6 @@ def test_a_small_gap_goes_to_the_neighbor_with_the_longest_shared_border():
     # 2 m below, 2 m above, 0.5 m on each side: the border with class 1 and 2 is equally long, the lower region wins.
     assert change.area == pytest.approx(1.0)
     assert shapely.area(polygons_of(done)).sum() == pytest.approx(90)
-
-
-@pytest.mark.parametrize(("maximum_gap", "filled"), [(0.9, False), (1.1, True)])
-def test_a_gap_is_filled_up_to_the_maximum(maximum_gap, filled):
-    ring = shapely.difference(square(0, 0, 10), square(4, 4, 1))
-    (polygon,) = polygons_of(repair([feature(ring)], maximum_gap))
-    assert (polygon.area == pytest.approx(100)) == filled
 
 
 def test_a_long_gap_is_filled_when_it_is_thin():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from made_annotation import feature, numbered, square
 
-from semref.core.annotation.findings import NO_GEOMETRY, NOTHING, OVERLAP
+from semref.core.annotation.findings import NOTHING, OVERLAP
 from semref.core.annotation.polygons import AnnotatedPolygons
 from semref.core.annotation.surface import laid_polygons
 
@@ -19,13 +19,6 @@ def laid(features, ranks_of=AnnotatedPolygons.drawn_ranks):
             told.append(next(steps))
         except StopIteration as stopped:
             return stopped.value, findings, told
-
-
-@pytest.mark.parametrize("features", [[], [feature(None)], [feature(square(0, 0, 4), NOTHING)]])
-def test_without_an_area_there_is_no_surface(features):
-    surface, findings, _ = laid(features)
-    assert surface is None
-    assert [f.kind for f in findings] == [NO_GEOMETRY] * (features == [feature(None)])
 
 
 @pytest.mark.parametrize(

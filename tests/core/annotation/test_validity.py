@@ -27,11 +27,6 @@ def unusable(*features):
     return find_unusable(features, geometries, valid_polygons(features, split_parts(geometries)))
 
 
-def test_valid_features_are_not_told():
-    assert invalid() == invalid(feature(square(0, 0, 5))) == []
-    assert unusable() == unusable(feature(square(0, 0, 5))) == []
-
-
 def test_a_crossing_is_told_with_its_place_and_reason():
     (finding,) = invalid(feature(square(9, 9, 1)), feature(BOWTIE, 3))
     assert (finding.kind, finding.severity, finding.feature_id, finding.class_value) == (INVALID, ERROR, 1, 3)
@@ -63,10 +58,6 @@ def test_valid_parts_that_do_not_fit_are_told_once():
 def test_what_cannot_be_used_is_told(broken, kind, severity):
     (finding,) = unusable(broken, feature(square(0, 0, 5)))
     assert (finding.kind, finding.severity, finding.feature_id) == (kind, severity, 0)
-
-
-def test_an_area_without_a_class_is_not_told_here():
-    assert unusable(feature(square(0, 0, 5), NOTHING)) == []
 
 
 def test_a_geometry_that_cannot_be_read_says_so():

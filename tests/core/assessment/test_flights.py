@@ -43,13 +43,6 @@ def test_over_nothing_the_radius_grows_until_the_position_is_given_up(result):
     assert (np.diff(told) > 0).all() or placed[-1] < 1
 
 
-def test_the_same_seed_flies_the_same_flights(assessed_database, localizer, result):
-    plan = FlightPlan(1, 220.0, 0.02, 5)
-    short = np.array([ALONG[0], ALONG[0] + (210.0, 0.0)])
-    again = [flown(assessed_database, localizer, plan, short) for _ in range(2)]
-    assert np.array_equal(again[0].errors, again[1].errors, equal_nan=True)
-
-
 def test_what_is_told_of_many_flights():
     points = route_points([np.array([(0.0, 0.0), (0.0, 300.0)]), np.array([(0.0, 0.0), (0.0, 100.0)])], 100.0)
     placed = np.array([[0, 1, 1, 0, 0, 0], [0, 0, 1, 1, 0, 1]], bool)

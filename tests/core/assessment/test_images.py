@@ -43,12 +43,6 @@ def test_without_noise_an_image_is_found_where_it_is(assessed_database, localize
     assert trial.is_right and trial.error < 0.5 and trial.landmarks > 20 and trial.query is query
 
 
-def test_where_there_are_no_landmarks_there_is_no_fix(assessed_database, localizer):
-    simulator = ImageSimulator(localizer, assessed_database, FOOTPRINT)
-    trial = simulator.constellation(Query(simulator.view(600850.0, 5199700.0, 0.0)), np.random.default_rng(1))
-    assert (trial.status, trial.landmarks, trial.is_right, trial.error) == ("too_few_references", 0, False, None)
-
-
 def test_the_noise_is_what_is_asked_for(assessed_database, localizer):
     rng = np.random.default_rng(3)
     simulator = ImageSimulator(localizer, assessed_database, FOOTPRINT)

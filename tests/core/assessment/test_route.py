@@ -19,10 +19,6 @@ def test_points_lie_at_even_distances_and_at_both_ends():
     assert points.lengths == (155.0,)
 
 
-def test_a_line_that_the_spacing_divides_has_its_end_once():
-    assert route_points([BENT[:2]], 25.0).along.tolist() == [0, 25, 50, 75, 100]
-
-
 def test_every_line_is_a_route_of_its_own():
     points = route_points([BENT[:2], BENT[:1], BENT[2:]], 100.0)
     assert points.lines.tolist() == [0, 0, 1, 1]

@@ -13,7 +13,6 @@ from semref.core.assessment.squares import (
     footprint_sizes,
     reason_sentence,
     square_rows,
-    verdict_edges,
 )
 from semref.core.errors import ParameterError
 from semref.core.sentences import english
@@ -61,11 +60,6 @@ def test_every_reason_has_a_sentence_and_none_has_none():
     texts = {english(reason_sentence(reason, 3.0)) for reason in REASONS}
     assert len(texts) == len(REASONS)
     assert reason_sentence("", 3.0) is None
-
-
-def test_the_upper_two_verdicts_are_good_enough():
-    edges = verdict_edges(0.8)
-    assert len(edges) == len(VERDICTS) + 1 and edges[3] == 0.8 and list(edges) == sorted(edges)
 
 
 def test_a_list_of_footprints_keeps_its_order_and_drops_what_comes_twice():

@@ -6,7 +6,7 @@ import pytest
 
 from semref.core.constellation.decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from semref.core.constellation.settings import CONSTELLATION
-from semref.core.localization import LEAST_RISK, RISK, Status, log_odds_of, risk_of
+from semref.core.localization import LEAST_RISK, RISK, Status
 
 SURE = Opponents(200.0, -20.0, 0.0, 10_000, False)
 
@@ -57,11 +57,6 @@ def test_the_risk_that_is_allowed_decides():
     assert verdict(doubtful, 0, 0.99 * told, CONSTELLATION.decision)[0] == Status.NO_MATCH
     assert may_be_a_fix(replace(doubtful, mirror=19.0), 1.01 * told, CONSTELLATION.decision)
     assert risk_against(doubtful, 19.0, CONSTELLATION.decision) > 100 * told
-
-
-def test_risk_and_log_odds_are_each_others_inverse():
-    assert [log_odds_of(risk_of(value)) for value in (-5.0, 0.0, 9.2, 25.0)] == pytest.approx([-5.0, 0.0, 9.2, 25.0])
-    assert risk_of(1e9) == LEAST_RISK and risk_of(-1e9) == 1.0
 
 
 def test_a_rival_below_even_odds_takes_nothing_off_and_one_above_does():

@@ -42,11 +42,6 @@ def test_the_true_pose_has_the_most_votes(index, cut, place):
     assert not seeds.capped and (np.diff(seeds.votes) <= 0).all()
 
 
-def test_no_cluster_is_told_twice(index, cut):
-    seeds = seeds_of(index, cut(*TRUE).query, Prior(pixel_size_range=SCALES))
-    assert len(set(zip(seeds.centers.tolist(), seeds.turns.tolist()))) == len(seeds.votes) > CONSTELLATION.limits.seeds
-
-
 def test_poses_are_the_fits_of_triangles_whose_classes_agree(index, cut):
     query = cut(*TRUE).query
     triple, hits = query_triangles(query, CONSTELLATION).members[:3], np.arange(900)

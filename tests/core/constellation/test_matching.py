@@ -5,19 +5,13 @@ import pytest
 
 from semref.core.constellation.matching import (
     Nearest,
-    biweight,
     center_noise,
     matched_within,
-    median,
     nearest_objects,
     noise_factor,
 )
 from semref.core.constellation.settings import CONSTELLATION
 from semref.core.geometry.pose import Pose, fit_similarity
-
-
-def test_a_match_weighs_less_the_nearer_it_is_to_the_gate():
-    assert biweight(np.array([0.0, 2.0, 4.0, 9.0]), np.full(4, 4.0)).tolist() == [1.0, 0.5625, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("count", [5, 12, 200])
@@ -30,12 +24,6 @@ def test_noise_is_measured_without_bias_from_few_matches_or_many(count):
         center, turn = fit_similarity(image, on_map, np.ones(count))
         factors.append(noise_factor(np.abs(center + turn * image - on_map), 4) ** 2)
     assert np.mean(factors) == pytest.approx(1, abs=0.08)
-
-
-@pytest.mark.parametrize("count", [1, 2, 7, 60])
-def test_the_median_of_few_values_is_numpys(count):
-    values = np.random.default_rng(count).normal(size=count)
-    assert median(values) == np.median(values)
 
 
 def test_a_few_exact_matches_do_not_make_the_noise_vanish():

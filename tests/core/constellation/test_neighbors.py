@@ -1,10 +1,9 @@
 """Neighbors equal those of a search through all pairs."""
 
 import numpy as np
-import pytest
 
 from semref.core.constellation import neighbors
-from semref.core.constellation.neighbors import ClassMatcher, local_density, nearest_larger
+from semref.core.constellation.neighbors import ClassMatcher, nearest_larger
 
 
 def test_the_matcher_finds_the_same_objects_as_a_search_through_all():
@@ -36,9 +35,3 @@ def test_nearest_larger_objects_equal_those_of_a_search_through_all(monkeypatch)
         larger = np.flatnonzero(areas > areas[one])
         by_distance = larger[np.argsort(np.hypot(*(points[larger] - points[one]).T))][:3]
         assert [other for other in found[one] if other >= 0] == by_distance.tolist()
-
-
-def test_the_density_of_an_even_lattice_is_one_object_a_cell():
-    x, y = np.meshgrid(np.arange(30) * 10.0, np.arange(30) * 10.0)
-    density = local_density(np.column_stack([x.ravel(), y.ravel()]), np.zeros(900, int))
-    assert np.median(density) == pytest.approx(1 / 100, rel=0.3)

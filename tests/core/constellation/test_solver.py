@@ -16,7 +16,7 @@ from semref.core.constellation.verification import Verifier, verify_tilted, weig
 from semref.core.database.model import MapLandmarks
 from semref.core.geometry.pose import Pose
 from semref.core.landmarks.landmarks import Landmarks
-from semref.core.localization import RISK, Place, Prior, Status
+from semref.core.localization import Place, Prior, Status
 
 
 @pytest.fixture(scope="module")
@@ -44,11 +44,6 @@ def test_with_too_few_objects_it_says_how_many_more_are_needed(ground, count):
     result = solve(ground, points_as_objects(np.random.default_rng(0).uniform(50, 600, (count, 2))))
     assert result.status == Status.TOO_FEW_REFERENCES
     assert f"shows {count} whole" in str(result.reason) and "more are needed" in str(result.reason)
-
-
-def test_an_image_without_known_classes_has_too_few_references(ground):
-    objects = points_as_objects(np.random.default_rng(0).uniform(50, 600, (30, 2)), np.full(30, 99, np.uint8))
-    assert solve(ground, objects).status == Status.TOO_FEW_REFERENCES
 
 
 def test_an_empty_catalogue_gives_no_fix(ground):
@@ -190,19 +185,6 @@ def test_a_prior_that_excludes_the_truth_gives_no_fix(ground, wrong):
     assert solve(ground, ground.see(view), dataclasses.replace(PRIOR, **wrong)).status != Status.FIX
 
 
-def test_a_prior_that_contains_the_truth_changes_nothing(ground):
-    view = seen_from(1800, 1700, 45.0)
-    prior = Prior((ORIGIN[0] + 1790, ORIGIN[1] - 1720), 100.0, 40.0, 10.0, (0.9, 1.1))
-    result = solve(ground, ground.see(view), prior)
-    assert result.status == Status.FIX and error(result, view) < 0.5
-
-
-def test_the_same_image_gets_the_same_answer(ground):
-    objects = ground.see(seen_from(1500, 1300, 120.0), NOISE)
-    one, other = solve(ground, objects), solve(ground, objects)
-    assert one == other
-
-
 def test_matches_name_objects_of_the_image_and_of_the_map(ground):
     view = seen_from(1500, 1300, 0.0)
     objects = ground.see(view)
@@ -280,11 +262,6 @@ def test_a_place_that_capped_searches_leave_out_is_found_by_one_that_looks_every
     assert found.status == Status.FIX and error(found, view) < 0.5
     assert not found.search_capped
     assert (found.risk, found.confidence) == (pytest.approx(1e-12, abs=1e-6), 1 - found.risk)
-
-
-def test_without_a_fix_there_is_a_risk_and_no_confidence(ground):
-    found = solve(ground, mirrored(ground.see(seen_from(1400, 1600, 77.0))))
-    assert found.confidence is None and found.risk > RISK
 
 
 def test_a_smaller_risk_that_is_allowed_refuses_more(ground):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.constellation.triangles import ORDERS, canonical_order, describe_triangles, neighbor_pairs
+from semref.core.constellation.triangles import ORDERS, canonical_order, describe_triangles
 
 RIGHT_ANGLE = np.array([[0j, 5 + 0j, 1.8 + 2.4j]])
 """Sides 3, 4 and 5; C lies nearer to A, above AB."""
@@ -40,8 +40,3 @@ def test_whatever_order_the_members_come_in_the_vertices_are_named_alike():
         order, sides = canonical_order(given)
         np.testing.assert_allclose(given[0, ORDERS[order[0]]], RIGHT_ANGLE[0])
         np.testing.assert_allclose(sides, [[3.0, 4.0, 5.0]])
-
-
-def test_every_two_neighbors_make_one_pair():
-    assert neighbor_pairs(4).tolist() == [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]]
-    assert neighbor_pairs(1).shape == (0, 2)

@@ -14,10 +14,6 @@ def test_a_map_without_labels_has_no_channels():
     assert MapPyramid(np.zeros((40, 40), np.uint8), FRAME).space.channels == 0
 
 
-def test_a_map_of_one_class_has_no_channels():
-    assert MapPyramid(np.full((40, 40), 3, np.uint8), FRAME).space.channels == 0
-
-
 def test_fractions_count_the_pixels_of_each_class():
     labels = np.array([[1, 1, 2, 2], [1, 2, 2, 0]], np.uint8)
     fractions = class_fractions(labels, (1, 2), (2, 1))
@@ -55,9 +51,3 @@ def test_a_crop_equals_the_same_part_of_the_whole_level(pixel_m):
     height, width = part.known.shape
     assert left <= 130 and top <= 70 and left + width * pixel_m >= 260 and top + height * pixel_m >= 190
     assert np.array_equal(part.evidence, whole.evidence[row : row + height, column : column + width])
-
-
-def test_a_crop_beside_the_map_is_unknown():
-    pyramid = MapPyramid(np.random.default_rng(3).integers(0, 4, (40, 40)).astype(np.uint8), FRAME)
-    level, _, _ = pyramid.crop(16.0, (5000, 5000, 6000, 6000))
-    assert not level.known.any()

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.class_pyramid import reduced_level
 from semref.core.correlation.detail import detail_at, details_at, finer
 from semref.core.correlation.refine import ScoredPose
 
@@ -26,11 +25,6 @@ def test_detail_is_in_standard_deviations_whatever_the_strength_of_the_image(pat
     stronger = type(image)(3 * image.evidence + 1, image.known, image.pixel)
     known = detail_at(image, patch_pyramid, TRUE)
     assert detail_at(stronger, patch_pyramid, TRUE) == pytest.approx(known, rel=1e-4)
-
-
-def test_an_image_of_the_first_looks_pixels_has_no_detail(patch_pyramid, image):
-    assert detail_at(reduced_level(image, (16, 16)), patch_pyramid, TRUE) == 0
-    assert detail_at(type(image)(np.ones_like(image.evidence), image.known, image.pixel), patch_pyramid, TRUE) == 0
 
 
 def test_what_is_finer_is_what_differs_from_the_neighborhood():

@@ -74,10 +74,6 @@ def evaluate(database):
 # --- queries ---
 
 
-def test_no_trials_are_no_queries(evaluate):
-    assert list(evaluate().trials(0, 0)) == []
-
-
 def test_every_value_lies_in_its_range_and_fills_it(evaluate):
     ranges = {"scale": (0.5, 2.0), "rotation": (10.0, 20.0), "offset": (0.1, 0.4), "missed": (10, 30), "ragged": (1, 3)}
     queries = list(evaluate(**ranges).trials(300, 0))
@@ -194,31 +190,6 @@ def told(evaluation, query, **known):
     known = {"status": Status.FIX, "method": Method.CONSTELLATION, "best": Place(**place) if place else None, **known}
     evaluation.localizer = Told(Localization(**known))
     return evaluation.run(query, [Method.CONSTELLATION])[0]
-
-
-def moved(query, meters):
-    return query.view.position[0] + meters, query.view.position[1]
-
-
-@pytest.mark.parametrize(("meters", "right"), [(0, True), (3.1, True), (3.3, False), (500, False)])
-def test_right_is_within_two_percent_of_the_ground_shown(evaluate, meters, right):
-    evaluation = evaluate(scale=(1, 1))
-    (query,) = evaluation.trials(1, 0)
-    trial = told(evaluation, query, position=moved(query, meters), heading_deg=0.0, pixel_size_m=1.0)
-    assert (trial.is_right, trial.error) == (right, pytest.approx(meters))
-
-
-def test_right_is_within_what_was_asked_for(evaluate):
-    evaluation = evaluate(right_within=10.0)
-    (query,) = evaluation.trials(1, 0)
-    assert told(evaluation, query, position=moved(query, 9.9)).is_right
-    assert not told(evaluation, query, position=moved(query, 10.1)).is_right
-
-
-def test_a_mirrored_image_is_never_right(evaluate):
-    evaluation = evaluate()
-    _, query = evaluation.trials(1, 1)
-    assert not told(evaluation, query, position=query.view.position).is_right
 
 
 def test_the_topology_vector_is_right_with_the_nearest_window(evaluate, database):

@@ -8,11 +8,6 @@ import pytest
 from semref.core.evaluation.rates import Rate, binned, rate_of, wilson
 
 
-def test_without_trials_a_rate_is_unknown():
-    assert wilson(0, 0) == (0.0, 1.0)
-    assert Rate(0, 0).share is None and rate_of([]) == Rate(0, 0)
-
-
 @pytest.mark.parametrize(
     ("successes", "trials", "interval"),
     [(0, 10, (0.0, 0.2775)), (10, 10, (0.7225, 1.0)), (5, 10, (0.2366, 0.7634)), (299, 300, (0.9814, 0.9994))],
@@ -24,10 +19,6 @@ def test_intervals_are_those_of_wilson(successes, trials, interval):
 
 def test_a_rate_counts_true():
     assert rate_of([True, False, np.True_]) == Rate(2, 3)
-
-
-def test_no_values_have_no_bins():
-    assert binned([], [], (0, 1)) == []
 
 
 def test_every_value_lies_in_its_bin_and_the_last_takes_its_end():

@@ -114,7 +114,3 @@ def test_a_road_is_the_method_that_gave_the_fix():
     assert first.right == Rate(3, 4) and first.told == pytest.approx(0.95)
     assert first.calibration_error == pytest.approx(0.2) and second.calibration_error == pytest.approx(0.1)
     assert [rate.successes for rate in first.held] == [1, 3, 3] and second.held[1] == Rate(0, 1)
-
-
-def test_without_fixes_there_is_no_road():
-    assert road_summaries([trial(status="ambiguous")]) == []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from semref.core.errors import ParameterError
 from semref.core.flight.cameras import completed, known_camera, read_cameras
 from semref.core.geometry.camera import Camera, Lens, above_ground, above_takeoff
 from semref.core.geometry.leveling import Attitude
@@ -44,3 +45,32 @@ def test_a_table_is_read_by_names_without_folders_and_extensions(table):
     assert (one.heading_deg, one.attitude) == (10, None)
     assert (other.attitude.roll_deg, other.lens.value, other.heading_deg) == (1, 900, 330)
     assert third == Camera()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "is no camera table"),
+        ("image\na\n", "is no camera table: its header is “image”"),
+        ("roll,pitch\n1,2\n", "needs the column image"),
+        ("image,roll,pitch\na,1,\n", "line 2: roll or pitch is empty; give both, or neither"),
+        ("image,roll,pitch\na,x,2\n", "line 2: roll is “x”, which is not a number"),
+        ("image,roll,pitch\na,0,-90\n", "line 2: A camera with a pitch of -90° does not look at the ground"),
+        ("image,focal_length_px,field_of_view\na,1000,60\n", "say the same thing twice; give one of them"),
+        ("image,field_of_view\na,180\n", "field_of_view is 180, which no camera has"),
+        ("image,focal_length_px\na,-5\n", "focal_length_px is -5, which no camera has"),
+        ("image,roll,pitch\na,1,2\na.jpg,1,3\n", "line 3: the image a is named a second time"),
+        ("image,roll,pitch\n,1,2\n", "line 2: no image is named"),
+        ("image,time\na,noon\n", "line 2: time is “noon”; give seconds"),
+        ("image,time\na,nan\n", "line 2: time is “nan”; give seconds"),
+        ("image,time\na,2025-13-01\n", "line 2: time is “2025-13-01”"),
+        ("image,time\na,2025-06-30T10:00:00\nb,12\n", "times in seconds and times with dates"),
+        ("image,roll,pitch\nz,1,2\n", "names none of the images, for example a.png"),
+        ("image,height\na.png,-5\n", "height is -5, which no camera has"),
+        ("image,height\na.png,high\n", "line 2: height is “high”"),
+    ],
+)
+def test_a_mistake_is_one_sentence(table, text, message):
+    with pytest.raises(ParameterError) as caught:
+        read_cameras(["a.png", "b.png"], table(text))
+    assert message in str(caught.value) and "cameras.csv" in str(caught.value)

@@ -22,12 +22,6 @@ def test_an_image_of_the_window_comes_back_as_it_was():
     assert (again.seen.own_state == np.arange(4.0)).all()
 
 
-def test_an_image_that_says_nothing_comes_back_too():
-    again = unpacked(packed(Past(SeenImage(None, 640.0, (0.0, 1.0), Prior()), LINK, 1.0)), 2)
-    assert again.seen.evidence is None and again.seen.own_state is None
-    assert again.seen.prior == Prior()
-
-
 def test_a_mirrored_image_has_left_and_right_exchanged_and_no_heading():
     prior = Prior(heading_deg=30.0, heading_range_deg=5.0, pixel_size_range=(0.9, 1.1))
     other = mirrored(SeenImage(LEVEL, 640.0, (0.0, 0.1), prior, np.arange(4.0), 3.5))

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.flight.motion import Link, LinkSource
+from semref.core.flight.motion import Link
 from semref.core.geometry.pose import heading_of, turn_of
 from semref.core.simulation.views import View, image_coordinates
 
@@ -73,7 +73,3 @@ def test_a_link_that_can_not_be_is_refused(wrong):
     values = {"first": 0, "second": 1, "translation": (1.0, 2.0), "turn": 0.0, "log_scale": 0.0, "covariance": SMALL}
     with pytest.raises(ParameterError):
         Link(**{**values, **wrong})
-
-
-def test_sources_equal_their_keys():
-    assert [str(source) for source in LinkSource] == ["pixels", "odometry", "log", "assumed"]

@@ -65,11 +65,6 @@ def test_a_table_in_the_other_order_is_turned_round(tmp_path):
     assert there.after(*pose) == pytest.approx((10 + 5j, 2 * np.exp(0.3j)))
 
 
-def test_semicolons_quotes_and_other_columns_are_taken(tmp_path):
-    found = links(tmp_path, ['"a";x;;;', '"b";y;1;2;3'], ["a", "b"], "image;note;dx_m;dy_m;dheading_deg")
-    assert found[0].translation == pytest.approx((1, -2))
-
-
 @pytest.mark.parametrize(
     ("lines", "said"),
     [

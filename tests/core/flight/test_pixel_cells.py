@@ -48,8 +48,3 @@ def test_flat_ground_has_no_cells():
     picture[:, :200] = 100
     features = photo_features(picture)
     assert SharedGround(features, features, SAME).corners[:, 0].min() > 150
-
-
-def test_other_ground_is_not_found():
-    ground = SharedGround(photo_features(PICTURE), photo_features(textured(PICTURE.shape, 1)), SAME)
-    assert len(ground.found()[0]) <= 0.1 * len(ground.corners)

@@ -18,11 +18,6 @@ def test_large_images_are_looked_at_in_a_smaller_version():
     assert 0 < len(features.points) <= CORNERS
 
 
-def test_small_images_are_taken_as_they_are():
-    features = photo_features(speckled((100, 120)))
-    assert (features.picture_hw.shape, features.scale) == ((100, 120), 1.0)
-
-
 def test_corners_are_told_from_the_center():
     picture = np.zeros((201, 301), np.uint8)
     picture[90:111, 140:161] = 255

@@ -49,7 +49,7 @@ def test_noise_is_not_taken_for_tilt():
 def test_the_stated_spread_is_that_of_independent_errors():
     rng = np.random.default_rng(3)
     offs, variances = [], []
-    for _ in range(200):
+    for _ in range(100):
         second = rng.uniform(-250, 0, (50, 2))
         found = fitted(second, similarity(TRUE, second) + rng.normal(0, 0.8, (50, 2)), 4.0)
         pose, covariance = found.pose()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.correlation.refine import ScoredPose
-from semref.core.flight.states import as_poses, as_states, place_of, state_of, turned, turns_of
+from semref.core.flight.states import as_poses, as_states, place_of, state_of, turns_of
 from semref.core.geometry.pose import turn_of
 from semref.core.localization import Place
 
@@ -26,7 +26,3 @@ def test_places_become_states_and_places_again():
     again = place_of(state, (100.0, 1000.0))
     assert again.position == pytest.approx(place.position)
     assert again.oriented == pytest.approx(place.oriented)
-
-
-def test_angles_are_told_the_short_way():
-    assert turned(np.radians([359.0, -181.0, 10.0])) == pytest.approx(np.radians([-1.0, 179.0, 10.0]))

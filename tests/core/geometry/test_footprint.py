@@ -13,10 +13,6 @@ def test_an_image_that_looks_north_has_its_upper_left_corner_in_the_north_west()
     np.testing.assert_allclose(corners, [(990, 2005), (1010, 2005), (1010, 1995), (990, 1995)])
 
 
-def test_an_image_that_looks_east_has_its_upper_left_corner_in_the_north_east():
-    np.testing.assert_allclose(image_corners((0.0, 0.0), 90.0, 1.0, 4, 2)[0], (1, 2), atol=1e-12)
-
-
 @pytest.mark.parametrize("heading", [0, 33, 190])
 def test_pixels_of_a_level_image_lie_evenly_on_its_ground(heading):
     corners = image_corners((6e5, 5e6), heading, 0.25, 300, 200)

@@ -20,11 +20,6 @@ def test_a_turn_tells_its_heading_and_pixel_size(heading):
     assert heading_of(turn) == pytest.approx(heading) and abs(turn) == pytest.approx(0.25)
 
 
-def test_an_image_that_looks_east_has_its_top_in_the_east():
-    top, center = Pose(0j, turn_of(90.0, 2.0)).on_map(image_points(np.array([(50, 0), (50, 40)]), 100, 80))
-    assert top == pytest.approx(80) and center == 0
-
-
 @pytest.mark.parametrize("pose", [LEVEL, TILTED])
 def test_what_goes_to_the_map_comes_back(pose):
     np.testing.assert_allclose(pose.in_image(pose.on_map(IMAGE)), IMAGE, atol=1e-5)

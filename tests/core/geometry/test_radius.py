@@ -29,8 +29,3 @@ def test_the_ellipse_lies_along_the_larger_error():
     assert found.semi_major == pytest.approx(2.4477 * 1.5, abs=1e-3) and found.semi_minor == pytest.approx(
         2.4477 / 2, abs=1e-3
     )
-
-
-def test_a_radius_is_a_plain_number():
-    """QGIS writes no feature with one of numpy's."""
-    assert type(circle_radius(np.diag([4.0, 1.0]))) is float

@@ -21,18 +21,6 @@ def test_water_is_blue(name):
     assert 190 < hue < 230
 
 
-@pytest.mark.parametrize("name", ["forest", "Exotic Forest", "Wald", "bosque", "forêt", "woods", "deciduous_hardwoods"])
-def test_forest_is_dark_green(name):
-    hue, lightness = hue_and_lightness(known_color(name))
-    assert 90 < hue < 160 and lightness < 0.45
-
-
-@pytest.mark.parametrize("name", ["cultivated", "Short-rotation Cropland", "arable land", "Acker", "cultivated_land"])
-def test_cultivated_land_is_yellow_and_never_a_dark_blue(name):
-    hue, lightness = hue_and_lightness(known_color(name))
-    assert 35 < hue < 65 and lightness > 0.5
-
-
 @pytest.mark.parametrize("name", ["7", "", "Klasse A", "xyz", "waterproofing"])
 def test_a_name_that_tells_nothing_has_no_color(name):
     assert known_color(name) is None

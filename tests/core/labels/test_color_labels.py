@@ -32,13 +32,6 @@ def hue(degrees):
     return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(degrees / 360, 1, 1))
 
 
-@pytest.mark.parametrize("decode", [decode_by_hsv, decode_by_nearest_color])
-@pytest.mark.parametrize("shape", [(1, 1), (1, 7), (5, 4)])
-def test_a_black_image_is_unlabeled(decode, shape):
-    labels = decode(np.zeros((*shape, 3), np.uint8), ClassTable((RED, BLUE)))
-    assert labels.shape == shape and labels.dtype == np.uint8 and not labels.any()
-
-
 @pytest.mark.parametrize(
     ("degrees", "label"), [(0, 1), (18, 1), (22, 0), (338, 0), (342, 1), (358, 1), (120, 0), (240, 2)]
 )
@@ -68,11 +61,6 @@ def test_decoding_by_hsv_without_any_range_is_refused():
         match="^No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.$",
     ):
         decode_by_hsv(image_of((0, 0, 0)), ClassTable((GREEN,)))
-
-
-def test_the_nearest_color_wins_and_black_is_unlabeled():
-    image = image_of((250, 10, 20), (20, 20, 130), (0, 0, 0), (10, 20, 30), (10, 10, 250))
-    assert decode_by_nearest_color(image, ClassTable((RED, BLUE))).tolist() == [[1, 2, 0, 0, 2]]
 
 
 def test_a_black_class_keeps_its_pixels():

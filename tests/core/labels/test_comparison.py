@@ -52,11 +52,6 @@ def test_what_is_not_annotated_is_left_out():
     assert (found.pixels, found.overall_accuracy, found.iou(1), found.values) == (1, 1, 1, (1,))
 
 
-def test_equal_maps_agree_wholly():
-    found = compare(ANNOTATED, ANNOTATED)
-    assert (found.mean_iou, found.overall_accuracy) == (1, 1)
-
-
 @pytest.mark.parametrize("annotated", [[[]], [[0, 0]]])
 def test_maps_without_a_common_labeled_pixel_are_refused(annotated):
     with pytest.raises(LabelMapError, match="no pixel in common"):

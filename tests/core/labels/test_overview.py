@@ -36,12 +36,6 @@ def test_blocks_over_the_edge_count_the_pixels_they_have(factor, extra_rows, ext
     assert most_frequent_labels(labels, factor).tolist() == plain_overview(labels, factor)
 
 
-@pytest.mark.parametrize(("shape", "factor"), [((1, 1), 1), ((1, 1), 4), ((3, 2), 4), ((1, 9), 4), ((9, 1), 20)])
-def test_maps_smaller_than_a_block_have_an_overview(shape, factor):
-    labels = random_labels(5, *shape, 3)
-    assert most_frequent_labels(labels, factor).tolist() == plain_overview(labels, factor)
-
-
 @pytest.mark.parametrize(("count", "label"), [(0, 9), (7, 9), (8, 5), (9, 5), (16, 5)])
 def test_of_equally_frequent_labels_the_smallest_wins(count, label):
     block = np.full(16, 9, np.uint8)

@@ -49,15 +49,6 @@ def test_one_labeled_block_is_never_set_aside(labeled):
     assert not validation_blocks(np.array(labeled), 0.9).any()
 
 
-def test_without_labels_nothing_is_set_aside():
-    assert not validation_blocks(np.zeros((3, 3), int), 0.5).any()
-
-
-def test_the_same_image_is_always_divided_alike():
-    labeled = np.random.default_rng(1).integers(0, 9, (6, 6))
-    np.testing.assert_array_equal(validation_blocks(labeled, 0.3), validation_blocks(labeled, 0.3))
-
-
 def test_an_image_smaller_than_a_tile_is_refused():
     with pytest.raises(ParameterError, match="300 × 50 pixels, less than a tile of 64"):
         plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)

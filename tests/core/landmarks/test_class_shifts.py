@@ -52,8 +52,3 @@ def test_pieces_that_agree_have_hardly_any_spread_and_others_theirs(rng):
     assert alike.shift == pytest.approx(0.7 - 0.2j, abs=0.1) and alike.spread < 0.08
     assert apart.spread == pytest.approx(0.5, rel=0.25) and apart.deviation == pytest.approx(0.5 / 60**0.5, rel=0.25)
     assert (apart.pairs, apart.pieces) == (1200, 60)
-
-
-def test_two_pieces_tell_no_spread():
-    (found,) = class_shifts([PieceShift(HOUSE, 9, 1 + 0j, 0.01)] * 2)
-    assert found.spread is None and found.shift == 1

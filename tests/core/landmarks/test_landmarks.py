@@ -185,20 +185,6 @@ def test_objects_come_by_class_and_then_from_top_to_bottom():
     assert (rows_from_objects(again) == rows_from_objects(objects)).all()
 
 
-def test_a_view_of_a_larger_map_is_extracted_like_a_copy():
-    labels = random_labels(4, 100, 100)
-    view = labels[10:70, 20:90]
-    found, expected = (extract_landmarks(piece, [1, 2, 3], 4.0) for piece in (view, view.copy()))
-    assert (rows_from_objects(found) == rows_from_objects(expected)).all()
-
-
-def test_the_image_is_left_as_it_was():
-    labels = random_labels(5)
-    before = labels.copy()
-    extract_landmarks(labels, [1, 2, 3], 4.0)
-    assert (labels == before).all()
-
-
 def test_objects_can_be_selected_by_mask_and_by_index():
     objects = extract_landmarks(random_labels(6), [1, 2, 3], 4.0)
     large = objects.select(objects.areas_px > 50)

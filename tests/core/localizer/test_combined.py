@@ -206,12 +206,6 @@ def test_a_prior_holds_for_both_methods(localizer):
     assert localizer.localize(image, Method.AUTOMATIC, replace(here, position=ORIGIN)).status != Status.FIX
 
 
-@pytest.mark.parametrize("built", [HOUSES, pytest.param(MOVED_HOUSES, marks=pytest.mark.slow)], ids=["houses", "moved"])
-def test_the_same_image_gives_the_same_result(localizer, built):
-    image = view(GROUND, built)
-    assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize(image, Method.AUTOMATIC)
-
-
 # --- the decisions alone ---
 
 PLACE = Place((100.0, 200.0), 30.0, 1.0)
@@ -299,11 +293,6 @@ def test_landmarks_that_were_sought_at_one_place_alone_make_it_finer_but_not_sur
     found = confirmed(AREAS, STARS, around(20.0))
     assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
     assert (found.risk, found.confidence) == (AREAS.risk, 1 - AREAS.risk)
-
-
-def test_a_place_of_the_constellation_farther_off_confirms_nothing():
-    assert confirmed(AREAS, STARS, around(4.0)) is None
-    assert confirmed(AREAS, Localization(Status.NO_MATCH, Method.CONSTELLATION, 30), around(20.0)) is None
 
 
 def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_only_one():

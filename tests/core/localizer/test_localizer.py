@@ -179,11 +179,6 @@ def test_an_image_that_is_not_square_is_described_in_its_centered_square(localiz
     assert described.objects.centers_xy.tolist() == alone.objects.centers_xy.tolist()
 
 
-def test_describing_an_image_without_objects_gives_no_vector():
-    described = describe_image(np.zeros((30, 40), np.uint8), (2, 5), 0.01, 10)
-    assert (described.first_xy, described.size, len(described.objects), described.vector) == ((5, 0), 30, 0, None)
-
-
 def test_the_smallest_object_is_a_fraction_of_the_square():
     image = with_blocks((50, 80), (20, 5, 6, 2), (30, 20, 11, 2))  # areas 25 and 100 of 2500
     counts = [len(describe_image(image, (2,), fraction, 10).objects) for fraction in (0.01, 0.0101, 0.04, 0.041)]
@@ -230,7 +225,3 @@ def test_the_nearest_windows_begin_with_the_match_and_grow_more_distant(localize
     assert (str(windows.names[found[0][0]]), found[0][1]) == ("40_20", 0)
     distances = [distance for _, distance in found]
     assert len(found) == 4 and distances == sorted(distances) and distances[1] > 0
-
-
-def test_an_image_without_landmarks_has_no_nearest_windows(localizer):
-    assert localizer.nearest_windows(np.zeros((60, 60), np.uint8), 4) == []

@@ -9,13 +9,12 @@ import cv2
 import pytest
 from onboard_area import CENTER, HERE, write_area
 
-from semref.core.errors import ParameterError
 from semref.core.geometry.camera import Camera
 from semref.core.geometry.leveling import Attitude
 from semref.core.localization import Method
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.search import Search
-from semref.core.onboard.finder import ERROR, FinderSettings, label_reader, time_of
+from semref.core.onboard.finder import ERROR, FinderSettings, label_reader
 from semref.core.onboard.read import read_onboard
 from semref.core.pipeline import Pipeline
 
@@ -77,8 +76,3 @@ def test_topology_vectors_are_told_nothing_of_the_camera(finding, image):
     published = replace(finding, pipeline=replace(finding.pipeline, search=search), cameras=Tilted())
     assert published.camera_of(image).attitude is None
     assert replace(finding, cameras=Tilted()).camera_of(image).attitude is not None
-
-
-def test_the_time_of_a_file_that_is_gone_is_no_time(tmp_path):
-    with pytest.raises(ParameterError, match=r"gone\.png"):
-        time_of(str(tmp_path / "gone.png"))

@@ -85,15 +85,6 @@ def test_a_foreign_file_is_refused(tmp_path, name):
     assert str(path) in refusal(path)
 
 
-def test_a_missing_file_is_refused(tmp_path):
-    assert "There is no file" in refusal(tmp_path / "nothing.npz")
-
-
-def test_another_npz_is_refused(tmp_path):
-    np.savez_compressed(tmp_path / "other.npz", a=np.arange(3))
-    assert "is no onboard file of SemRef" in refusal(tmp_path / "other.npz")
-
-
 def test_a_pickle_is_never_opened(written, tmp_path):
     class Bomb:
         def __reduce__(self):

@@ -12,7 +12,7 @@ import pytest
 from onboard_area import write_area
 
 from semref.core.errors import SemRefError
-from semref.core.onboard.command_line import ALL_FIXED, REFUSED, main
+from semref.core.onboard.command_line import ALL_FIXED, main
 from semref.core.onboard.format import digest
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.signature import is_signed_with, signature
@@ -58,10 +58,6 @@ def refusal(path, key) -> str:
     return str(refused.value)
 
 
-def test_a_file_is_taken_with_the_key_it_was_signed_with(folder):
-    assert len(read_onboard(str(folder / "signed.npz"), key_file=str(folder / "key")).database.references)
-
-
 def test_a_signed_file_needs_no_key_where_nobody_asks(folder):
     assert len(read_onboard(str(folder / "signed.npz")).database.references)
 
@@ -92,14 +88,6 @@ def test_bytes_can_not_move_from_one_array_to_another():
     assert signature(FILES, KEY) != signature({"a": b"1", "b": b"23"}, KEY)
     assert is_signed_with(FILES, signature(FILES, KEY), KEY)
     assert not is_signed_with(FILES, signature(FILES, KEY)[:31], KEY)
-
-
-def test_the_command_line_requires_the_signature(folder, capsys):
-    key = str(folder / "key")
-    assert main(["info", str(folder / "signed.npz"), "--require-signature", key]) == ALL_FIXED
-    for command in (["info"], ["localize", "photo.png", "--database"], ["watch", str(folder), "--database"]):
-        assert main([*command, str(folder / "unsigned.npz"), "--require-signature", key]) == REFUSED
-        assert "is not signed" in capsys.readouterr().err
 
 
 def described(capsys, *arguments):

@@ -5,7 +5,7 @@ import pytest
 from made_models import brightest_color, metadata, painted, write_model, writer
 
 from semref.core.labels.image_source import ArrayImage, MaskedImage
-from semref.core.segmentation.certainty import NO_DATA, Certainty, Sureness, are_probabilities, percents, softmax
+from semref.core.segmentation.certainty import NO_DATA, Certainty, Sureness, are_probabilities, softmax
 from semref.core.segmentation.model import SegmentationModel
 from semref.core.segmentation.tiling import segment
 
@@ -75,11 +75,6 @@ def test_a_network_that_gives_probabilities_is_taken_at_its_word(made):
     assert np.abs(scores[2].astype(int) - probabilities[2]).max() <= 1
 
 
-def test_percents_of_a_pixel_add_up_to_about_100(made):
-    each = segmented(made(), ArrayImage(photo()))[2].astype(int)
-    assert np.abs(each.sum(axis=0) - 100).max() <= 2
-
-
 @pytest.mark.parametrize("threshold", [0.2, 0.5, 0.8])
 def test_one_probability_tells_its_class_and_the_rest(made, threshold):
     kernel = np.zeros((1, 3, 1, 1), np.float32)
@@ -138,10 +133,6 @@ def test_probabilities_are_known_by_their_sums():
     even = np.full((1, 4, 2, 2), 0.25, np.float32)
     assert are_probabilities(even) and are_probabilities(even.astype(np.float16))
     assert not are_probabilities(even + 0.01) and not are_probabilities(even - np.float32(0.5))
-
-
-def test_percents_are_rounded_and_stay_in_range():
-    np.testing.assert_array_equal(percents(np.array([-0.1, 0.0049, 0.005, 0.994, 0.995, 1.2])), [0, 0, 1, 99, 100, 100])
 
 
 class Corner:

@@ -41,10 +41,6 @@ def test_the_temperature_is_stated_or_unknown():
     assert read_settings({}, "m.onnx").temperature is None
 
 
-def test_the_older_spelling_tiles_size_is_read():
-    assert read_settings({"tiles_size": "640"}, "m.onnx").tile_size_px == 640
-
-
 @pytest.mark.parametrize("text", [NAMES, "{0: 'building', 1: 'water'}", '["building", "water"]'])
 def test_class_names_may_be_json_or_python(text):
     assert read_classes({"class_names": text}, 2, "m.onnx").names == ("building", "water")

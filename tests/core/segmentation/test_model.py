@@ -50,10 +50,6 @@ def test_fixed_sizes_go_before_the_metadata_and_that_is_said(load):
     assert "tile_size in the model's metadata is 64, but the network takes 48 × 32" in str(model.notes[0])
 
 
-def test_a_free_size_without_metadata_is_512(load):
-    assert load(metadata=metadata(tile_size=None)).tile_hw == (512, 512)
-
-
 def test_a_network_of_half_floats_will_do(load):
     network = writer.Network().add("Cast", to=writer.FLOAT)
     kernels = np.zeros((3, 3, 1, 1), np.float32)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 from made_models import brightest_color, metadata, write_model, writer
 from onnx import TensorProto, helper
@@ -92,11 +91,6 @@ def test_odd_metadata_are_refused_in_a_sentence(key, text):
         read_settings(texts, "odd.onnx")
         read_class_bias(texts, read_classes(texts, 3, "odd.onnx").names, "odd.onnx")
     assert len(str(refused.value)) < 1000
-
-
-def test_a_normal_network_is_still_taken(tmp_path):
-    assert SegmentationModel(str(write_model(tmp_path / "good.onnx")), 1).tile_hw == (64, 64)
-    assert np.array(SegmentationModel(str(tmp_path / "good.onnx"), 1).settings.std).shape == (3,)
 
 
 def test_metadata_that_are_no_text_are_refused(tmp_path):

@@ -33,8 +33,3 @@ def test_a_provider_that_onnxruntime_leaves_out_is_an_error(model, monkeypatch, 
 
 def test_a_run_that_fails_is_not_tried_elsewhere(model):
     assert open_session(model, 1, CPU.provider)._enable_fallback is False
-
-
-def test_a_file_that_is_not_there_is_refused(tmp_path):
-    with pytest.raises(ModelError, match="does not exist"):
-        open_session(str(tmp_path / "none.onnx"), 1, CPU.provider)

@@ -71,12 +71,6 @@ def test_any_number_of_tiles_at_once_gives_the_same(tmp_path):
     np.testing.assert_array_equal(found, np.where(hole, wanted, 0))
 
 
-def test_classes_get_the_values_asked_for(model):
-    wanted = labels_hw(80, 90)
-    found = labels_of(segment(model, ArrayImage(painted(wanted)), (7, 0, 200), 0.25))
-    np.testing.assert_array_equal(found, np.array([0, 7, 0, 200])[wanted])
-
-
 def test_pixels_without_data_are_0_and_empty_tiles_skip_the_network(model, monkeypatch):
     wanted = labels_hw(128, 256)
     has_data = np.zeros(wanted.shape, bool)
@@ -87,11 +81,6 @@ def test_pixels_without_data_are_0_and_empty_tiles_skip_the_network(model, monke
     found = labels_of(segment(model, ArrayImage(painted(wanted), has_data), VALUES, 0))
     np.testing.assert_array_equal(found, np.where(has_data, wanted, 0))
     assert sum(given) == 4  # of 8 tiles
-
-
-def test_an_image_without_any_data_is_0(model):
-    image = ArrayImage(np.zeros((90, 90, 3), np.uint8), np.zeros((90, 90), bool))
-    assert not labels_of(segment(model, image, VALUES, 0.25)).any()
 
 
 def test_the_share_done_grows_tile_by_tile_to_1(model):

@@ -24,11 +24,6 @@ def test_sizes_are_as_asked_for_and_directions_differ():
     assert np.std([noise.class_shifts[0][1] for _, noise in drawn]) > 1
 
 
-def test_nothing_asked_for_leaves_images_as_they_are():
-    view, noise = Conditions().drawn(VIEW, np.random.default_rng(1), (1, 2))
-    assert noise == LabelNoise() and (view.lens, view.tilt_deg) == (0.0, 0.0)
-
-
 def test_what_is_assumed_spoils_everything_a_little():
     noise = ASSUMED.noise
     assert min(noise.background, noise.displaced, noise.leaning, ASSUMED.class_shift, ASSUMED.lens) > 0

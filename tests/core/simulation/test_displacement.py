@@ -23,11 +23,6 @@ def moves(labels_hw, value):
     return np.array([center - before[np.hypot(*(before - center).T).argmin()] for center in after])
 
 
-def test_without_displacement_the_image_is_the_same_one():
-    labels = squares()
-    assert displaced(labels, LabelNoise(), np.random.default_rng(0)) is labels
-
-
 def test_a_class_is_shifted_and_what_it_leaves_is_filled():
     labels = displaced(squares(), LabelNoise(class_shifts=((2, 3.0, -2.0),)), np.random.default_rng(0))
     np.testing.assert_allclose(moves(labels, 2), np.tile([3.0, -2.0], (50, 1)))

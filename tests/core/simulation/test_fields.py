@@ -3,13 +3,9 @@
 import numpy as np
 import pytest
 
-from semref.core.simulation.fields import correlated_field, correlated_shifts, smooth_noise
+from semref.core.simulation.fields import correlated_field, correlated_shifts
 
 KERNELS = ((30.0, 0.5), (500.0, 0.3))
-
-
-def test_smooth_noise_has_variance_one():
-    assert smooth_noise((200, 300), 10.0, np.random.default_rng(1)).std() == pytest.approx(1.0, abs=1e-3)
 
 
 def correlation(distance, count=1500):

@@ -34,10 +34,6 @@ def test_an_image_without_pixels_stays_one(noise):
     assert spoiled(np.zeros((0, 0), np.uint8), noise).shape == (0, 0)
 
 
-def test_no_noise_changes_nothing(village):
-    np.testing.assert_array_equal(spoiled(village, LabelNoise()), village)
-
-
 def test_the_same_seed_gives_the_same_labels_and_the_input_stays(village):
     before = village.copy()
     np.testing.assert_array_equal(

@@ -8,7 +8,6 @@ from semref.core.simulation.label_errors import spoil_labels
 from semref.core.simulation.landmark_errors import joined, spoil_landmarks, with_moved_boundaries
 from semref.core.simulation.noise import LabelNoise
 
-NONE = extract_landmarks(np.zeros((10, 10), np.uint8), (1,), 1)
 SIZE = 1000, 1000
 
 
@@ -33,11 +32,6 @@ def many_landmarks(count=4000):
 def spoiled_landmarks(noise, landmarks=None, seed=1):
     landmarks = many_landmarks() if landmarks is None else landmarks
     return spoil_landmarks(landmarks, noise, np.random.default_rng(seed), landmarks, SIZE)
-
-
-def test_noise_on_no_landmarks_gives_none():
-    assert len(spoiled_landmarks(LabelNoise(0.5, 0.5, 0.5, center=1.0, log_area=0.1), NONE)) == 0
-    assert len(with_moved_boundaries(NONE, LabelNoise(jitter=2.0), np.random.default_rng(0))) == 0
 
 
 @pytest.mark.parametrize(("noise", "left"), [(LabelNoise(missed=0.2), 3200), (LabelNoise(spurious=0.4), 5600)])

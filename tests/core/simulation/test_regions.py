@@ -19,10 +19,5 @@ def test_lost_pixels_get_the_nearest_label_of_the_sources():
     np.testing.assert_array_equal(filled_from_around(labels, lost, ~lost), [[1, 1, 1, 2, 2, 2]])
 
 
-def test_without_sources_all_stays():
-    labels = np.full((3, 3), 4, np.uint8)
-    assert filled_from_around(labels, np.ones((3, 3), bool), np.ones((3, 3), bool)) is labels
-
-
 def test_the_nearest_zero_is_counted_in_order_of_rows():
     np.testing.assert_array_equal(nearest_zero(np.array([[0, 255, 255, 0]], np.uint8)), [[0, 0, 1, 1]])

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from semref.core.geometry.frame import MapFrame
-from semref.core.labels.sources import ArrayLabels
 from semref.core.simulation.views import (
     PIXELS,
     View,
@@ -47,11 +46,6 @@ def test_beyond_the_map_there_is_nothing(labels_hw):
     assert not cut(labels_hw, PIXELS, seen_from(-500, -500)).any()
 
 
-def test_a_map_read_in_pieces_gives_what_the_array_gives(labels_hw):
-    view = View(101.7, -88.2, 33.0, 1.2, 64, 48)
-    np.testing.assert_array_equal(cut(ArrayLabels(labels_hw), PIXELS, view), cut(labels_hw, PIXELS, view))
-
-
 @pytest.mark.parametrize("changes", [{}, {"tilt_deg": 10.0}, {"lens": 0.03}, {"is_mirrored": True}])
 def test_each_pixel_shows_the_place_it_lies_at_whatever_strip_it_is_cut_in(labels_hw, changes):
     view = View(130.3, -99.8, 33.0, 1.2, 70, 75, **changes)
@@ -86,10 +80,6 @@ def test_points_of_the_map_lie_in_the_image_where_its_pixels_show_them(is_mirror
     x, y = map_coordinates(view, columns, rows)
     found = image_coordinates(view, np.column_stack([x, y]))
     np.testing.assert_allclose(found, np.column_stack([columns, rows]), atol=1e-6)
-
-
-def test_no_points_have_no_place_in_an_image():
-    assert image_coordinates(View(0.0, 0.0), np.empty((0, 2))).shape == (0, 2)
 
 
 def test_the_center_of_a_tilted_view_stays_where_it_is():

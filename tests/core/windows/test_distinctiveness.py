@@ -64,12 +64,6 @@ def test_windows_that_all_overlap_are_infinitely_distinct():
     assert np.isinf(all_at_once(vectors, centers, sizes)).all()
 
 
-def test_equal_windows_elsewhere_have_distance_zero():
-    vectors, centers, sizes = random_windows(2, 2)
-    vectors[1] = vectors[0]
-    assert all_at_once(vectors, np.array([[0.0, 0.0], [0.0, 100.0]]), sizes).tolist() == [0, 0]
-
-
 @pytest.mark.parametrize("pixel_size", [1.0, 0.1, 0.3])
 @pytest.mark.parametrize("axis", [0, 1])
 def test_windows_side_by_side_share_no_area_whatever_the_coordinates(pixel_size, axis):

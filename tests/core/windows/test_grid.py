@@ -29,12 +29,6 @@ def test_only_windows_that_lie_wholly_on_the_map_count(width, height, size, stri
     assert len(grid) == len(columns) * len(rows)
 
 
-def test_the_papers_windows_are_on_its_grid():
-    grid = WindowGrid(8980, 5130, 1280, 350)
-    assert 5950 in grid.columns and 2100 in grid.rows
-    assert len(grid) == 23 * 12 == 276
-
-
 @pytest.mark.parametrize(("size", "stride"), [(0, 0), (0, 1), (10, 0), (-5, 1), (10, -1)])
 def test_windows_and_strides_below_a_pixel_are_refused(size, stride):
     with refuses(f"Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them."):

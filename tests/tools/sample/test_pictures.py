@@ -17,31 +17,6 @@ def view(column, row, heading=0.0, scale=1.0):
     return pictures.Picture("v.png", "test", column, row, heading, scale)
 
 
-@pytest.mark.parametrize(("heading", "quarter_turns"), [(0, 0), (90, 1), (180, 2), (270, 3)])
-@pytest.mark.parametrize("size", [63, 64])
-def test_quarter_turns_lose_no_pixel(labels_hw, heading, quarter_turns, size):
-    window = labels_hw[40 : 40 + size, 70 : 70 + size]
-    turned = pictures.cut(labels_hw, view(70 + size / 2, 40 + size / 2, heading), size)
-    np.testing.assert_array_equal(turned, np.rot90(window, quarter_turns))
-
-
-def test_heading_90_shows_the_east_at_the_top():
-    labels = np.zeros((100, 100), np.uint8)
-    labels[50, 70] = 9  # 20 pixels east of the center
-    assert np.argwhere(pictures.cut(labels, view(50.5, 50.5, 90), 61) == 9).tolist() == [[10, 30]]
-
-
-def test_scale_3_takes_the_middle_of_every_three_pixels(labels_hw):
-    seen = pictures.cut(labels_hw, view(100, 100, scale=3.0), 20)
-    np.testing.assert_array_equal(seen, labels_hw[71:130:3, 71:130:3])
-
-
-def test_a_photo_of_three_bands_is_cut_like_a_label_map(labels_hw):
-    photo = np.dstack([labels_hw] * 3)
-    at = view(120.3, 99.8, 33.0, 1.2)
-    np.testing.assert_array_equal(pictures.cut(photo, at, 64)[:, :, 1], pictures.cut(labels_hw, at, 64))
-
-
 def test_a_view_beyond_the_map_is_refused(labels_hw):
     with pytest.raises(ValueError, match="beyond the map"):
         pictures.cut(labels_hw, view(20, 100), 64)
