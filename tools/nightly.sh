@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What takes too long to run before every change: all tests on QGIS 3.40 and 3.44, core on the oldest wheels, and the
-# readers and outputs under faults. Run it before an issue is called resolved.
+# readers with odd inputs. Run it before an issue is called resolved.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tools/setup.sh
@@ -10,5 +10,5 @@ bash tools/side_by_side.sh \
     "Oldest wheels: bash tools/test_newest.sh oldest" \
     -- \
     "Debian forky: bash tools/test_in_root.sh forky" \
-    "Faults: .venv/bin/python -m tools.faults" \
+    "Fuzz: .venv/bin/python -m tools.fuzz --examples 400" \
     </dev/null

@@ -61,7 +61,7 @@ def iface(qgis_app, filled_at_once):
     stand_in.window.deleteLater()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def area(run_algorithm, tmp_path_factory):
     from dock_area import Area
 

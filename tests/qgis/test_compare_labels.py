@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import sys
 
 import numpy as np
 import pytest
+from full_disks import files_of_at_most
 from made_inputs import NORTH, WEST, scattered_objects, write_raster
 from made_models import write_model
 from osgeo import ogr
@@ -150,6 +152,31 @@ def test_maps_that_do_not_lie_on_each_other_are_refused(compare, tmp_path, optio
     with pytest.raises(QgsProcessingException, match=message):
         compare(write_raster(tmp_path / "a.tif", LABELS), predicted)
     assert not (tmp_path / "disagreements.gpkg").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
+def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
+    """GDAL takes back all rows where a commit finds the disk full; that was read as maps that agree everywhere."""
+    from semref.core.errors import LabelMapError
+    from semref.storage.comparing import DisagreementMap, LabelMapPair
+
+    noise = np.random.default_rng(5).integers(0, 2, LABELS.shape).astype(np.uint8)
+    pair = LabelMapPair(*(str(write_raster(tmp_path / f"{n}.tif", LABELS)) for n in range(2)))
+    outcomes = []
+    for size in (*range(0, 600_000, 60_000), 5_000_000):
+        with DisagreementMap(pair) as disagreements:
+            try:
+                with files_of_at_most(size):
+                    disagreements.write_rows(0, noise.astype(np.uint16))
+                    disagreements.outline(lambda share: True)
+                outcomes.append(len(disagreements.ranked(0)))
+            except LabelMapError:
+                outcomes.append("told")
+    whole = outcomes[-1]
+    assert whole > 100
+    assert "told" in outcomes
+    assert set(outcomes) == {"told", whole}
 
 
 def test_a_photo_is_no_prediction(compare, tmp_path):

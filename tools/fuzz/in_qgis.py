@@ -102,7 +102,7 @@ def algorithms(world: World) -> Tools:
         for _ in range(random.randint(1, 3)):
             keys = [definition.name() for definition in run.algorithms[name].parameterDefinitions()]
             changed[random.choice(keys)] = value(random)
-        # Outputs go where a user may write; where they may not is tools/faults' business.
+        # Outputs go where a user may write; where they may not, tests/qgis/test_outputs.py looks.
         return name, {key: _inside(entry, run.out, key in targets[name]) for key, entry in changed.items()}
 
     def attempt(made: tuple[str, dict[str, Any]]) -> None:

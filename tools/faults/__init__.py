@@ -1,1 +1,0 @@
-"""Injects faults into everything that SemRef writes; see ``__main__``."""
