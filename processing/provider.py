@@ -20,7 +20,6 @@ from .algorithms.georeference_images import GeoreferenceImages
 from .algorithms.localize_flight import LocalizeFlight
 from .algorithms.localize_images import LocalizeImages
 from .algorithms.make_class_table import MakeClassTable
-from .algorithms.make_route_sheet import MakeRouteSheet
 from .algorithms.rasterize_annotation import RasterizeAnnotation
 from .algorithms.repair_annotation import RepairAnnotation
 from .algorithms.segment_image import SegmentImage
@@ -50,7 +49,6 @@ ALGORITHMS = (
     AssessDatabase,
     AssessRoute,
     MakeClassTable,
-    MakeRouteSheet,
 )
 
 

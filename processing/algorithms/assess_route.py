@@ -16,11 +16,13 @@ from qgis.core import (
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsRectangle,
 )
 
 from ...core.errors import ParameterError
 from ...storage.route_files import is_waypoint_file
-from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT
+from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework import parameters, route_flights
 from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
@@ -71,7 +73,10 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
 class AssessRoute(AssessAlgorithm):
     ID = "assessroute"
     GROUP = LOCALIZATION
-    TAGS = ("flight plan", "mission", "waypoints", "gpx", "kml", "qgroundcontrol", "planning", "gap", "profile")
+    TAGS = (
+        *("flight plan", "mission", "waypoints", "gpx", "kml", "qgroundcontrol", "planning", "gap", "profile"),
+        *("print", "paper", "report"),
+    )
 
     ROUTE = "ROUTE"
     SPACING = "SPACING"
@@ -79,6 +84,8 @@ class AssessRoute(AssessAlgorithm):
     SPEED = "SPEED"
     TRIALS = "TRIALS"
     SHIFT = "SHIFT"
+    ASSESSMENT = "ASSESSMENT"
+    BASE_MAP = "BASE_MAP"
     OUTPUT = "OUTPUT"
     LONGEST_GAP = "LONGEST_GAP"
     LONGEST_GAP_SECONDS = "LONGEST_GAP_SECONDS"
@@ -129,8 +136,9 @@ class AssessRoute(AssessAlgorithm):
                 ),
             ),
             parameters.report(
-                tr("Profile of expected success along the route, and its gaps, in one file to read and print.")
+                tr("Map of the route, profile of expected success, and its gaps, in one file to read and print.")
             ),
+            *self._below_the_route(),
             *route_flights.parameters(),
             QgsProcessingOutputNumber(self.LONGEST_GAP, tr("Longest gap")),
             QgsProcessingOutputNumber(self.LONGEST_GAP_SECONDS, tr("Longest gap in seconds")),
@@ -170,9 +178,30 @@ class AssessRoute(AssessAlgorithm):
             for key, title, text in lengths
         )
 
+    def _below_the_route(self) -> tuple[Declared, ...]:
+        """What the report's map shows below the route."""
+        return (
+            with_help(
+                QgsProcessingParameterFeatureSource(
+                    self.ASSESSMENT, tr("Expected success"), types=[SOURCE_POLYGON], optional=True
+                ),
+                tr("The squares that “Assess reference database” wrote, drawn below the route in the report."),
+                advanced=True,
+            ),
+            with_help(
+                QgsProcessingParameterRasterLayer(self.BASE_MAP, tr("Base map"), optional=True),
+                tr("An orthophoto, map tiles, or the overview of the database, drawn below everything in the report."),
+                advanced=True,
+            ),
+        )
+
     def read_layers(self, values: Values) -> None:
+        from ..exchange.rendering import styled_copy
         from ..exchange.routes import read_route, route_of_source
 
+        squares = values.vector(self.ASSESSMENT) if values.has(self.ASSESSMENT) else None
+        ground = values.raster(self.BASE_MAP) if values.has(self.BASE_MAP) else None
+        self._below = [styled_copy(layer) for layer in (squares, ground) if layer is not None]
         value = _plain(values.raw(self.ROUTE))
         if is_waypoint_file(value):
             self._route = read_route(value)
@@ -195,6 +224,7 @@ class AssessRoute(AssessAlgorithm):
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
             raise ParameterError("algorithms.route_outside_map")
+        below = self._picture_below(values, points, crs, feedback) if outputs.wants(self.REPORT) else b""
         assessment = self.assessment(values, database, self.indexed(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)
         part = route_flights.share_before(values)
@@ -217,7 +247,7 @@ class AssessRoute(AssessAlgorithm):
         route = replace(route, flown=flown)
         check_canceled(feedback)
         if outputs.wants(self.REPORT):
-            outputs.text(self.REPORT, self._report(values, database, route, assessment))
+            outputs.text(self.REPORT, self._report(values, database, route, assessment, below))
         self._write_points(outputs, route, crs)
         longest = max((gap.length for gap in stretches), default=0.0)
         self._say(route, longest, feedback)
@@ -267,7 +297,28 @@ class AssessRoute(AssessAlgorithm):
             for gap, end in zip(stretches, ends)
         ]
 
-    def _report(self, values: Values, database: ReferenceDatabase, route: AssessedRoute, assessment: Assessment) -> str:
+    def _picture_below(
+        self, values: Values, points: RoutePoints, crs: QgsCoordinateReferenceSystem, feedback: QgsProcessingFeedback
+    ) -> bytes:
+        from ..exchange.rendering import map_picture
+        from ..reports.maps import PICTURE_PX, route_ground
+
+        if not self._below:
+            return b""
+        x_min, y_min, x_max, y_max = route_ground(points).extent
+        extent = QgsRectangle(x_min, y_min, x_max, y_max)
+        picture = map_picture(self._below, extent, crs, PICTURE_PX, values.transform_context, feedback.isCanceled)
+        check_canceled(feedback)
+        return picture
+
+    def _report(
+        self,
+        values: Values,
+        database: ReferenceDatabase,
+        route: AssessedRoute,
+        assessment: Assessment,
+        below: bytes,
+    ) -> str:
         from ..reports.route_report import route_html
 
         conditions = self.conditions(values)
@@ -277,7 +328,8 @@ class AssessRoute(AssessAlgorithm):
             (tr("Simulated images a point"), str(values.integer(self.TRIALS))),
             *setting_rows(conditions, route.threshold, assessment.correlation, values.integer(self.SEED)),
         ]
-        return route_html(route, os.path.basename(database.source), conditions, assessment.correlation, settings)
+        title = f"{self._route.name}, {os.path.basename(database.source)}"
+        return route_html(route, title, conditions, assessment.correlation, settings, below)
 
     def _write_points(self, outputs: Outputs, route: AssessedRoute, crs: QgsCoordinateReferenceSystem) -> None:
         from ...core.assessment.route import stretch

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from urllib.parse import unquote
 
-from qgis.core import QgsNetworkAccessManager, QgsNetworkRequestParameters, QgsRasterLayer
+from qgis.core import QgsMapLayer, QgsNetworkAccessManager, QgsNetworkRequestParameters
 from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtNetwork import QNetworkReply, QNetworkRequest
 
@@ -55,14 +55,14 @@ def install() -> None:
 
 
 @contextmanager
-def watched_downloads(layer: QgsRasterLayer) -> Iterator[Downloads]:
+def watched_downloads(*layers: QgsMapLayer) -> Iterator[Downloads]:
     """Watches downloads until the block ends, after ``install``.
 
     Args:
-        layer: What is drawn. Where the user named tiles on the disk, files may be asked for as well.
+        layers: What is drawn. Where the user named tiles on the disk, files may be asked for as well.
     """
     downloads = Downloads()
-    if "=file:" in unquote(layer.source()).lower():
+    if any("=file:" in unquote(layer.source()).lower() for layer in layers):
         downloads.schemes.add("file")
     _watched.append(downloads)
     try:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from math import ceil
 from typing import Callable
@@ -16,13 +16,15 @@ from qgis.core import (
     QgsCoordinateTransformContext,
     QgsCsException,
     QgsDistanceArea,
+    QgsMapLayer,
     QgsMapRendererSequentialJob,
     QgsMapSettings,
     QgsPointXY,
+    QgsProject,
     QgsRasterLayer,
     QgsRectangle,
 )
-from qgis.PyQt.QtCore import QEventLoop, QSize, QTimer
+from qgis.PyQt.QtCore import QBuffer, QEventLoop, QIODevice, QSize, QTimer
 from qgis.PyQt.QtGui import QColor, QImage
 
 from ...core.errors import ImageError
@@ -42,6 +44,9 @@ CANCEL_EVERY_MS = 200
 
 LONGEST_S = 300.0
 """For one such piece, some twenty tiles; a server that takes longer sends nothing of use."""
+
+PICTURE_DPI = 192
+"""Of a map's picture on paper, by which symbols and texts have their size."""
 
 TRUE_TO_SCALE = 0.01
 """A CRS whose meters are off by more than this share (as those of web maps are: a third in Europe) is not drawn in."""
@@ -128,7 +133,7 @@ def draw(
         ImageError: Nothing of the layer shows there.
         LabelMapError: The file can't be written.
     """
-    name, settings = drawing.layer.name(), _settings(drawing, context)
+    name, settings = drawing.layer.name(), _settings([drawing.layer], drawing.crs, context)
     height, width = drawing.frame.shape_hw
     places = [(column, row) for row in range(0, height, TILE_PX) for column in range(0, width, TILE_PX)]
     anything, problems = False, []
@@ -137,7 +142,8 @@ def draw(
             shape_hw = min(TILE_PX, height - row), min(TILE_PX, width - column)
             settings.setOutputSize(QSize(*reversed(shape_hw)))
             settings.setExtent(QgsRectangle(*drawing.frame.part(column, row, shape_hw).extent))
-            pixels_hw4, errors = _draw_piece(settings, shape_hw, canceled, downloads, name)
+            image, errors = _draw_piece(settings, canceled, downloads, name)
+            pixels_hw4 = _pixels(image, shape_hw)
             _require_plain_answers(name, downloads)
             anything = anything or bool(pixels_hw4[:, :, 3].any())
             problems += errors
@@ -157,14 +163,62 @@ def _require_plain_answers(layer: str, downloads: Downloads) -> None:
         raise ImageError("exchange.redirected_elsewhere", layer=layer, address=downloads.refused)
 
 
-def _settings(drawing: Drawing, context: QgsCoordinateTransformContext) -> QgsMapSettings:
+def styled_copy(layer: QgsMapLayer) -> QgsMapLayer:
+    """A copy of a layer to be drawn in another thread as it is styled; for the thread that the layer lives in."""
+    install()
+    if QgsProject.instance().mapLayer(layer.id()) is None:
+        # QGIS opens files for algorithms without their style.
+        layer.loadDefaultStyle()
+    return layer.clone()
+
+
+def map_picture(
+    layers: Sequence[QgsMapLayer],
+    extent: QgsRectangle,
+    crs: QgsCoordinateReferenceSystem,
+    width_px: int,
+    context: QgsCoordinateTransformContext,
+    canceled: Callable[[], bool],
+) -> bytes:
+    """A JPEG of layers as they are styled, the first on top.
+
+    Args:
+        layers: What ``styled_copy`` gave.
+        extent: The ground wanted.
+        crs: Its CRS.
+        width_px: Of the picture.
+        context: How the project transforms coordinates.
+        canceled: Asked several times a second; once True the drawing ends early.
+
+    Raises:
+        ImageError: A layer can't be drawn.
+    """
+    settings = _settings(layers, crs, context)
+    settings.setBackgroundColor(QColor("white"))
+    settings.setOutputDpi(PICTURE_DPI)
+    settings.setOutputSize(QSize(width_px, round(width_px * extent.height() / extent.width())))
+    settings.setExtent(extent)
+    with watched_downloads(*layers) as downloads:
+        image, problems = _draw_piece(settings, canceled, downloads, layers[-1].name())
+        _require_plain_answers(layers[-1].name(), downloads)
+    if problems:
+        raise ImageError("exchange.not_drawn", layer=layers[-1].name(), reason=problems[0])
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    image.save(buffer, "JPG", 85)
+    return bytes(buffer.data())
+
+
+def _settings(
+    layers: Sequence[QgsMapLayer], crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
+) -> QgsMapSettings:
     """What all pieces of a drawing share.
 
-    The layer is passed to QGIS once: PyQt can take its Python object for deleted while the network thread calls Python.
+    The layers are passed to QGIS once: PyQt can take a Python object for deleted while the network thread calls Python.
     """
     settings = QgsMapSettings()
-    settings.setLayers([drawing.layer])
-    settings.setDestinationCrs(drawing.crs)
+    settings.setLayers(list(layers))
+    settings.setDestinationCrs(crs)
     settings.setTransformContext(context)
     settings.setBackgroundColor(QColor(0, 0, 0, 0))
     settings.setFlag(MAP_TILE, True)
@@ -172,13 +226,9 @@ def _settings(drawing: Drawing, context: QgsCoordinateTransformContext) -> QgsMa
 
 
 def _draw_piece(
-    settings: QgsMapSettings,
-    shape_hw: tuple[int, int],
-    canceled: Callable[[], bool],
-    downloads: Downloads,
-    layer: str,
-) -> tuple[np.ndarray, list[str]]:
-    """Draw one piece: (height, width, 4) uint8, red first, and the messages of what failed."""
+    settings: QgsMapSettings, canceled: Callable[[], bool], downloads: Downloads, layer: str
+) -> tuple[QImage, list[str]]:
+    """Draw one piece: the picture and the messages of what failed."""
     job = QgsMapRendererSequentialJob(settings)
     loop, timer = QEventLoop(), QTimer()
     job.finished.connect(loop.quit)
@@ -196,7 +246,7 @@ def _draw_piece(
     timer.stop()
     if time.monotonic() > end and not canceled():
         raise ImageError("exchange.drawing_too_slow", layer=layer, most_s=int(LONGEST_S))
-    return _pixels(job.renderedImage(), shape_hw), [error.message for error in job.errors()]
+    return job.renderedImage(), [error.message for error in job.errors()]
 
 
 def _pixels(image: QImage, shape_hw: tuple[int, int]) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 
 import numpy as np
@@ -22,10 +23,11 @@ from .reference_systems import WGS84, describe_crs
 
 @dataclass(frozen=True)
 class Route:
-    """Lines, each (n, 2) x, y of ``crs``; longitude, latitude of waypoint files."""
+    """Lines, each (n, 2) x, y of ``crs``; longitude, latitude of waypoint files. name: of the layer or file."""
 
     lines: tuple[np.ndarray, ...]
     crs: QgsCoordinateReferenceSystem
+    name: str
 
 
 def route_of_source(source: QgsProcessingFeatureSource) -> Route:
@@ -37,12 +39,14 @@ def route_of_source(source: QgsProcessingFeatureSource) -> Route:
         # Of curves the lines that they are drawn as.
         for part in (part for part in parts if part.type() == LINE_GEOMETRY):
             lines.append(np.array([(point.x(), point.y()) for point in part.asPolyline()], np.float64).reshape(-1, 2))
-    return _checked(Route(tuple(lines), source.sourceCrs()), "ROUTE")
+    return _checked(Route(tuple(lines), source.sourceCrs(), source.sourceName()), "ROUTE")
 
 
 def read_route(path: str) -> Route:
     """The route of a waypoint file. Raises ParameterError for a file without one."""
-    return _checked(Route(tuple(read_waypoint_file(path)), QgsCoordinateReferenceSystem(WGS84)), path)
+    return _checked(
+        Route(tuple(read_waypoint_file(path)), QgsCoordinateReferenceSystem(WGS84), os.path.basename(path)), path
+    )
 
 
 def lines_in(
@@ -68,4 +72,4 @@ def _checked(route: Route, name: str) -> Route:
     lines = tuple(line for line in route.lines if len(line) > 1)
     if not lines:
         raise ParameterError("exchange.no_route", name=name)
-    return Route(lines, route.crs)
+    return Route(lines, route.crs, route.name)

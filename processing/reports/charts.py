@@ -117,10 +117,12 @@ class Element(NamedTuple):
 
 def shape(tag: str, style: str, title: str = "", **attributes: object) -> Element:
     """An element with numbers to a tenth of a pixel, except those given as text."""
-    return Element(tag, {**{name: _short(value) for name, value in attributes.items()}, "style": style}, title=title)
+    return Element(
+        tag, {**{name: _short(value) for name, value in attributes.items()}, "style": style or None}, title=title
+    )
 
 
-def stroke(color: str, width: float = 1, dash: str = "") -> str:
+def stroke(color: str, width: float | str = 1, dash: str = "") -> str:
     """The style of a line."""
     return f"fill:none;stroke:{color};stroke-width:{width}" + (f";stroke-dasharray:{dash}" if dash else "")
 

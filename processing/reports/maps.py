@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import base64
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..exchange import palette
 from ..translation import tr
 from . import page
 from .charts import Element, drawing, lettering, polyline, shape, stroke
 
 if TYPE_CHECKING:
+    from ...core.assessment.route import RoutePoints
     from .flight_report import FlightPoint
 
 WIDTH, HEIGHT = 960, 560
@@ -23,6 +26,18 @@ RADIUS = 4.0
 NEEDLE = 13.0
 """From its center to where the image's top points, pixels."""
 
+HALO = "paint-order:stroke;stroke:var(--ground);stroke-width:4"
+"""Of letters, on whatever lies below them."""
+
+ROUTE_HEIGHT = 400
+"""Of a route's sketch at least: what lies beside it matters, too."""
+
+RIMS = (("9", palette.INK), ("7.5", palette.CASING))
+"""Widths and colors below a route's own line, as its layer has them."""
+
+PICTURE_PX = 2 * WIDTH
+"""Of the picture below a route, sharp enough for paper."""
+
 SuccessClass = tuple[float, float, str, str]
 """From, to, color and text of a class of expected success."""
 
@@ -30,14 +45,21 @@ SuccessClass = tuple[float, float, str, str]
 class Ground:
     """Where map coordinates lie in a sketch that is as large as the page has room for; with a scale bar."""
 
-    def __init__(self, x_min: float, y_min: float, x_max: float, y_max: float) -> None:
+    def __init__(self, x_min: float, y_min: float, x_max: float, y_max: float, least_height: float = 120) -> None:
         across, up = max(x_max - x_min, 1e-9), max(y_max - y_min, 1e-9)
         self.unit = min((WIDTH - 2 * MARGIN) / across, (HEIGHT - 2 * MARGIN) / up)
-        self.height = max(up * self.unit + 2 * MARGIN, 120)
-        self._left, self._x_min, self._y_max = (WIDTH - across * self.unit) / 2, x_min, y_max
+        self.height = max(up * self.unit + 2 * MARGIN, least_height)
+        # Map coordinates of the upper left corner.
+        self._x = (x_min + x_max) / 2 - WIDTH / 2 / self.unit
+        self._y = (y_min + y_max) / 2 + self.height / 2 / self.unit
+
+    @property
+    def extent(self) -> tuple[float, float, float, float]:
+        """Least and largest x and y of the sketch: x, y, x, y."""
+        return self._x, self._y - self.height / self.unit, self._x + WIDTH / self.unit, self._y
 
     def at(self, position: Sequence[float]) -> tuple[float, float]:
-        return self._left + (position[0] - self._x_min) * self.unit, MARGIN + (self._y_max - position[1]) * self.unit
+        return (position[0] - self._x) * self.unit, (self._y - position[1]) * self.unit
 
     def drawing(self, elements: Sequence[Element], name: str) -> str:
         return drawing([*elements, *self._scale_bar()], name, WIDTH, self.height)
@@ -48,10 +70,11 @@ class Ground:
         decade = 10 ** math.floor(math.log10(most))
         length = next(step * decade for step in (5, 2, 1) if step * decade <= most)
         x, y, end = MARGIN / 2, self.height - 14, MARGIN / 2 + length * self.unit
-        text = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m"
+        text, bar = f"{length / 1000:g} km" if length >= 1000 else f"{length:g} m", f"M{x} {y - 4}v4H{end:.1f}v-4"
         return [
-            shape("path", stroke("var(--text)"), d=f"M{x} {y - 4}v4H{end:.1f}v-4"),
-            lettering(end + 6, y, text, "start"),
+            shape("path", stroke("var(--ground)", 4), d=bar),
+            shape("path", stroke("var(--text)"), d=bar),
+            lettering(end + 6, y, text, "start", style=HALO),
         ]
 
 
@@ -99,6 +122,37 @@ def cell_map(
 def _kinds(success: np.ndarray, classes: Sequence[SuccessClass]) -> np.ndarray:
     """Numbers of the classes of success."""
     return sum((success >= low).astype(int) for low, *_ in classes[1:])
+
+
+def route_ground(points: RoutePoints) -> Ground:
+    """The sketch of a route."""
+    return Ground(*points.places.min(0), *points.places.max(0), ROUTE_HEIGHT)
+
+
+def route_map(
+    points: RoutePoints, success: np.ndarray, classes: Sequence[SuccessClass], below: bytes, name: str
+) -> str:
+    """A route colored by success (N,) 0…1, its lines numbered; below: a JPEG of the sketch's extent, or nothing."""
+    from ...core.assessment.route import stretch
+
+    ground, parts = route_ground(points), []
+    if below:
+        href = f"data:image/jpeg;base64,{base64.b64encode(below).decode('ascii')}"
+        parts.append(shape("image", "", href=href, x=0, y=0, width=WIDTH, height=ground.height))
+    lines = [np.flatnonzero(points.lines == line) for line in range(len(points.lengths))]
+    round_ends = ";stroke-linecap:round;stroke-linejoin:round"
+    for width, color in RIMS:
+        for members in lines:
+            path = [ground.at(place) for place in points.places[members]]
+            parts.append(polyline(path, stroke(color, width) + round_ends))
+    kinds = _kinds(success, classes)
+    for members in lines:
+        for run in np.split(members, np.flatnonzero(np.diff(kinds[members])) + 1):
+            path = [ground.at(place) for n in run for place in stretch(points, n)]
+            parts.append(polyline(path, stroke(classes[kinds[run[0]]][2], 5) + round_ends))
+    starts = [(ground.at(points.places[members[0]]), str(number)) for number, members in enumerate(lines, start=1)]
+    numbers = [lettering(x, y - 10, number, style=HALO) for (x, y), number in starts]
+    return ground.drawing(parts + (numbers if len(lines) > 1 else []), name)
 
 
 def flight_legend() -> str:

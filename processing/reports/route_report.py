@@ -7,15 +7,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from qgis.PyQt.QtCore import QDate, QLocale
 
 from ...core.assessment.assessment import Estimates
 from ...core.assessment.flights import FlownRoute
 from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
+from ..exchange.assessment_styles import success_classes
 from ..translation import tr
 from ..wording.numbers import Local, shown
+from ..wording.numbers import count as number_text
 from . import charts, page, parts
 from .assessment_report import assumed, reason_titles
+from .maps import route_map, success_legend
 from .route_flights import flown_parts
 
 
@@ -42,8 +46,9 @@ def route_html(
     conditions: Conditions,
     correlation: bool,
     settings: Sequence[tuple[str, str]],
+    below: bytes = b"",
 ) -> str:
-    """The whole page; ``name``: the database's."""
+    """The whole page; ``name``: the route's and the database's; ``below``: a JPEG for the map."""
     profiles = []
     for line in range(len(route.points.lengths)):
         title = tr("Route {number}").format(number=line + 1)
@@ -59,11 +64,21 @@ def route_html(
         _key_figures(route),
         parts.next_steps(_next(route)),
         page.paragraph(assumed(conditions, correlation)),
+        page.section(tr("Map"), *_map(route, below)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
         page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint)),
         parts.settings_section(settings),
     )
+
+
+def _map(route: AssessedRoute, below: bytes) -> list[str]:
+    classes = success_classes(route.threshold)
+    picture = route_map(route.points, route.estimates.success, classes, below, tr("Map of the route"))
+    caption = tr("The route by expected success; {count} points, {date}. North is up.")
+    today = QLocale().toString(QDate.currentDate(), QLocale.FormatType.ShortFormat)
+    figure = page.figure(picture, caption.format(count=number_text(len(route.points)), date=today))
+    return [success_legend(classes), figure]
 
 
 def profile(route: AssessedRoute, line: int) -> str:

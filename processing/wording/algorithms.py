@@ -21,10 +21,6 @@ SENTENCES = {
         "The positions name {path}, which is not in their own folder; select the image, or its folder, as Images."
     ),
     "algorithms.image_moved": "There is no image {path}; give IMAGES, the folder where it lies now.",
-    "algorithms.no_assessed_route": (
-        "“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” "
-        "wrote."
-    ),
     "algorithms.no_route_layer": (
         "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file."
     ),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import base64
 import json
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import NORTH, WEST, landmarks_in_the_west, write_layer
+from made_inputs import NORTH, WEST, landmarks_in_the_west, square, write_layer
 from osgeo import gdal
 from qgis.core import (
     QgsApplication,
@@ -20,6 +22,7 @@ from qgis.core import (
     QgsProcessingFeatureSourceDefinition,
     QgsVectorLayer,
 )
+from qgis.PyQt.QtGui import QImage
 
 ASSESS = "semref:assessroute"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -162,9 +165,12 @@ def assessed(run_algorithm, database, tmp_path_factory):
     folder = tmp_path_factory.mktemp("assessed")
     path = folder / "mission.plan"
     path.write_text(simple_plan(TURNS), encoding="utf-8")
+    squares = write_layer(folder / "squares.gpkg", [(square(300, 200, 200), 0.5)], [("success", "real")])
     parameters = {
         "DATABASE": database,
         "ROUTE": str(path),
+        "ASSESSMENT": str(squares),
+        "BASE_MAP": str(Path(database).with_name("labels.tif")),
         "SPACING": 50,
         "SPEED": 10,
         "TRIALS": 4,
@@ -201,6 +207,48 @@ def test_the_report_has_profile_gaps_and_assumptions(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
     for part in ("<svg", "Stretches without an expected fix", "Assumed: any heading", "s at 10 m/s"):
         assert part in text
+
+
+@pytest.mark.slow
+def test_the_report_has_a_map_of_the_route_on_the_layers_that_were_given(assessed):
+    text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
+    assert "mission.plan, area.gpkg" in text and "12 points" in text and "hardly ever (0–" in text
+    picture = QImage.fromData(base64.b64decode(re.search(r'href="data:image/jpeg;base64,([^"]+)"', text)[1]))
+    height = float(re.search(r'viewBox="0 0 960 (\d+)" role="img" aria-label="Map of the route"', text)[1])
+    assert (picture.width(), picture.height()) == (1920, 2 * height)
+    # The square lies across the route's middle, on the map.
+    middle, beside = (picture.pixelColor(x, picture.height() // 2 + 30) for x in (820, 1300))
+    assert middle != beside and (middle.red(), middle.green()) != (255, 255)
+
+
+def route_of(*lines):
+    from semref.core.assessment.route import route_points
+
+    return route_points([np.array(one, float) for one in lines], 10.0)
+
+
+def test_a_route_map_has_a_piece_for_each_run_of_a_class_and_numbers_several_lines(qgis_app):
+    from semref.processing.reports.maps import route_map
+
+    classes = [(0.0, 0.5, "#000001", "bad"), (0.5, 1.0, "#000002", "good")]
+    one = route_of([(0, 0), (50, 0)])
+    svg = route_map(one, np.array([1, 1, 0, 0, 1, 1]), classes, b"", "map")
+    assert (svg.count("#000001"), svg.count("#000002"), svg.count("<image")) == (1, 2, 0)
+    # The first piece ends half the way from the second to the third point, where the next one begins.
+    drawn = [re.search(r'd="M([^"]+)"', path)[1].split("L") for path in re.findall("<path[^>]+#00000[^>]+", svg)]
+    assert drawn[0][-1] == drawn[1][0] and drawn[1][-1] == drawn[2][0]
+    two = route_of([(0, 0), (50, 0)], [(0, 40), (50, 40)])
+    assert route_map(two, np.ones(12), classes, b"", "map").count("</text>") == 2 + svg.count("</text>")
+
+
+def test_a_sketch_shows_the_extent_that_is_drawn_below_it(qgis_app):
+    from semref.processing.reports.maps import WIDTH, route_ground
+
+    ground = route_ground(route_of([(1000, 200), (1600, 260)]))
+    x_min, y_min, x_max, y_max = ground.extent
+    assert ground.at((x_min, y_max)) == pytest.approx((0, 0), abs=1e-6)
+    assert ground.at((x_max, y_min)) == pytest.approx((WIDTH, ground.height))
+    assert ground.at((1300, 230)) == pytest.approx((WIDTH / 2, ground.height / 2))
 
 
 @pytest.mark.slow

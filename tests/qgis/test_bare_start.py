@@ -14,7 +14,7 @@ pytestmark = pytest.mark.newer
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 TIMEOUT_S = 120
-WITHOUT_PACKAGES = {"classifyopenstreetmap", "routesheet"}
+WITHOUT_PACKAGES = {"classifyopenstreetmap"}
 """Algorithms that run in any QGIS."""
 
 

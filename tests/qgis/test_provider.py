@@ -37,7 +37,6 @@ NAMES = (
     "assessdatabase",
     "assessroute",
     "classtable",
-    "routesheet",
 )
 
 

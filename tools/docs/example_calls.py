@@ -93,7 +93,6 @@ EXAMPLES: dict[str, dict] = {
     },
     "assessdatabase": {**QUICK, "SPACING": 800, "TRIALS": 100, "OUTPUT": "assessed.gpkg", "REPORT": "assessed.html"},
     "assessroute": {**QUICK, "ROUTE": "track.gpkg", "OUTPUT": "route.gpkg", "REPORT": "route.html"},
-    "routesheet": {"ROUTE": "route.gpkg", "ASSESSMENT": "assessed.gpkg", "OUTPUT": "route.pdf"},
 }
 """By the algorithm's name, in an order in which each finds what it needs."""
 
