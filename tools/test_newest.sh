@@ -9,11 +9,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=${SEMREF_VERSIONS:-$PWD/.versions}
-newest=(numpy opencv-python-headless onnxruntime shapely onnx jinja2 pytest)
+newest=(numpy opencv-python-headless pillow onnxruntime shapely onnx jinja2 pytest)
 qt=PyQt6
 # Debian 11's and older numpy; the first wheels that hold what SemRef uses.
 oldest=(
-    numpy==1.21.6 opencv-python-headless==4.6.0.66 shapely==2.0.0 onnxruntime==1.15.1
+    numpy==1.21.6 opencv-python-headless==4.6.0.66 pillow==9.1.0 shapely==2.0.0 onnxruntime==1.15.1
     onnx==1.14.1 'protobuf<4.25' jinja2==3.0.3 pytest==8.4.2
 )
 
@@ -48,9 +48,9 @@ install_wheels() { # NAME REQUIREMENT...
 run_tests() { # NAME [pytest arguments]
     local name=$1
     shift
-    "$folder/$name/bin/python" -c 'import sys, numpy, cv2, onnxruntime, shapely
+    "$folder/$name/bin/python" -c 'import sys, numpy, cv2, onnxruntime, PIL, shapely
 print("==", sys.argv[1], "Python", sys.version.split()[0], "numpy", numpy.__version__, "OpenCV", cv2.__version__,
-      "onnxruntime", onnxruntime.__version__, "shapely", shapely.__version__)' "$name"
+      "Pillow", PIL.__version__, "onnxruntime", onnxruntime.__version__, "shapely", shapely.__version__)' "$name"
     SEMREF_BLOCK_QGIS=1 "$folder/$name/bin/python" -m pytest -q -rs -p no:cacheprovider -m 'not slow' tests/core "$@" </dev/null
 }
 

@@ -9,7 +9,7 @@ from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
 from ..processing.framework.base import ICON_PATH
-from ..processing.packages.components import OPENCV, missing
+from ..processing.packages.components import NEEDED, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
 from .database_drop import DatabaseDrop
@@ -76,8 +76,10 @@ class DockEntry:
             installer.broke.connect(self._dock.messages.bug)
 
     def _open_sample(self) -> None:
-        if missing((OPENCV,)):
-            sentence = tr("The sample project needs {packages}.").format(packages=OPENCV.title)
+        lacking = missing(NEEDED)
+        if lacking:
+            titles = ", ".join(package.title for package in lacking)
+            sentence = tr("The sample project needs {packages}.").format(packages=titles)
             notice = Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
             self._installer.installed.connect(notice.dismiss)
             return

@@ -1,25 +1,28 @@
 """Label images and photos read without GDAL, for computers that have no QGIS.
 
-OpenCV expands the palette of a paletted PNG or TIFF to colors, but the class values are the palette's indices. Such a
-file says in one number that its values are to be looked up; with that number set to gray, OpenCV gives the values.
+Pillow reads PNG and TIFF: it gives the indices of a palette, which are the class values, where OpenCV gives colors.
+OpenCV reads JPEG: Pillow would look for segments byte by byte in Python, however long the file is.
 """
 
 from __future__ import annotations
 
+import io
 import os
 import stat
-import struct
-import zlib
-from collections.abc import Iterator
+from math import inf
 
 import cv2
 import numpy as np
+from PIL import Image
+from PIL.PngImagePlugin import PngImageFile
+from PIL.TiffImagePlugin import TiffImageFile
 
 from ..errors import ImageError, LabelMapError, SemRefError
 from .class_table import ClassTable
 from .color_labels import decode_colors
 from .image_source import ArrayImage, Photo
-from .tiff import BITS, EXTRA_SAMPLES, HEIGHT, ORDERS, PHOTOMETRIC, WIDTH, TiffTags, pixel_size_m
+from .photo_tags import photo_tags
+from .tiff import MOST_TAG_BYTES, ORIENTATION, STARTS, BoundedFile, Tags, nodata_of, pixel_size_m, value_of
 
 IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
 
@@ -32,21 +35,33 @@ MAXIMUM_IMAGE_BYTES = 4 * MAXIMUM_IMAGE_PIXELS
 _PNG = b"\x89PNG\r\n\x1a\n"
 _KINDS = {
     "PNG": ((_PNG,), (".png",)),
-    "TIFF": ((b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"), (".tif", ".tiff")),
+    "TIFF": (STARTS, (".tif", ".tiff")),
     "JPEG": ((b"\xff\xd8\xff",), (".jpg", ".jpeg")),
 }
 """How files of each kind begin, and the suffixes of their names."""
 
-_PNG_PALETTE, _PNG_GRAY, _PNG_GRAY_ALPHA = 3, 0, 4
-_TIFF_GRAY, _TIFF_PALETTE = 1, 3
-_NO_FRAMES = (0xC4, 0xC8, 0xCC)
-"""Markers of a JPEG among those of frames that say no size: tables, and one that is reserved."""
-
+_JPEG = b"\xff\xd8"
 _PIXELS_A_BYTE = 8 * 1032
 """Of one bit each, which deflate packs 1,032 bytes of into one; JPEG packs less."""
 
-_TIFF_PREMULTIPLIED, _TIFF_OPACITY = 1, 2
-"""Kinds of a TIFF's fourth band: its colors are darkened by it already, or they aren't."""
+_READS_A_BYTE = 2
+"""Bytes that may be counted as read for each byte of a PNG: one of very small chunks takes long."""
+
+_UPRIGHT = {
+    2: Image.Transpose.FLIP_LEFT_RIGHT,
+    3: Image.Transpose.ROTATE_180,
+    4: Image.Transpose.FLIP_TOP_BOTTOM,
+    5: Image.Transpose.TRANSPOSE,
+    6: Image.Transpose.ROTATE_90,
+    7: Image.Transpose.TRANSVERSE,
+    8: Image.Transpose.ROTATE_270,
+}
+"""What undoes Pillow's turning of a TIFF by its orientation: GDAL, which the plugin reads with, doesn't know it."""
+
+_STRETCHED = {"L;2": 85, "L;4": 17}
+"""Factor that gray of fewer than 8 bits is stretched by to 0 … 255, by Pillow's name of the pixels in the file."""
+
+_BITS = 258
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
@@ -56,31 +71,30 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     nodata value counts as unlabeled. Raises LabelMapError.
     """
     data = _read(path, LabelMapError)
-    nodata, levels = None, None
-    try:
-        if data.startswith(_PNG):
-            data, levels = _png_values(data, path)
-        elif data[:4] in ORDERS:
-            data, nodata = _tiff_values(data, path)
-        elif not data.startswith(b"\xff\xd8"):
-            raise LabelMapError("labels.unknown_image_format", path=path)
-    except struct.error:
-        raise LabelMapError("labels.damaged", path=path) from None
-    image = _decoded(data, cv2.IMREAD_UNCHANGED, path, LabelMapError)
-    if image.ndim == 3:
-        if image.dtype != np.uint8:
-            raise LabelMapError("labels.color_not_8_bits", path=path, kind=image.dtype)
-        return decode_colors(image[..., :3], table)
-    if image.dtype.kind not in "iu":
-        raise LabelMapError("labels.not_whole_numbers", path=path, kind=image.dtype)
+    if data.startswith(_JPEG):
+        values = _jpeg_values(data, path, LabelMapError)
+        return decode_colors(values, table) if values.ndim == 3 else values
+    if not data.startswith((_PNG, *STARTS)):
+        raise LabelMapError("labels.unknown_image_format", path=path)
+    image, raw_mode, tags = _decoded(data, path, LabelMapError)
+    if image.mode in ("LA", "PA"):
+        raise LabelMapError("labels.two_bands", path=path)
+    values = np.array(image, np.uint8 if image.mode == "1" else None)
+    if values.ndim == 3:
+        if _has_16_bits(raw_mode, tags):
+            raise LabelMapError("labels.color_not_8_bits", path=path, kind="uint16")
+        return decode_colors(values[..., 2::-1], table)
+    if values.dtype.kind not in "iu":
+        raise LabelMapError("labels.not_whole_numbers", path=path, kind=values.dtype)
+    if raw_mode in _STRETCHED:
+        values //= _STRETCHED[raw_mode]
+    nodata = nodata_of(tags)
     if nodata is not None:
-        image[image == nodata] = 0
-    if image.min() < 0 or image.max() > 255:
-        found = int(image.max() if image.max() > 255 else image.min())
+        values[values == nodata] = 0
+    if values.min() < 0 or values.max() > 255:
+        found = int(values.max() if values.max() > 255 else values.min())
         raise LabelMapError("labels.value_out_of_range", path=path, found=found)
-    labels_hw = image.astype(np.uint8)
-    # Gray of fewer than 8 bits was stretched to 0 … 255.
-    return labels_hw if levels is None else labels_hw // (255 // levels)
+    return values.astype(np.uint8)
 
 
 def read_photo(path: str) -> Photo:
@@ -89,44 +103,37 @@ def read_photo(path: str) -> Photo:
     Only what stands in the file itself counts, not what lies in others beside it. Raises ImageError.
     """
     data = _read(path, ImageError)
-    try:
-        return _photo(data, path)
-    except struct.error:
-        raise ImageError("labels.damaged", path=path) from None
-
-
-def _photo(data: bytes, path: str) -> Photo:
-    """The photo of a file's content; raises struct.error for a TIFF with damaged tags."""
-    tags = TiffTags(data) if data[:4] in ORDERS else None
-    image = _decoded(_with_plain_bands(data, tags), cv2.IMREAD_UNCHANGED, path, ImageError)
-    if image.dtype != np.uint8:
-        raise ImageError("labels.photo_not_8_bits", path=path, kind=image.dtype)
-    has_data = _has_data(image, tags)
-    colors = cv2.cvtColor(image, cv2.COLOR_GRAY2RGB) if image.ndim == 2 else np.ascontiguousarray(image[..., 2::-1])
+    if not data.startswith((_PNG, *STARTS)):
+        values = _jpeg_values(data, path, ImageError)
+        return Photo(
+            ArrayImage(cv2.cvtColor(values, cv2.COLOR_GRAY2RGB if values.ndim == 2 else cv2.COLOR_BGR2RGB)), None
+        )
+    image, raw_mode, tags = _decoded(data, path, ImageError)
+    if image.mode == "P" or "transparency" in image.info:
+        image = image.convert("RGBA")
+    elif image.mode in ("1", "CMYK", "YCbCr", "LAB"):
+        image = image.convert("RGB")
+    values, nodata = np.array(image), nodata_of(tags)
+    kind = "uint16" if _has_16_bits(raw_mode, tags) else values.dtype
+    if kind != np.uint8:
+        raise ImageError("labels.photo_not_8_bits", path=path, kind=kind)
+    bands = values if values.ndim == 3 else values[..., None]
+    has_opacity = image.mode in ("LA", "PA", "RGBA")
+    count = min(bands.shape[2] - has_opacity, 3)
+    has_data = bands[..., -1] > 0 if has_opacity else None
+    if nodata is not None:
+        # As GDAL decides: nodata goes before opacity.
+        has_data = (bands[..., :count] != nodata).any(axis=2)
+    colors = np.repeat(bands[..., :1], 3, axis=2) if count < 3 else np.ascontiguousarray(bands[..., :3])
     if has_data is not None:
         colors[~has_data] = 0
     pixels = ArrayImage(colors, has_data)
-    return Photo(pixels, None if tags is None else pixel_size_m(tags, pixels.shape_hw))
+    return Photo(pixels, pixel_size_m(tags, pixels.shape_hw))
 
 
-def _with_plain_bands(data: bytes, tags: TiffTags | None) -> bytes:
-    """The TIFF with colors that count as darkened by their opacity already: else OpenCV would darken them."""
-    if tags is None or tags.values(EXTRA_SAMPLES) != (_TIFF_OPACITY,):
-        return data
-    patched = bytearray(data)
-    struct.pack_into(tags.order + "H", patched, tags.entries[EXTRA_SAMPLES][2], _TIFF_PREMULTIPLIED)
-    return bytes(patched)
-
-
-def _has_data(image: np.ndarray, tags: TiffTags | None) -> np.ndarray | None:
-    """(H, W) bool: where a decoded photo has data; None everywhere. As GDAL decides: nodata goes before opacity."""
-    nodata = None if tags is None else tags.nodata()
-    if nodata is not None:
-        bands = image if image.ndim == 3 else image[..., None]
-        return (bands[..., :3] != nodata).any(axis=2)
-    extra = () if tags is None else tags.values(EXTRA_SAMPLES)
-    is_opacity = not extra or extra[0] in (_TIFF_OPACITY, _TIFF_PREMULTIPLIED)
-    return image[..., 3] > 0 if image.ndim == 3 and image.shape[2] == 4 and is_opacity else None
+def _has_16_bits(raw_mode: str, tags: Tags) -> bool:
+    """Whether colors had 16 bits: Pillow takes the upper 8 of them."""
+    return "16" in raw_mode or max(tags.get(_BITS) or (8,)) == 16
 
 
 def image_files(paths: list[str]) -> list[str]:
@@ -202,27 +209,49 @@ def open_at_once(path: str, flags: int) -> int:
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
-def _decoded(data: bytes, flags: int, path: str, kind: type[SemRefError]) -> np.ndarray:
-    _require_decodable(data, path, kind)
-    # The orientation of EXIF is left alone: GDAL, which the plugin reads with, doesn't know it.
+def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Image, str, Tags]:
+    """Decode a PNG or TIFF, unless it claims more pixels than an image may have.
+
+    Returns:
+        The image, Pillow's name of the pixels in the file, and the tags of a TIFF.
+    """
+    is_png = data.startswith(_PNG)
+    file = BoundedFile(io.BytesIO(data))
     try:
-        image = cv2.imdecode(np.frombuffer(data, np.uint8), flags | cv2.IMREAD_IGNORE_ORIENTATION) if data else None
+        image = PngImageFile(file) if is_png else TiffImageFile(file)
+        raw_mode = image.tile[0][3] if is_png else image.tile[0][3][0]
+        tags = {} if is_png else {tag: value_of(image.tag_v2, tag) for tag in image.tag_v2}
+    except Exception:  # Pillow has many for damaged files
+        raise kind("labels.image_not_decoded", path=path) from None
+    # Pieces of a TIFF may be left out or shared.
+    _require_size((image.height, image.width), len(data) if is_png else None, path, kind)
+    file.left = MOST_TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
+    try:
+        image.load()
+    except Exception:  # as above
+        raise kind("labels.image_not_decoded", path=path) from None
+    turn = _UPRIGHT.get(tags.get(ORIENTATION, 1))
+    return image if turn is None else image.transpose(turn), raw_mode, tags
+
+
+def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
+    """Decode a JPEG: (H, W) or (H, W, 3) uint8, blue first. Its orientation is left alone, see _UPRIGHT."""
+    shape_hw = photo_tags(data).shape_hw
+    if shape_hw is not None:
+        _require_size(shape_hw, len(data), path, kind)
+    flags = cv2.IMREAD_UNCHANGED | cv2.IMREAD_IGNORE_ORIENTATION
+    try:
+        values = cv2.imdecode(np.frombuffer(data, np.uint8), flags) if data else None
     except cv2.error as error:
         raise kind("labels.image_unreadable", path=path, reason=error.err) from None
-    if image is None:
+    if values is None:
         raise kind("labels.image_not_decoded", path=path)
-    return image
+    return values
 
 
-def _require_decodable(data: bytes, path: str, kind: type[SemRefError]) -> None:
-    """Refuses what claims more pixels than an image may have or a file of its size can hold, before it is decoded."""
-    if data.startswith(_PNG) and not _has_whole_chunks(data):
-        # OpenCV would make room for what a chunk claims, and fill it: seconds, and gigabytes.
-        raise kind("labels.damaged", path=path)
-    found = stated_size(data)
-    if found is None:
-        return
-    width, height = found
+def _require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
+    """Refuse more pixels than an image may have, or than a file of so many bytes can hold."""
+    height, width = shape_hw
     if height * width > MAXIMUM_IMAGE_PIXELS:
         raise kind(
             "labels.image_too_large",
@@ -231,86 +260,5 @@ def _require_decodable(data: bytes, path: str, kind: type[SemRefError]) -> None:
             height=height,
             most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
         )
-    # Pieces of a TIFF may be left out or shared.
-    if height * width > _PIXELS_A_BYTE * len(data) and data[:4] not in ORDERS:
+    if file_bytes is not None and height * width > _PIXELS_A_BYTE * file_bytes:
         raise kind("labels.damaged", path=path)
-
-
-def stated_size(data: bytes) -> tuple[int, int] | None:
-    """(width, height) that a PNG, TIFF or JPEG says it has; None where it says none that can be read."""
-    try:
-        if data.startswith(_PNG):
-            width, height = struct.unpack_from(">II", data, len(_PNG) + 8)
-            return width, height
-        if data[:4] in ORDERS:
-            tags = TiffTags(data)
-            (width,), (height,) = tags.values(WIDTH), tags.values(HEIGHT)
-            return (width, height) if isinstance(width, int) and isinstance(height, int) else None
-        return _jpeg_size(data)
-    except (struct.error, ValueError, TypeError):
-        return None
-
-
-def _jpeg_size(data: bytes) -> tuple[int, int] | None:
-    place = 2
-    while data[place : place + 1] == b"\xff":
-        marker, length = struct.unpack_from(">xBH", data, place)
-        if 0xC0 <= marker <= 0xCF and marker not in _NO_FRAMES:
-            height, width = struct.unpack_from(">HH", data, place + 5)
-            return width, height
-        place += 2 + length
-    return None
-
-
-def _png_values(data: bytes, path: str) -> tuple[bytes, int | None]:
-    """The PNG with a palette's indices as gray values, and its highest value when it has fewer than 8 bits."""
-    _, kind, header = struct.unpack_from(">I4s13s", data, len(_PNG))
-    bits, color = header[8], header[9]
-    if kind != b"IHDR":
-        raise struct.error
-    if color == _PNG_GRAY_ALPHA:
-        raise LabelMapError("labels.two_bands", path=path)
-    if color == _PNG_PALETTE:
-        header = header[:9] + bytes([_PNG_GRAY]) + header[10:]
-        # A palette or its transparency in a gray image would be an error.
-        chunks = (chunk for name, chunk in _png_chunks(data) if name not in (b"IHDR", b"PLTE", b"tRNS"))
-        data = _PNG + _png_chunk(b"IHDR", header) + b"".join(chunks)
-    return data, 2**bits - 1 if color in (_PNG_PALETTE, _PNG_GRAY) and bits < 8 else None
-
-
-def _png_chunks(data: bytes) -> Iterator[tuple[bytes, bytes]]:
-    place = len(_PNG)
-    while place + 12 <= len(data):
-        length, name = struct.unpack_from(">I4s", data, place)
-        yield name, data[place : place + 12 + length]
-        place += 12 + length
-
-
-def _has_whole_chunks(data: bytes) -> bool:
-    """Whether no chunk of a PNG claims to be longer than the file, up to the one that ends it."""
-    place = len(_PNG)
-    while place + 8 <= len(data):
-        length, name = struct.unpack_from(">I4s", data, place)
-        if place + 12 + length > len(data):
-            return False
-        if name == b"IEND":
-            return True
-        place += 12 + length
-    return True
-
-
-def _png_chunk(name: bytes, content: bytes) -> bytes:
-    return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
-
-
-def _tiff_values(data: bytes, path: str) -> tuple[bytes, float | None]:
-    """The TIFF with a palette's indices as gray values, and its nodata value (GDAL's tag), None without one."""
-    tags = TiffTags(data)
-    if tags.values(PHOTOMETRIC) == (_TIFF_PALETTE,):
-        bits = (tags.values(BITS) or (1,))[0]
-        if bits != 8:
-            raise LabelMapError("labels.palette_bits", path=path, bits=bits)
-        patched = bytearray(data)
-        struct.pack_into(tags.order + "H", patched, tags.entries[PHOTOMETRIC][2], _TIFF_GRAY)
-        data = bytes(patched)
-    return data, tags.nodata()

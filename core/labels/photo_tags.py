@@ -6,16 +6,16 @@ missing or of another kind than the standard says counts as not written, and is 
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import stat
 import struct
 from dataclasses import dataclass
+from math import inf
+from typing import BinaryIO
 
-from .tiff import ORDERS, FileSlices, TiffTags
-
-MOST_HEAD_BYTES = 4_000_000
-"""Of a JPEG that are looked at: cameras write tags first."""
+from .tiff import MOST_TAG_BYTES, ORIENTATION, STARTS, BoundedFile, Tags, read_directory, value_of
 
 MOST_SEGMENTS = 500
 """Of a JPEG that are looked at."""
@@ -28,9 +28,8 @@ _APP1, _SCAN, _END = 0xE1, 0xDA, 0xD9
 _FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
 """Markers of segments that tell the image's size."""
 
-_WIDTH, _HEIGHT, _MODEL, _ORIENTATION, _TIFF_XMP, _EXIF_DIRECTORY = 256, 257, 272, 274, 700, 34665
+_WIDTH, _HEIGHT, _MODEL, _TIFF_XMP, _EXIF_DIRECTORY = 256, 257, 272, 700, 34665
 _TAKEN, _FRACTION, _FOCAL_LENGTH, _ZOOM, _FOCAL_LENGTH_35MM = 36867, 37521, 37386, 41988, 41989
-_DAMAGED = (struct.error, KeyError, IndexError, ValueError, OverflowError, MemoryError)
 
 
 @dataclass(frozen=True)
@@ -88,12 +87,10 @@ def read_tags(path: str) -> PhotoTags:
         if not stat.S_ISREG(os.stat(path).st_mode):
             return PhotoTags()
         with open(path, "rb") as file:
-            head = file.read(MOST_HEAD_BYTES)
-            if head[:4] not in ORDERS or len(head) < MOST_HEAD_BYTES:
-                return photo_tags(head)
+            head = file.read(MOST_TAG_BYTES)
             # A TIFF's directories may stand behind its pixels.
-            return _tiff_tags(FileSlices(file))
-    except (OSError, *_DAMAGED):
+            return _tiff_tags(file) if head.startswith(STARTS) else photo_tags(head)
+    except OSError:
         return PhotoTags()
 
 
@@ -103,12 +100,9 @@ def photo_tags(data: bytes) -> PhotoTags:
     Args:
         data: Of the file; anything may stand there.
     """
-    try:
-        if data[:4] in ORDERS:
-            return _tiff_tags(data)
-        return _jpeg_tags(data) if data[:2] == b"\xff\xd8" else PhotoTags()
-    except _DAMAGED:
-        return PhotoTags()
+    if data.startswith(STARTS):
+        return _tiff_tags(io.BytesIO(data))
+    return _jpeg_tags(data) if data[:2] == b"\xff\xd8" else PhotoTags()
 
 
 def _jpeg_tags(data: bytes) -> PhotoTags:
@@ -120,7 +114,7 @@ def _jpeg_tags(data: bytes) -> PhotoTags:
         marker, (length,) = data[place + 1], struct.unpack_from(">H", data, place + 2)
         content = data[place + 4 : place + 2 + length]
         if marker == _APP1 and content.startswith(_EXIF):
-            exif = _damaged_as_none(content[len(_EXIF) :])
+            exif = _tiff_tags(io.BytesIO(content[len(_EXIF) :]))
         elif marker == _APP1 and content.startswith(_XMP):
             xmp = xmp or _text(content[len(_XMP) :])
         elif marker in _FRAMES and len(content) >= 5:
@@ -130,45 +124,43 @@ def _jpeg_tags(data: bytes) -> PhotoTags:
     return PhotoTags(**values)
 
 
-def _damaged_as_none(exif: bytes) -> PhotoTags:
-    """Tags of an EXIF block; none where it is damaged, which says nothing of the XMP beside it."""
+def _tiff_tags(file: BinaryIO) -> PhotoTags:
+    """Tags of a TIFF or of an EXIF block; none where it is damaged, which says nothing of a photo's XMP."""
+    bounded = BoundedFile(file)
     try:
-        return _tiff_tags(exif)
-    except _DAMAGED:
+        tags = read_directory(bounded)
+        first = value_of(tags, _EXIF_DIRECTORY)
+        exif = read_directory(bounded, first) if isinstance(first, int) else tags
+    except Exception:  # Pillow has many for damaged files
         return PhotoTags()
-
-
-def _tiff_tags(data: bytes | FileSlices) -> PhotoTags:
-    tags = TiffTags(data)
-    directory = tags.values(_EXIF_DIRECTORY)
-    exif = TiffTags(data, directory[0]) if directory and isinstance(directory[0], int) else tags
     height, width = _number(tags, _HEIGHT), _number(tags, _WIDTH)
+    xmp = value_of(tags, _TIFF_XMP)
     return PhotoTags(
         shape_hw=(int(height), int(width)) if height and width else None,
         model=_string(tags, _MODEL),
-        orientation=int(_number(tags, _ORIENTATION) or 1),
+        orientation=int(_number(tags, ORIENTATION) or 1),
         focal_length_mm=_number(exif, _FOCAL_LENGTH),
         focal_length_35mm=_number(exif, _FOCAL_LENGTH_35MM),
         zoom=_number(exif, _ZOOM) or 1.0,
         taken=_string(exif, _TAKEN),
         fraction=_string(exif, _FRACTION),
-        xmp=_text(tags.bytes_of(_TIFF_XMP, MOST_XMP_BYTES)),
+        xmp=_text(xmp) if isinstance(xmp, bytes) else "",
     )
 
 
-def _number(tags: TiffTags, tag: int) -> float | None:
-    """A positive number, of a rational the quotient; None for any other: unknown, in EXIF."""
-    found = tags.values(tag)
-    if not found or isinstance(found[0], bytes):
+def _number(tags: Tags, tag: int) -> float | None:
+    """A positive number; None for any other: unknown, in EXIF."""
+    found = value_of(tags, tag)
+    try:
+        value = float(found[0] if isinstance(found, tuple) else found)
+    except (TypeError, ValueError, ArithmeticError, IndexError):
         return None
-    value = found[0] / found[1] if tags.is_rational(tag) and found[1] else found[0]
-    known = not tags.is_rational(tag) or found[1]
-    return float(value) if known and value > 0 else None
+    return value if 0 < value < inf else None
 
 
-def _string(tags: TiffTags, tag: int) -> str:
-    found = tags.values(tag)
-    return _text(found[0]) if found and isinstance(found[0], bytes) else ""
+def _string(tags: Tags, tag: int) -> str:
+    found = value_of(tags, tag)
+    return found.partition("\0")[0].strip()[:MOST_XMP_BYTES] if isinstance(found, str) else ""
 
 
 def _text(content: bytes) -> str:

@@ -1,22 +1,24 @@
-"""What a TIFF says of itself in its tags, GeoTIFF's included: read without GDAL, for computers that have no QGIS."""
+"""Tags of a TIFF or of a photo's EXIF, GeoTIFF's included: read with Pillow, for computers that have no GDAL."""
 
 from __future__ import annotations
 
-import os
-import struct
+import warnings
+from collections.abc import Mapping
 from math import cos, hypot, radians, sin
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
-ORDERS = {b"II*\0": "<", b"MM\0*": ">"}
-"""Byte order of a TIFF by its first four bytes."""
+from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
-_SIZES_AND_CODES = {1: (1, "B"), 2: (1, "s"), 3: (2, "H"), 4: (4, "I"), 5: (8, "I"), 7: (1, "s"), 12: (8, "d")}
-"""Bytes and code for ``struct`` of the kinds of values that are read: byte, text, short, long, rational (two longs),
-anything, double."""
+STARTS = (b"II*\0", b"MM\0*", b"II+\0")
+"""How a TIFF begins: of either byte order, or with places of 64 bits."""
 
-_RATIONAL, _BYTE_KINDS = 5, (1, 2, 7)
+MOST_TAG_BYTES = 4_000_000
+"""Of all tags of a file together. Tags may share bytes: 65,535 tags could claim the whole file each."""
 
-WIDTH, HEIGHT, PHOTOMETRIC, BITS, EXTRA_SAMPLES, NODATA = 256, 257, 262, 258, 338, 42113
+ORIENTATION, NODATA = 274, 42113
+_BYTES_A_READ = 64
+"""That a read counts for beside its bytes: it takes time."""
+
 _PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
 _MODEL_TYPE_KEY, _PROJECTED, _GEOGRAPHIC = 1024, 1, 2
 _LINEAR_UNITS_KEY, _ANGULAR_UNITS_KEY, _DEGREE = 3076, 2054, 9102
@@ -26,98 +28,81 @@ _METERS_PER_UNIT = {9001: 1.0, 9002: 0.3048, 9003: 1200 / 3937}
 _EQUATOR_RADIUS_M, _ECCENTRICITY_SQUARED = 6378137.0, 0.0066943799901413165
 """Of WGS 84's ellipsoid."""
 
+Tags = Mapping[int, Any]
+"""The values of a directory by tag: a number, a text, bytes, or a tuple of numbers."""
 
-class FileSlices:
-    """Slices of an open file, each read when it is asked for.
-
-    If another program truncates a mapped file, the process that reads it is killed; here a slice ends early.
-    """
-
-    def __init__(self, file: BinaryIO) -> None:
-        """Read nothing yet."""
-        self._file, self._size = file, os.fstat(file.fileno()).st_size
-
-    def __len__(self) -> int:
-        """Return the size of the file, bytes."""
-        return self._size
-
-    def __getitem__(self, where: slice) -> bytes:
-        """Return a slice between two places."""
-        start, stop, _ = where.indices(self._size)
-        self._file.seek(start)
-        return self._file.read(max(stop - start, 0))
+# A damaged file gives a line for each of its tags; what is damaged counts as not written.
+warnings.filterwarnings("ignore", module=r"PIL\.TiffImagePlugin")
 
 
-class TiffTags:
-    """The tags of one directory of a TIFF, of the first image unless told otherwise.
+class BoundedFile:
+    """A file for Pillow that ends after a number of bytes were read, however often the same ones.
 
     Attributes:
-        order: ``struct``'s sign of the byte order.
-        entries: By tag, (kind, number of values, where its value or the place of its values stands).
+        left: Bytes that may still be read.
     """
 
-    def __init__(self, data: bytes | FileSlices, first: int | None = None) -> None:
-        """Reads a directory; raises struct.error where the file is cut short and KeyError for no TIFF.
+    def __init__(self, file: BinaryIO, left: float = MOST_TAG_BYTES) -> None:
+        """Read nothing yet."""
+        self._file, self.left = file, left
 
-        Args:
-            data: The whole file, or its slices.
-            first: Where the directory stands; None for the first image's.
-        """
-        self._data = data
-        self.order = ORDERS[data[:4]]
-        if first is None:
-            (first,) = self._numbers("I", 4)
-        (count,) = self._numbers("H", first)
-        self.entries: dict[int, tuple[int, int, int]] = {}
-        for place in range(first + 2, first + 2 + 12 * count, 12):
-            tag, kind, length = self._numbers("HHI", place)
-            self.entries[tag] = kind, length, place + 8
+    def read(self, size: int = -1) -> bytes:
+        """Read like a file; nothing once nothing is left."""
+        most = int(min(max(self.left, 0), 1 << 62))
+        data = self._file.read(size if 0 <= size <= most else most)
+        self.left -= len(data) + _BYTES_A_READ
+        return data
 
-    def values(self, tag: int) -> tuple:
-        """The values of a tag, a text as one bytes; () where it is missing or of a kind not known here."""
-        kind, length, place = self.entries.get(tag, (0, 0, 0))
-        if kind not in _SIZES_AND_CODES:
-            return ()
-        size, code = _SIZES_AND_CODES[kind]
-        if size * length > 4:
-            (place,) = self._numbers("I", place)
-        if size * length > len(self._data):
-            raise struct.error("longer than the file")
-        count = 2 * length if kind == _RATIONAL else length
-        return self._numbers(f"{count}{code}", place)
-
-    def _numbers(self, codes: str, place: int) -> tuple:
-        """Unpack what is stored at a place; raises struct.error behind the end."""
-        codes = self.order + codes
-        return struct.unpack(codes, self._data[place : place + struct.calcsize(codes)])
-
-    def is_rational(self, tag: int) -> bool:
-        """Whether a tag's values come as numerator and denominator, two each."""
-        return self.entries.get(tag, (0,))[0] == _RATIONAL
-
-    def bytes_of(self, tag: int, most: int) -> bytes:
-        """At most so many bytes of a tag that holds bytes or text; none where it is missing or of another kind."""
-        kind, length, place = self.entries.get(tag, (0, 0, 0))
-        if kind not in _BYTE_KINDS:
-            return b""
-        if length > 4:
-            (place,) = self._numbers("I", place)
-        return self._data[place : place + min(length, most)]
-
-    def nodata(self) -> float | None:
-        """GDAL's nodata value, None without one."""
-        found = self.values(NODATA)
-        try:
-            return float(found[0].rstrip(b"\0 ")) if found else None
-        except (AttributeError, ValueError):
-            return None
+    def __getattr__(self, name: str) -> Any:  # noqa: ANN401 – seek, tell, getvalue, fileno
+        return getattr(self._file, name)
 
 
-def pixel_size_m(tags: TiffTags, shape_hw: tuple[int, int]) -> tuple[float, float] | None:
+def read_directory(file: BinaryIO | BoundedFile, first: int | None = None) -> ImageFileDirectory_v2:
+    """Read the tags of one directory; one that is damaged ends early.
+
+    Args:
+        file: A TIFF, or an EXIF block.
+        first: Where the directory is; None for the first image's.
+
+    Raises:
+        Exception: Pillow has many for what is no TIFF.
+    """
+    file.seek(0)
+    head = file.read(8)
+    tags = ImageFileDirectory_v2(head + file.read(8) if head[2:3] == b"+" else head)
+    file.seek(tags.next if first is None else first)
+    tags.load(file)
+    return tags
+
+
+def value_of(tags: Tags, tag: int) -> Any:  # noqa: ANN401 – as Tags
+    """Return the value of a tag; None where it is missing or damaged."""
+    try:
+        return tags.get(tag)
+    except Exception:  # Pillow decodes a value when it is asked for, and has many errors for damaged ones
+        return None
+
+
+def _numbers(tags: Tags, tag: int) -> tuple[Any, ...]:
+    """Return the values of a tag of several numbers; () where it is missing."""
+    found = value_of(tags, tag)
+    return found if isinstance(found, tuple) else ()
+
+
+def nodata_of(tags: Tags) -> float | None:
+    """Return GDAL's nodata value, None without one."""
+    found = value_of(tags, NODATA)
+    try:
+        return float(found.rstrip("\0 ")) if isinstance(found, str) else None
+    except ValueError:
+        return None
+
+
+def pixel_size_m(tags: Tags, shape_hw: tuple[int, int]) -> tuple[float, float] | None:
     """Ground meters along a row and along a column of a pixel of a GeoTIFF, as QGIS measures them in its middle.
 
     Degrees are measured on WGS 84's ellipsoid. None where the file itself has no georeference, does not say what its
-    CRS is, or where that measures in another unit than meters, feet and degrees. Raises struct.error for damaged tags.
+    CRS is, or where that measures in another unit than meters, feet and degrees.
 
     Args:
         tags: Those of the file.
@@ -138,20 +123,20 @@ def pixel_size_m(tags: TiffTags, shape_hw: tuple[int, int]) -> tuple[float, floa
     return None
 
 
-def _geotransform(tags: TiffTags) -> tuple[float, float, float, float, float] | None:
+def _geotransform(tags: Tags) -> tuple[float, float, float, float, float] | None:
     """Map units that x and y grow by a column and by a row, and y of the upper left corner; None without any."""
-    matrix = tags.values(_TRANSFORMATION)
+    matrix = _numbers(tags, _TRANSFORMATION)
     if len(matrix) == 16:
         return matrix[0], matrix[1], matrix[4], matrix[5], matrix[7]
-    scale, tie = tags.values(_PIXEL_SCALE), tags.values(_TIE_POINT)
+    scale, tie = _numbers(tags, _PIXEL_SCALE), _numbers(tags, _TIE_POINT)
     if len(scale) < 2 or len(tie) < 6 or not scale[0] or not scale[1]:
         return None
     return scale[0], 0.0, 0.0, -scale[1], tie[4] + tie[1] * scale[1]
 
 
-def _geo_keys(tags: TiffTags) -> dict[int, int]:
+def _geo_keys(tags: Tags) -> dict[Any, Any]:
     """GeoTIFF's keys whose value is a single number."""
-    found = tags.values(_GEO_KEYS)
+    found = _numbers(tags, _GEO_KEYS)
     keys = (found[place : place + 4] for place in range(4, len(found) - 3, 4))
     return {key: value for key, where, _, value in keys if where == 0}
 

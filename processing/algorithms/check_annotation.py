@@ -14,7 +14,7 @@ from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm, geometry_of
 from ..framework.base import Declared, cancelable, check_canceled, follow, interruptible
 from ..framework.parameters import with_help
-from ..packages.components import OPENCV, SHAPELY
+from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr
 from ..wording.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
 
@@ -34,7 +34,7 @@ READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
 class CheckAnnotation(AnnotationAlgorithm):
     ID = "checkannotation"
     TAGS = ("validate", "topology", "quality", "overlap", "gap", "sliver", "invalid geometry", "land cover")
-    PACKAGES = (OPENCV, SHAPELY)
+    PACKAGES = (*NEEDED, SHAPELY)
 
     MINIMUM_AREA = "MINIMUM_AREA"
     MAXIMUM_GAP = "MAXIMUM_GAP"

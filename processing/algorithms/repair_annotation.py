@@ -13,7 +13,7 @@ from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm, geometry_of
 from ..framework.base import Declared, check_canceled, follow, interruptible
 from ..framework.parameters import with_help
-from ..packages.components import OPENCV, SHAPELY
+from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr
 from ..wording.annotation_messages import FIELDS, change_sentence, row_of
 
@@ -30,7 +30,7 @@ READ, REPAIRED = 20.0, 95.0
 class RepairAnnotation(AnnotationAlgorithm):
     ID = "repairannotation"
     TAGS = ("clean", "topology", "fix geometries", "dissolve", "overlap", "gap", "sliver", "land cover")
-    PACKAGES = (OPENCV, SHAPELY)
+    PACKAGES = (*NEEDED, SHAPELY)
 
     MAXIMUM_GAP = "MAXIMUM_GAP"
     MINIMUM_AREA = "MINIMUM_AREA"

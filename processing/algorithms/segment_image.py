@@ -24,7 +24,7 @@ from ..framework.photo_labels import NetworkPace, describe, open_model, pace_res
 from ..framework.photo_source import PhotoSource
 from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..framework.segmented_files import SeenGrid, SegmentedFiles, write_polygons
-from ..packages.components import ONNXRUNTIME, OPENCV, SHAPELY, require
+from ..packages.components import NEEDED, ONNXRUNTIME, SHAPELY, require
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ class SegmentImage(SemRefAlgorithm):
     ID = "segmentimage"
     GROUP = ANNOTATION
     TAGS = ("segmentation", "network", "onnx", "deepness", "land cover", "label map", "orthophoto", "photo")
-    PACKAGES = (OPENCV, ONNXRUNTIME)
+    PACKAGES = (*NEEDED, ONNXRUNTIME)
 
     INPUT = "INPUT"
     MODEL = "MODEL"

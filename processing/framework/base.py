@@ -25,7 +25,7 @@ from qgis.PyQt.QtGui import QIcon
 from ...core.errors import SemRefError
 from ...core.sentences import legible
 from ..exchange.layer_metadata import Lineage, lineage_of
-from ..packages.components import OPENCV, Package, require
+from ..packages.components import NEEDED, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
 from ..wording.sentences import worded
@@ -62,7 +62,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     ID = ""
     GROUP = ""
     TAGS: tuple[str, ...] = ()
-    PACKAGES: tuple[Package, ...] = (OPENCV,)
+    PACKAGES: tuple[Package, ...] = NEEDED
     """Python packages that it needs beside QGIS's own."""
     MAY_REPLACE: ClassVar[Mapping[str, str]] = MappingProxyType({})
     """Outputs that may be the file of an input, by key: it is read whole before, and replaced when all is done."""

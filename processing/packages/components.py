@@ -89,6 +89,7 @@ OPENCV = Package(
     limits_before_numpy_2=">=4.5,<4.12",
     other_names=("opencv-python", "opencv-contrib-python", "opencv-contrib-python-headless", "opencv"),
 )
+PILLOW = Package(title="Pillow", module="PIL", pip_name="pillow", limits=">=9.1,<14")
 SHAPELY = Package(
     title="Shapely",
     module="shapely",
@@ -136,7 +137,9 @@ CRYPTOGRAPHY = Package(
     comes_with=("cffi", "pycparser", "typing_extensions"),
 )
 
-PACKAGES = (OPENCV, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY)
+PACKAGES = (OPENCV, PILLOW, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY)
+NEEDED = (OPENCV, PILLOW)
+"""Nothing works without them."""
 OPTIONAL = (DASK, CRYPTOGRAPHY)
 """Not suggested: nothing but SCHEDULER needs them."""
 
@@ -145,6 +148,7 @@ def purpose(package: Package) -> str:
     """What the package is for, in the user's language."""
     return {
         OPENCV: tr("Everything: label maps, databases, localization"),
+        PILLOW: tr("Everything: images, and what cameras write into photos"),
         SHAPELY: tr("Checking and repairing annotations"),
         ONNXRUNTIME: tr("Segmenting photos with a network"),
         DASK: tr("Building databases and label maps by many processes or machines"),

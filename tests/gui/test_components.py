@@ -54,9 +54,9 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
     from semref.processing.packages.components import ONNXRUNTIME, install_command
 
     states = [page.list.topLevelItem(row).text(2) for row in range(page.list.topLevelItemCount())]
-    assert states == ["Missing", "Ready", "Missing", "Missing", "Ready"]
+    assert states == ["Missing", "Ready", "Ready", "Missing", "Missing", "Ready"]
     # Dask is there for who wants it; nothing suggests it.
-    assert page.list.topLevelItem(3).checkState(0) == Qt.CheckState.Unchecked
+    assert page.list.topLevelItem(4).checkState(0) == Qt.CheckState.Unchecked
     assert page.install.isEnabled() and not page.progress.isVisible() and not page.log.isVisible()
     page.list.topLevelItem(0).setCheckState(0, Qt.CheckState.Unchecked)
     page.copy.click()
@@ -68,8 +68,8 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
 def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page, width):
     from qgis.PyQt.QtCore import QCoreApplication, Qt
 
-    page.list.topLevelItem(3).setText(1, "Datenbanken und Klassenkarten mit vielen Prozessen oder Rechnern herstellen")
-    page.list.topLevelItem(1).setText(2, "2.3.1, die nicht getestet wurde")
+    page.list.topLevelItem(4).setText(1, "Datenbanken und Klassenkarten mit vielen Prozessen oder Rechnern herstellen")
+    page.list.topLevelItem(2).setText(2, "2.3.1, die nicht getestet wurde")
     page.resize(width, 600)
     for _ in range(5):
         QCoreApplication.processEvents()

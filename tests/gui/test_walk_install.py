@@ -41,10 +41,10 @@ def package(repository, tmp_path_factory) -> Path:
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory) -> Path | None:
     """What the button *Install* asks pip for, from the index that pip has here; None where that is out of reach."""
-    from semref.processing.packages.components import ONNXRUNTIME, OPENCV, SHAPELY
+    from semref.processing.packages.components import ONNXRUNTIME, OPENCV, PILLOW, SHAPELY
 
     folder = tmp_path_factory.mktemp("wheels")
-    pinned = [line for package in (OPENCV, SHAPELY, ONNXRUNTIME) for line in package.pinned(np.__version__)]
+    pinned = [line for package in (OPENCV, PILLOW, SHAPELY, ONNXRUNTIME) for line in package.pinned(np.__version__)]
     (folder / "pinned.txt").write_text("\n".join(pinned), encoding="ascii")
     options = ["--no-deps", "--only-binary=:all:", "--require-hashes", "--retries=1", "--timeout=15", "--quiet"]
     files = ["--dest", str(folder), "--requirement", str(folder / "pinned.txt")]

@@ -200,7 +200,7 @@ def session():
     )
     qgis.utils.iface.mainWindow().resize(1280, 900)
     seen = {"was_there": "semref" in qgis.utils.available_plugins, "reached": can_reach_anything()}
-    seen["found"] = [name for name in ("cv2", "shapely", "onnxruntime") if importlib.util.find_spec(name)]
+    seen["found"] = [name for name in ("cv2", "PIL", "shapely", "onnxruntime") if importlib.util.find_spec(name)]
     browser, seconds = Browser(), {}
     _, seconds["install"] = timed(pyplugin_installer.instance().installFromZipFile, os.environ["SEMREF_ZIP"])
     seen["active"] = "semref" in qgis.utils.active_plugins

@@ -33,12 +33,12 @@ def test_nothing_that_starts_with_qgis_imports_a_package_that_qgis_may_lack(star
 
 
 def test_the_dock_says_what_is_missing_and_leads_to_the_installer(start):
-    assert "OpenCV, Shapely, ONNX Runtime" in start["notice"]
+    assert "OpenCV, Pillow, Shapely, ONNX Runtime" in start["notice"]
     assert start["options"] == ["SemRefOptions"]
 
 
 def test_the_sample_project_asks_for_its_package(start):
-    assert [text for text in start["bar"] if "The sample project needs OpenCV" in text]
+    assert [text for text in start["bar"] if "The sample project needs OpenCV, Pillow" in text]
 
 
 def test_each_algorithm_says_in_one_sentence_what_is_missing_and_where_to_install_it(start):

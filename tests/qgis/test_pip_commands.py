@@ -12,7 +12,7 @@ from qgis.PyQt.QtNetwork import QNetworkProxy
 
 from semref.processing.packages import components
 from semref.processing.packages import install as component_install
-from semref.processing.packages.components import CRYPTOGRAPHY, DASK, ONNXRUNTIME, OPENCV, SHAPELY
+from semref.processing.packages.components import CRYPTOGRAPHY, DASK, ONNXRUNTIME, OPENCV, PILLOW, SHAPELY
 
 needs_pip = pytest.mark.skipif(importlib.util.find_spec("pip") is None, reason="this Python has no pip")
 
@@ -28,14 +28,14 @@ def test_opencv_fits_the_running_numpy():
     assert OPENCV.requirement("2.2.4") == "opencv-python-headless>=4.10,<5.1"
 
 
-@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY])
+@pytest.mark.parametrize("package", [OPENCV, PILLOW, SHAPELY, ONNXRUNTIME, DASK, CRYPTOGRAPHY])
 @pytest.mark.parametrize("numpy_version", ["1.24.2", "2.4.6"])
 def test_pip_takes_no_version_that_was_not_tested(package, numpy_version):
     limits = package.requirement(numpy_version).partition(package.pip_name)[2].split(",")
     assert [limit[0] for limit in limits] == [">", "<"]
 
 
-@pytest.mark.parametrize("package", [OPENCV, SHAPELY, ONNXRUNTIME])
+@pytest.mark.parametrize("package", [OPENCV, PILLOW, SHAPELY, ONNXRUNTIME])
 @pytest.mark.parametrize("numpy_version", ["1.24.2", "2.4.6"])
 def test_what_comes_from_an_index_is_pinned_to_tested_versions_with_hashes(package, numpy_version):
     lines = package.pinned(numpy_version)

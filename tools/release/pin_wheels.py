@@ -47,6 +47,8 @@ CRYPTOGRAPHY = (
     ("typing_extensions", "4.15.0", ""),
 )
 SHARED = (
+    ("pillow", "11.3.0", OLD),
+    ("pillow", "12.3.0", MIDDLE),
     *DASK,
     *CRYPTOGRAPHY,
     ("shapely", "2.0.7", OLD),

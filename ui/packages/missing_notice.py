@@ -6,7 +6,7 @@ from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
 
-from ...processing.packages.components import ONNXRUNTIME, OPENCV, OPTIONAL, PACKAGES, missing
+from ...processing.packages.components import NEEDED, ONNXRUNTIME, OPTIONAL, PACKAGES, missing
 from ...processing.translation import tr
 
 _ICON_PX = 16
@@ -44,7 +44,7 @@ class MissingNotice(QFrame):
             self.refresh()
 
     def refresh(self) -> None:
-        self.blocks = bool(missing([OPENCV]))
+        self.blocks = bool(missing(NEEDED))
         if self.blocks:
             lacking = missing(package for package in PACKAGES if package not in OPTIONAL)
             sentence = tr("SemRef needs Python packages that this QGIS does not have yet: {packages}.")

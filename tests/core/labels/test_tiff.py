@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import struct
 
 import numpy as np
 import pytest
 
-from semref.core.labels.tiff import NODATA, TiffTags, pixel_size_m
+from semref.core.labels.tiff import MOST_TAG_BYTES, NODATA, BoundedFile, nodata_of, pixel_size_m, read_directory
 
 CODES = {2: "s", 3: "H", 4: "I", 12: "d"}
 SHAPE_HW = (100, 200)
@@ -28,9 +29,13 @@ def tiff(entries, order="<") -> bytes:
     return magic + struct.pack(order + "IH", 8, len(entries)) + head + bytes(4) + content
 
 
+def tags_of(data):
+    return read_directory(BoundedFile(io.BytesIO(data)))
+
+
 def georeferenced(keys, *placing, order="<"):
     directory = (1, 1, 0, len(keys), *(number for key in keys for number in key))
-    return TiffTags(tiff([*placing, (34735, 3, directory)], order))
+    return tags_of(tiff([*placing, (34735, 3, directory)], order))
 
 
 def scaled(x, y=None, top=0.0):
@@ -63,7 +68,7 @@ def test_a_degree_of_longitude_is_half_as_long_at_60_north():
 @pytest.mark.parametrize(
     "tags",
     [
-        TiffTags(tiff([])),
+        tags_of(tiff([])),
         georeferenced(METERS),
         georeferenced((), *scaled(1.0)),
         georeferenced(METERS, *scaled(0.0)),
@@ -79,11 +84,19 @@ def test_what_is_not_said_is_not_guessed(tags):
 
 @pytest.mark.parametrize(("text", "wanted"), [(b"255\0", 255.0), (b"-9999 \0", -9999.0), (b"none\0", None)])
 def test_nodata_is_a_number_or_nothing(text, wanted):
-    assert TiffTags(tiff([(NODATA, 2, text)])).nodata() == wanted
+    assert nodata_of(tags_of(tiff([(NODATA, 2, text)]))) == wanted
 
 
-def test_a_file_that_ends_too_early_is_told():
+def test_of_a_file_that_ends_too_early_nothing_is_guessed():
     data = tiff([(33550, 12, (1.0, 1.0, 0.0))])
-    for length in range(4, len(data)):
-        with pytest.raises(struct.error):
-            TiffTags(data[:length]).values(33550)
+    for length in range(8, len(data)):
+        assert tags_of(data[:length]).get(33550) is None
+
+
+def test_tags_that_all_claim_the_whole_file_are_not_kept():
+    """65,535 tags of 4 MB would be 262 GB."""
+    content = bytes(MOST_TAG_BYTES)
+    count = 1000
+    entries = b"".join(struct.pack("<HHII", 1000 + n, 7, len(content) // 2, 20_000) for n in range(count))
+    tags = tags_of(struct.pack("<4sIH", b"II*\0", 8, count) + entries + bytes(4) + content)
+    assert sum(len(tags[tag]) for tag in tags) <= 2 * MOST_TAG_BYTES
