@@ -10,8 +10,8 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
 
 from ..core.errors import ParameterError, SemRefError
+from ..processing.exchange.class_styles import annotation_renderer
 from ..processing.exchange.database_layers import add_database_to_map
-from ..processing.exchange.styles import annotation_renderer
 from ..processing.inspection.models import SHIPPED
 from ..processing.translation import tr
 from ..processing.wording.sentences import worded

@@ -189,11 +189,11 @@ class AssessDatabase(AssessAlgorithm):
         crs: QgsCoordinateReferenceSystem,
     ) -> None:
         from ...core.assessment.squares import FIELDS, square_rows
-        from ..exchange.assessment_styles import cells_look
+        from ..exchange.assessment_styles import cells_renderer
 
         threshold, half = self.threshold(values), cells.size / 2
-        look = cells_look(threshold, results[0].footprint, len(results) == 1)
-        with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, look) as sink:
+        renderer = cells_renderer(threshold, results[0].footprint, len(results) == 1)
+        with outputs.layer(self.OUTPUT, FIELDS, POLYGON, crs, "cells", renderer=renderer) as sink:
             for result in results:
                 told = database.windows, result.footprint, result.estimates, threshold, worded
                 for (x, y), row in zip(cells.centers.tolist(), square_rows(cells, *told)):

@@ -333,11 +333,12 @@ class AssessRoute(AssessAlgorithm):
 
     def _write_points(self, outputs: Outputs, route: AssessedRoute, crs: QgsCoordinateReferenceSystem) -> None:
         from ...core.assessment.route import stretch
-        from ..exchange.assessment_styles import route_look
+        from ..exchange.assessment_styles import route_renderer
 
         nearest = np.zeros(0) if route.flown is None else route.flown.at(route.points)
         gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}
-        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, route_look(route.threshold)) as sink:
+        renderer = route_renderer(route.threshold)
+        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, "route", renderer=renderer) as sink:
             for n, (x, y) in enumerate(route.points.places.tolist()):
                 attributes = _values(route, n, *gap_of.get(n, (None, None)))
                 attributes["stretch"] = _wkt(stretch(route.points, n))

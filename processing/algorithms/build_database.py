@@ -164,9 +164,9 @@ class BuildDatabase(SemRefAlgorithm):
         from ...storage.database.writer import DatabaseWriter
         from ...storage.file_states import state
         from ...storage.rasters import GdalLabels
+        from ..exchange.class_styles import database_styles
         from ..exchange.layers import map_frame
         from ..exchange.reference_systems import longitudes_latitudes
-        from ..exchange.styles import database_styles
 
         before = {self._layer.path: state(self._layer.path)}
         labels = GdalLabels(self._layer.path)

@@ -97,7 +97,6 @@ class CheckAnnotation(AnnotationAlgorithm):
         )
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
-        from ..exchange.layer_looks import issues_look
         from ..reports.annotation_report import AnnotationReport
 
         lookup = self.classes(values, feedback)
@@ -109,7 +108,7 @@ class CheckAnnotation(AnnotationAlgorithm):
         # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         names = {c.value: c.name for c in lookup.table}
-        with outputs.layer(self.ISSUES, FIELDS, MULTI_POLYGON, crs, issues_look()) as sink:
+        with outputs.layer(self.ISSUES, FIELDS, MULTI_POLYGON, crs, "issues") as sink:
             for finding in findings:
                 sink.add(geometry_of(finding.wkb, multi=True), row_of(finding, sentence(finding, names)))
         for (kind, severity), number in Counter((f.kind, f.severity) for f in findings).items():

@@ -96,8 +96,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         self._source = values.source(self.INPUT, POLYGONS_OF_OSM)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ...core.labels.class_table import class_table_from_names
         from ...storage.text_tables import read_rules
-        from ..exchange.layer_looks import land_cover_look
+        from ..exchange.class_styles import annotation_renderer
 
         rules = read_rules(values.file(self.RULES) or str(RULES_PATH))
         other = values.text(self.OTHER_CLASS).strip()
@@ -106,8 +107,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         counts: Counter[str] = Counter()
         left_out = 0
         names = (*rules.classes, other) if other and other not in rules.classes else rules.classes
-        look = land_cover_look(names, "class", "priority")
-        with outputs.layer(self.OUTPUT, FIELDS, MULTI_POLYGON, self._source.sourceCrs(), look) as sink:
+        renderer = annotation_renderer(class_table_from_names(names), "class", "priority")
+        crs = self._source.sourceCrs()
+        with outputs.layer(self.OUTPUT, FIELDS, MULTI_POLYGON, crs, renderer=renderer, is_own=False) as sink:
             for geometry, columns in self._features(feedback):
                 row = row_of(columns, rules, other)
                 if geometry is None or row is None:

@@ -219,9 +219,8 @@ class CompareLabels(SemRefAlgorithm):
 
     def _write(self, outputs: Outputs, polygons: list[tuple[int, float, bytes]], match: ClassMatch) -> None:
         from ...core.labels.comparison import decode_disagreement
-        from ..exchange.layer_looks import disagreements_look
 
-        with outputs.layer(self.DISAGREEMENTS, FIELDS, POLYGON, self._layers[0].crs, disagreements_look()) as sink:
+        with outputs.layer(self.DISAGREEMENTS, FIELDS, POLYGON, self._layers[0].crs, "disagreements") as sink:
             for rank, (code, area, outline) in enumerate(polygons, start=1):
                 annotated, predicted = decode_disagreement(code)
                 row = rank, match.name(annotated), match.name(predicted), area, annotated, predicted

@@ -175,13 +175,14 @@ class DescribeImage(SemRefAlgorithm):
     def _write_points(
         self, outputs: Outputs, described: DescribedImage, transform: tuple[float, ...], table: ClassTable
     ) -> None:
-        from ..exchange.layer_looks import landmarks_look
+        from ..exchange.class_styles import references_renderer
 
         names = {c.value: c.name for c in table}
         x0, dx_column, dx_row, y0, dy_column, dy_row = transform
         pixel_area = abs(dx_column * dy_row - dx_row * dy_column)
         objects, half = described.objects, described.size / 2
-        with outputs.layer(self.REFERENCES, FIELDS, POINT, self._layer.crs, landmarks_look(table)) as sink:
+        renderer = references_renderer(table)
+        with outputs.layer(self.REFERENCES, FIELDS, POINT, self._layer.crs, "landmarks", renderer=renderer) as sink:
             for i in range(len(objects)):
                 column, row = objects.centers_xy[i].tolist()
                 distance = hypot(column - half, row - half)

@@ -372,9 +372,8 @@ class EvaluateLocalization(SemRefAlgorithm):
     def _write_points(self, outputs: Outputs, trials: Sequence[Trial], crs: QgsCoordinateReferenceSystem) -> None:
         from ...core.evaluation.as_json import FIELDS, values_of
         from ...core.evaluation.evaluation import MAP, MIRRORED
-        from ..exchange.layer_looks import trials_look
 
-        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, trials_look()) as sink:
+        with outputs.layer(self.OUTPUT, FIELDS, POINT, crs, "trials") as sink:
             for trial in trials:
                 if trial.query.kind in (MAP, MIRRORED):
                     sink.add(QgsGeometry.fromPointXY(QgsPointXY(*trial.query.view.position)), values_of(trial, worded))

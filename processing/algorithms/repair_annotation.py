@@ -89,7 +89,7 @@ class RepairAnnotation(AnnotationAlgorithm):
         from ...core.annotation.merging import MergeSettings
         from ...core.annotation.repair import AnnotationRepair
         from ..exchange.annotation_features import fields_of
-        from ..exchange.layer_looks import changes_look, repaired_look
+        from ..exchange.class_styles import repaired_renderer
 
         lookup = self.classes(values, feedback)
         crs = self.label_map_crs(values, feedback)
@@ -102,8 +102,9 @@ class RepairAnnotation(AnnotationAlgorithm):
             raise ParameterError("algorithms.nothing_to_repair", source=self._source.name)
         # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
-        look = repaired_look(lookup, self._source)
-        with outputs.layer(self.OUTPUT, fields_of(self._source), POLYGON, crs, look) as sink:
+        renderer = repaired_renderer(lookup, self._source)
+        fields = fields_of(self._source)
+        with outputs.layer(self.OUTPUT, fields, POLYGON, crs, renderer=renderer, is_own=False) as sink:
             for polygon in repair.polygons:
                 sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])
         changes = [f for f in reading.findings if f.kind != OUTSIDE_CRS or f.severity == ERROR] + repair.changes
@@ -113,6 +114,6 @@ class RepairAnnotation(AnnotationAlgorithm):
             )
         )
         names = {c.value: c.name for c in lookup.table}
-        with outputs.layer(self.CHANGES, FIELDS, MULTI_POLYGON, crs, changes_look()) as sink:
+        with outputs.layer(self.CHANGES, FIELDS, MULTI_POLYGON, crs, "changes") as sink:
             for change in changes:
                 sink.add(geometry_of(change.wkb, multi=True), row_of(change, change_sentence(change, names)))

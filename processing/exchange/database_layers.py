@@ -22,8 +22,8 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...core.errors import DatabaseError
 from ...storage.database.connection import no_database
 from ..translation import tr
-from .column_names import name_columns
 from .layer_tree import leave_group, move, place_at_bottom
+from .styles import name_columns
 
 REFERENCES, WINDOWS, OVERVIEW = "references", "windows", "overview"
 """The tables that are layers, from top to bottom."""
@@ -67,7 +67,7 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     if not all(layer.isValid() for layer in added):
         raise DatabaseError("exchange.no_database_layers", path=path)
     # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
-    from .styles import apply_overview_style
+    from .class_styles import apply_overview_style
 
     apply_overview_style(added[-1], path)
     _tell_of(added[-1], added[-2])

@@ -8,34 +8,21 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from qgis.core import (
-    QgsAttributeEditorContainer,
-    QgsAttributeEditorField,
-    QgsEditFormConfig,
     QgsFeatureRenderer,
-    QgsPalLayerSettings,
     QgsProcessingContext,
     QgsProcessingLayerPostProcessorInterface,
-    QgsTextBufferSettings,
-    QgsTextFormat,
     QgsVectorLayer,
-    QgsVectorLayerSimpleLabeling,
-    QgsVectorLayerTemporalProperties,
 )
-from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
-from .column_names import name_columns
 from .database_layers import place_new_layer
 from .layer_metadata import Note, keep_in_file
-from .palette import CASING, INK
+from .styles import apply_style, name_columns
 
 _KEPT: list[QgsProcessingLayerPostProcessorInterface] = []
 _MOST_KEPT = 20
 """QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
-
-LABELS_FROM_SCALE = 250_000
-"""Labels are drawn where a centimeter of the map is 2.5 km or less."""
 
 
 @dataclass(frozen=True)
@@ -43,49 +30,27 @@ class Look:
     """What a layer comes with.
 
     Attributes:
-        renderer: Its style; None for QGIS's own.
-        time_field: The field of date and time by which QGIS's temporal controller plays it, what was seen staying;
-            empty for none.
-        name: Expression by which a feature is called, in lists and above its map tip; empty for QGIS's choice.
-        label: Expression of the text beside features; empty for none.
-        tip: HTML of the map tip, see ``map_tips.tip``; empty for QGIS's own.
-        groups: (title, columns) of each page of the form; none for QGIS's own form.
-        picture: Column that names a picture, which the form shows; empty for none.
+        style: Name of its file in ``resources/styles``; empty for none.
+        renderer: In place of the file's, where it depends on classes or a threshold.
+        is_timed: Whether features have times, by which QGIS's temporal controller can play the layer.
         is_own: Whether the columns are SemRef's; those of the user's own layers keep their names.
         note: What the layer tells about itself.
     """
 
+    style: str = ""
     renderer: QgsFeatureRenderer | None = None
-    time_field: str = ""
-    name: str = ""
-    label: str = ""
-    tip: str = ""
-    groups: tuple[tuple[str, tuple[str, ...]], ...] = ()
-    picture: str = ""
+    is_timed: bool = False
     is_own: bool = True
     note: Note | None = field(default=None, compare=False)
 
     def give(self, layer: QgsVectorLayer) -> None:
         """Has a layer look so; columns get their titles, and keys in them their words."""
+        if self.is_own:
+            name_columns(layer, with_editors=True)
+        if self.style:
+            apply_style(layer, self.style, self.is_timed)
         if self.renderer is not None:
             layer.setRenderer(self.renderer.clone())
-        if self.time_field:
-            played = layer.temporalProperties()
-            played.setMode(QgsVectorLayerTemporalProperties.ModeFeatureDateTimeInstantFromField)
-            played.setStartField(self.time_field)
-            played.setAccumulateFeatures(True)
-            played.setIsActive(True)
-        if self.name:
-            layer.setDisplayExpression(self.name)
-        if self.label:
-            layer.setLabeling(QgsVectorLayerSimpleLabeling(_labeling(self.label)))
-            layer.setLabelsEnabled(True)
-        if self.tip:
-            layer.setMapTipTemplate(self.tip)
-        if self.is_own:
-            name_columns(layer, self.picture)
-        if self.groups:
-            layer.setEditFormConfig(_form(layer, self.groups))
         if self.note is not None:
             layer.setMetadata(self.note.metadata(layer))
 
@@ -175,36 +140,3 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
             self._look.give(layer)
             place_new_layer(layer, context.project())
             layer.triggerRepaint()
-
-
-def _labeling(expression: str) -> QgsPalLayerSettings:
-    """Small dark text with a white rim, not from far away; what would cover something else is left out."""
-    settings = QgsPalLayerSettings()
-    settings.fieldName, settings.isExpression = expression, True
-    settings.dist = 2.2
-    settings.scaleVisibility, settings.minimumScale, settings.maximumScale = True, LABELS_FROM_SCALE, 1
-    text, rim = QgsTextFormat(), QgsTextBufferSettings()
-    text.setSize(8)
-    text.setColor(QColor(INK))
-    rim.setEnabled(True)
-    rim.setSize(0.9)
-    rim.setColor(QColor(CASING))
-    text.setBuffer(rim)
-    settings.setFormat(text)
-    return settings
-
-
-def _form(layer: QgsVectorLayer, groups: tuple[tuple[str, tuple[str, ...]], ...]) -> QgsEditFormConfig:
-    """A form with a page a group."""
-    form = layer.editFormConfig()
-    form.clearTabs()
-    form.setLayout(QgsEditFormConfig.TabLayout)
-    for title, names in groups:
-        page = QgsAttributeEditorContainer(title, None)
-        page.setIsGroupBox(False)
-        for name in names:
-            index = layer.fields().lookupField(name)
-            if index >= 0:
-                page.addChildElement(QgsAttributeEditorField(name, index, page))
-        form.addTab(page)
-    return form

@@ -84,10 +84,8 @@ def write_positions(
 
     ``times_s``: when each image was taken, seconds since 1970 or any moment; None where unknown.
     """
-    from ..exchange.position_looks import positions_look
-
-    look = positions_look(any(time_s is not None for time_s in times_s))
-    with outputs.layer(key, POSITION_FIELDS, POINT, crs, look) as sink:
+    is_timed = any(time_s is not None for time_s in times_s)
+    with outputs.layer(key, POSITION_FIELDS, POINT, crs, "positions", is_timed=is_timed) as sink:
         for (geometry, cells), time_s in zip(position_rows(localized, crs, context), times_s):
             sink.add(geometry, {**cells, "time": moment(time_s)})
 
@@ -111,11 +109,9 @@ def write_grounds(
     outputs: Outputs, keys: Sequence[str], localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem
 ) -> None:
     """Writes the ground of fixes, and of possible places with a second key, where they are wanted."""
-    from ..exchange.position_looks import footprints_look, places_look
-
-    kinds = (FOOTPRINT_FIELDS, footprint_rows, footprints_look), (ALTERNATIVE_FIELDS, alternatives, places_look)
-    for key, (fields, rows_of, look_of) in zip(keys, kinds):
-        with outputs.layer(key, fields, POLYGON, crs, look_of()) as sink:
+    kinds = (FOOTPRINT_FIELDS, footprint_rows, "footprints"), (ALTERNATIVE_FIELDS, alternatives, "places")
+    for key, (fields, rows_of, style) in zip(keys, kinds):
+        with outputs.layer(key, fields, POLYGON, crs, style) as sink:
             for item in localized:
                 for corners_xy, cells in rows_of(item):
                     sink.add(QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in corners_xy]]), cells)
@@ -129,9 +125,7 @@ def write_matches(
     crs: QgsCoordinateReferenceSystem,
 ) -> None:
     """Writes the landmarks that agree where they are wanted."""
-    from ..exchange.position_looks import matches_look
-
-    with outputs.layer(key, MATCH_FIELDS, POINT, crs, matches_look()) as sink:
+    with outputs.layer(key, MATCH_FIELDS, POINT, crs, "matches") as sink:
         for item in localized:
             for position, cells in match_rows(item, database):
                 sink.add(QgsGeometry.fromPointXY(QgsPointXY(*position)), cells)
@@ -172,10 +166,8 @@ def write_flight_positions(
     context: QgsCoordinateTransformContext,
 ) -> None:
     """Writes one row an image, in the flight's order, with its style and by its time."""
-    from ..exchange.flight_styles import poses_look
-
     is_timed = any(one.time_s is not None for one in flown)
-    with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, poses_look(is_timed)) as sink:
+    with outputs.layer(key, FLIGHT_FIELDS, POINT, crs, "poses", is_timed=is_timed) as sink:
         rows = position_rows([one.localized for one in flown], crs, context)
         for number, (one, (geometry, cells)) in enumerate(zip(flown, rows), start=1):
             sink.add(geometry, {**cells, **_flight_cells(one), "number": number, "time": moment(one.time_s)})
@@ -196,9 +188,7 @@ def tracks_of(flown: Sequence[FlownImage]) -> list[list[FlownImage]]:
 
 def write_tracks(outputs: Outputs, key: str, flown: Sequence[FlownImage], crs: QgsCoordinateReferenceSystem) -> None:
     """Writes one line a track; one of a single image is no line."""
-    from ..exchange.flight_styles import track_look
-
-    with outputs.layer(key, TRACK_FIELDS, LINE, crs, track_look()) as sink:
+    with outputs.layer(key, TRACK_FIELDS, LINE, crs, "track") as sink:
         for members in tracks_of(flown):
             if len(members) < 2:
                 continue

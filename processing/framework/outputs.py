@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, Union
 
 from qgis.core import (
@@ -96,7 +96,7 @@ class Outputs:
 
     def label_map(self, key: str, table: ClassTable) -> AbstractContextManager[str]:
         """Gives a path to write a label map to, which gets its style."""
-        from ..exchange.styles import write_label_map_style
+        from ..exchange.class_styles import write_label_map_style
 
         return self.raster(key, lambda path: write_label_map_style(path, table, self._note(key)))
 
@@ -154,7 +154,8 @@ class Outputs:
         schema: Schema,
         geometry: Any,
         crs: QgsCoordinateReferenceSystem,
-        look: Look | None = None,
+        style: str = "",
+        **look: Any,
     ) -> Iterator[FeatureSink]:
         """Gives a sink to fill; one that is not wanted takes features and forgets them.
 
@@ -163,7 +164,8 @@ class Outputs:
             schema: Its fields.
             geometry: One of ``compat``'s kinds of geometry.
             crs: What the geometries are in.
-            look: The style, names and tips that it comes with; columns get their titles without one as well.
+            style: Its file in ``resources/styles``; columns get their titles without one as well.
+            **look: Further attributes of ``Look``.
 
         Raises:
             ParameterError: When the output can't be made, or does not hold all that was given to it.
@@ -180,15 +182,15 @@ class Outputs:
         sink.close()
         if not written:
             return
-        look = replace(look or Look(), note=self._note(key))
+        given = Look(style, note=self._note(key), **look)
         if beside:
-            if not style_in_file(written, look):
+            if not style_in_file(written, given):
                 raise sink.failure()
             sink.require_all_in(written, wanted.has_index)
         else:
-            style_in_memory(written, look, self._values.context)
+            style_in_memory(written, given, self._values.context)
         final = _moved_back(written, wanted) if beside else written
-        self._layers.append(_Layer(written, final, look))
+        self._layers.append(_Layer(written, final, given))
         self.results[key] = final
 
     def _beside(self, wanted: Destination) -> str:

@@ -116,7 +116,7 @@ class SegmentedFiles:
 
     def _percents(self, files: ExitStack, key: str, names: list[str], shown: int) -> PercentRaster:
         from ...storage.percent_raster import PercentRaster
-        from ..exchange.styles import write_percent_style
+        from ..exchange.class_styles import write_percent_style
 
         path = files.enter_context(self._outputs.raster(key, lambda path: write_percent_style(path, shown)))
         grid = self._grid
@@ -152,7 +152,7 @@ def write_polygons(
     from ...core.annotation.coverage import areas_and_wkb, can_simplify
     from ...storage.outlining import LabelPolygons
     from ...storage.rasters import open_raster
-    from ..exchange.layer_looks import class_polygons_look
+    from ..exchange.class_styles import annotation_renderer
 
     transform = open_raster(path).GetGeoTransform(can_return_null=True) or (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
     tolerance = values.optional_number("TOLERANCE", TOLERANCE_PX * abs(transform[1]))
@@ -169,7 +169,8 @@ def write_polygons(
         raise
     names = {one.value: one.name for one in table}
     areas, wkb = areas_and_wkb(polygons.polygons)
-    with outputs.layer(key, FIELDS, POLYGON, crs, class_polygons_look(table)) as sink:
+    renderer = annotation_renderer(table, "class_name")
+    with outputs.layer(key, FIELDS, POLYGON, crs, "class_polygons", renderer=renderer) as sink:
         for n, (value, area, outline) in enumerate(zip(polygons.classes.tolist(), areas.tolist(), wkb)):
             if n % _CHECK_EVERY == 0:
                 check_canceled(feedback)

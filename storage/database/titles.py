@@ -1,34 +1,20 @@
-"""What the columns of a database's layers are called, for people: in English here, and in the file for any program.
+"""What the columns of a database's layers are called, for people: in English, in the file for any program.
 
-QGIS shows them in the user's language once the plugin has loaded the layers (``processing/wording/columns.py``).
+QGIS shows them in the user's language; both come from the aliases of ``resources/styles/columns.qml``.
 """
 
 from __future__ import annotations
 
 import contextlib
+import re
 import sqlite3
+from html import unescape
+from pathlib import Path
 
-SENTENCES_OF_WINDOWS = {
-    "name": "Name",
-    "level": "Level",
-    "size": "Size (m)",
-    "center_x": "Easting of the center",
-    "center_y": "Northing of the center",
-    "longitude": "Longitude",
-    "latitude": "Latitude",
-    "reference_count": "Landmarks",
-    "vector": "Topology vector",
-    "distinctiveness": "Distinctiveness",
-}
+from .schema import REFERENCE_FIELDS, WINDOW_FIELDS
 
-SENTENCES_OF_REFERENCES = {
-    "class": "Class value",
-    "class_name": "Class",
-    "area": "Area (m²)",
-    "touches_edge": "Touches the edge",
-}
-
-_TITLES = {"windows": SENTENCES_OF_WINDOWS, "references": SENTENCES_OF_REFERENCES}
+_TITLES = Path(__file__).resolve().parents[2] / "resources" / "styles" / "columns.qml"
+_ALIAS = re.compile('<alias field="([^"]+)" name="([^"]+)"/>')
 
 # As GDAL makes them, and as GeoPackage's extension for schemas wants them: both tables, registered.
 _TABLES = (
@@ -47,7 +33,9 @@ _REGISTER = (
 
 def tell_titles(path: str) -> None:
     """Writes the titles into a new database; GDAL 3.6 can't write them itself. Raises sqlite3.Error."""
-    rows = [(table, name, text, text) for table, titles in _TITLES.items() for name, text in titles.items()]
+    titles = {name: unescape(text) for name, text in _ALIAS.findall(_TITLES.read_text(encoding="utf-8"))}
+    tables = ("windows", WINDOW_FIELDS), ("references", REFERENCE_FIELDS)
+    rows = [(table, name, titles[name], titles[name]) for table, fields in tables for name, _ in fields]
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         for statement in _TABLES:
             connection.execute(statement)

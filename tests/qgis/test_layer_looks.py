@@ -6,6 +6,7 @@ import contextlib
 import itertools
 import sqlite3
 import tempfile
+from xml.etree import ElementTree
 
 import pytest
 from made_inputs import square, write_layer
@@ -22,14 +23,20 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
+from semref.core.assessment.squares import FIELDS as CELL_FIELDS
 from semref.core.evaluation.as_json import FIELDS as TRIAL_FIELDS
-from semref.processing.exchange.assessment_styles import cells_look, route_look
-from semref.processing.exchange.flight_styles import poses_look, track_look
-from semref.processing.exchange.layer_looks import changes_look, disagreements_look, issues_look, trials_look
-from semref.processing.exchange.position_looks import footprints_look, matches_look, places_look, positions_look
+from semref.processing.algorithms.assess_route import FIELDS as ROUTE_FIELDS
+from semref.processing.algorithms.compare_labels import FIELDS as DISAGREEMENT_FIELDS
+from semref.processing.algorithms.describe_image import FIELDS as LANDMARK_FIELDS
+from semref.processing.exchange import styles
+from semref.processing.exchange.assessment_styles import cells_renderer, route_renderer
+from semref.processing.exchange.output_style import Look
+from semref.processing.exchange.styles import STYLES
 from semref.processing.framework.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT_FIELDS, MATCH_FIELDS
-from semref.processing.framework.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS
+from semref.processing.framework.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS, TRACK_FIELDS
+from semref.processing.framework.segmented_files import FIELDS as CLASS_POLYGON_FIELDS
 from semref.processing.wording.annotation_messages import FIELDS as ISSUE_FIELDS
+from semref.storage.database.schema import WINDOW_FIELDS
 
 KINDS = {"text": "string", "real": "double", "integer": "int", "boolean": "bool", "datetime": "datetime"}
 
@@ -56,45 +63,74 @@ def tip_of(layer: QgsVectorLayer, feature: QgsFeature) -> str:
 @pytest.fixture
 def positions(qgis_app):
     layer = layer_of("Point", POSITION_FIELDS)
-    positions_look(is_timed=True).give(layer)
+    Look("positions", is_timed=True).give(layer)
     return layer
 
 
-LOOKS = [
-    ("Point", POSITION_FIELDS, lambda: positions_look(True)),
-    ("Point", POSITION_FIELDS, lambda: poses_look(False)),
-    ("Polygon", FOOTPRINT_FIELDS, footprints_look),
-    ("Polygon", ALTERNATIVE_FIELDS, places_look),
-    ("Point", MATCH_FIELDS, matches_look),
-    ("LineString", (), track_look),
-    ("Polygon", ISSUE_FIELDS, issues_look),
-    ("Polygon", ISSUE_FIELDS, changes_look),
-    ("Polygon", (), disagreements_look),
-    ("Polygon", (), lambda: cells_look(0.9, 300.0, True)),
-    ("Point", (), lambda: route_look(0.9)),
-    ("Point", TRIAL_FIELDS, trials_look),
-]
+LAYERS = {
+    "positions": ("Point", POSITION_FIELDS),
+    "poses": ("Point", FLIGHT_FIELDS),
+    "footprints": ("Polygon", FOOTPRINT_FIELDS),
+    "places": ("Polygon", ALTERNATIVE_FIELDS),
+    "matches": ("Point", MATCH_FIELDS),
+    "track": ("LineString", TRACK_FIELDS),
+    "issues": ("Polygon", ISSUE_FIELDS),
+    "changes": ("Polygon", ISSUE_FIELDS),
+    "disagreements": ("Polygon", DISAGREEMENT_FIELDS),
+    "cells": ("Polygon", CELL_FIELDS),
+    "route": ("Point", ROUTE_FIELDS),
+    "trials": ("Point", TRIAL_FIELDS),
+    "class_polygons": ("Polygon", CLASS_POLYGON_FIELDS),
+    "landmarks": ("Point", LANDMARK_FIELDS),
+    "windows": ("Polygon", WINDOW_FIELDS),
+}
 
 
-@pytest.mark.parametrize(("geometry", "fields", "look"), LOOKS)
-def test_no_map_tip_or_label_of_any_look_has_an_error_in_it(qgis_app, geometry, fields, look):
-    layer = layer_of(geometry, fields)
-    look().give(layer)
-    tip = layer.mapTipTemplate()
-    parts = [part.partition("%]")[0] for part in tip.split("[%")[1:]]
-    assert parts
-    for part in filter(None, [*parts, layer.displayExpression()]):
+def styled(style: str) -> QgsVectorLayer:
+    layer = layer_of(*LAYERS[style])
+    Look(style).give(layer)
+    return layer
+
+
+def test_every_style_is_of_a_layer(qgis_app):
+    assert {path.stem for path in STYLES.iterdir()} == {*LAYERS, "columns", "percent"}
+
+
+@pytest.mark.parametrize("style", LAYERS)
+def test_no_map_tip_or_label_of_any_style_has_an_error_in_it(qgis_app, style):
+    layer = styled(style)
+    parts = [part.partition("%]")[0] for part in layer.mapTipTemplate().split("[%")[1:]]
+    assert parts or style == "windows"
+    for part in [*parts, layer.displayExpression()]:
         parsed = QgsExpression(part)
         assert not parsed.hasParserError(), (part, parsed.parserErrorString())
 
 
-@pytest.mark.parametrize(("geometry", "fields", "look"), [look for look in LOOKS if look[1]])
-def test_every_column_has_a_title_that_is_not_its_key(qgis_app, geometry, fields, look):
-    layer = layer_of(geometry, fields)
-    look().give(layer)
+@pytest.mark.parametrize("style", LAYERS)
+def test_every_column_has_a_title_that_is_not_its_key(qgis_app, style):
+    layer = styled(style)
     titles = [layer.attributeAlias(index) for index in range(len(layer.fields()))]
     assert all(titles)
     assert len(set(titles)) == len(titles)
+
+
+def test_texts_of_styles_are_in_the_user_s_language(qgis_app, monkeypatch):
+    monkeypatch.setattr(styles, "tr", lambda text: f"l'{text} & %]")
+    layer = styled("positions")
+    assert layer.attributeAlias(0) == "l'Image & %]"
+    assert [rule.label() for rule in layer.renderer().rootRule().children()][0] == "l'Fix, with its heading & %]"
+    assert layer.editFormConfig().tabs()[0].name() == "l'Image & %]"
+    tip = tip_of(layer, feature_of(layer, image="a.tif", status="fix", method="constellation", confidence=1.0))
+    assert "<td>l&#x27;Error probability &amp; % ]</td><td><b>l&#x27;below 1 in 10,000 &amp; % ]</b>" in tip
+
+
+def test_translations_have_the_texts_of_styles(qgis_app, monkeypatch, repository):
+    known = {one.text for one in ElementTree.parse(repository / "i18n" / "semref_de.ts").iter("source")}
+    asked = set()
+    monkeypatch.setattr(styles, "tr", lambda text: asked.add(text) or text)
+    for path in STYLES.iterdir():
+        styles.style_document(path.stem)
+    assert asked and asked <= known
 
 
 def test_the_map_tip_shows_status_radius_and_error_probability(positions):
@@ -150,25 +186,25 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
 
 
 @pytest.mark.parametrize(
-    ("look", "values", "rule"),
+    ("style", "values", "rule"),
     [
-        (lambda: positions_look(True), {"heading": 10.0, "jump": False}, "Fix, with its heading"),
-        (lambda: positions_look(True), {"heading": 10.0}, "Fix, with its heading"),
-        (lambda: positions_look(True), {"jump": False}, "Fix without a heading"),
-        (lambda: positions_look(True), {"heading": 10.0, "jump": True}, "Out of reach in time"),
-        (lambda: poses_look(True), {"source": "own", "outvoted": False}, "Fix of the image itself"),
-        (lambda: poses_look(True), {"source": "flight", "outvoted": False}, "Placed by the flight"),
-        (lambda: poses_look(True), {"source": "flight"}, "Placed by the flight"),
-        (lambda: poses_look(True), {"source": "flight", "outvoted": True}, "Its own fix was outvoted"),
+        ("positions", {"heading": 10.0, "jump": False}, "Fix, with its heading"),
+        ("positions", {"heading": 10.0}, "Fix, with its heading"),
+        ("positions", {"jump": False}, "Fix without a heading"),
+        ("positions", {"heading": 10.0, "jump": True}, "Out of reach in time"),
+        ("poses", {"source": "own", "outvoted": False}, "Fix of the image itself"),
+        ("poses", {"source": "flight", "outvoted": False}, "Placed by the flight"),
+        ("poses", {"source": "flight"}, "Placed by the flight"),
+        ("poses", {"source": "flight", "outvoted": True}, "Its own fix was outvoted"),
     ],
 )
-def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, look, values, rule):
+def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, rule):
     layer = layer_of("Point", FLIGHT_FIELDS)
+    Look(style).give(layer)
     feature = feature_of(layer, **values)
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
     context.setFeature(feature)
-    renderer = look().renderer
-    rules = renderer.rootRule().children()
+    rules = layer.renderer().rootRule().children()
     drawn = [one.label() for one in rules if QgsExpression(one.filterExpression()).evaluate(context)]
     assert drawn == [rule]
 
@@ -180,7 +216,7 @@ def test_keys_have_words_in_the_attribute_table(positions):
 
 
 def test_squares_let_the_base_map_through_and_the_route_does_not(qgis_app):
-    cells, route = cells_look(0.9, 300.0, True).renderer, route_look(0.9).renderer
+    cells, route = cells_renderer(0.9, 300.0, True), route_renderer(0.9)
     assert isinstance(cells, QgsGraduatedSymbolRenderer)
     assert {symbol.opacity() for symbol in cells.symbols(_context())} == {0.5}
     assert {symbol.opacity() for symbol in route.symbols(_context())} == {1.0}
@@ -258,10 +294,9 @@ def test_a_layer_in_memory_comes_with_its_look_as_well(annotation, run_algorithm
     assert layer.metadata().title() == "Issues"
 
 
-def test_every_column_of_an_assessment_and_every_verdict_has_its_word(qgis_app):
-    from semref.core.assessment.squares import FIELDS, VERDICTS
+def test_every_verdict_has_its_word_and_color(qgis_app):
+    from semref.core.assessment.squares import VERDICTS
     from semref.processing.exchange.assessment_styles import COLORS
-    from semref.processing.wording.columns import column_titles, verdict_words
+    from semref.processing.wording.columns import verdict_words
 
-    assert {name for name, _ in FIELDS} <= set(column_titles())
     assert tuple(verdict_words()) == VERDICTS and len(COLORS) == len(VERDICTS)

@@ -84,10 +84,11 @@ def test_positions_of_this_session_name_images_that_the_user_chose(georeference,
 
 @pytest.mark.parametrize("name", [*UNC, "/vsicurl/{url}/a.tif", "{url}/a.tif"])
 def test_a_map_tip_does_not_ask_whether_a_picture_elsewhere_is_there(qgis_app, host, name):
-    from semref.storage.map_tips import tip
+    from semref.processing.exchange.styles import style_document
 
     asked = []
-    template = tip("'a'", [], "image").replace("file_exists", "semref_file_exists")
+    tip = style_document("footprints").documentElement().firstChildElement("mapTip").text()
+    template = tip.replace("file_exists", "semref_file_exists")
     layer = QgsVectorLayer("Point?field=image:string", "a", "memory")
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
     QgsExpression.registerFunction(_remembering(asked))

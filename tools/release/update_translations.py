@@ -7,6 +7,7 @@ texts that are gone are dropped, new ones are marked unfinished. Compiled to .qm
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from pathlib import Path
 from xml.etree import ElementTree
@@ -14,6 +15,7 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parents[2]
 CONTEXT = "SemRef"
 ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
+STYLE_TITLES = {"alias": "name", "attributeEditorContainer": "name", "category": "label", "rule": "label"}
 
 
 def texts_of(source: str) -> list[str]:
@@ -51,6 +53,14 @@ def template_texts(source: str) -> list[str]:
     return found
 
 
+def style_texts(source: str) -> list[str]:
+    """The texts of a style file that ``processing/exchange/styles.py`` translates."""
+    root = ElementTree.fromstring(source)
+    found = [element.get(name, "") for tag, name in STYLE_TITLES.items() for element in root.iter(tag)]
+    expressions = root.findtext("previewExpression", "") + root.findtext("mapTip", "")
+    return found + re.findall(r"_\('([^']+)'\)", expressions)
+
+
 def all_texts() -> list[str]:
     """All texts that a user may read, sorted, each once."""
     found = []
@@ -58,6 +68,8 @@ def all_texts() -> list[str]:
         for path in sorted((ROOT / room).rglob("*.py")):
             source = path.read_text(encoding="utf-8")
             found += texts_of(source) + step_texts(source) + template_texts(source)
+    for path in sorted((ROOT / "resources" / "styles").glob("*.qml")):
+        found += style_texts(path.read_text(encoding="utf-8"))
     return sorted(set(found))
 
 

@@ -42,7 +42,7 @@ def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: Qgs
         raise LabelMapError("exchange.not_shown", image=name)
     if layer.bandCount() == 1:
         # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
-        from ...processing.exchange.styles import apply_overview_style
+        from ...processing.exchange.class_styles import apply_overview_style
 
         apply_overview_style(layer, database)
     if not layer.crs().isValid():

@@ -30,9 +30,9 @@ def test_a_layer_that_is_dropped_on_the_canvas_shows_titles_of_all_columns(datab
 
 
 def test_on_the_map_they_are_in_the_user_s_language_whoever_built_the_database(database, monkeypatch):
-    from semref.processing.wording import columns
+    from semref.processing.exchange import styles
 
-    monkeypatch.setattr(columns, "tr", lambda text: f"[{text}]")
+    monkeypatch.setattr(styles, "tr", lambda text: f"[{text}]")
     project = QgsProject()
     group = add_database_to_map(database, project)
     layers = {node.name(): node.layer() for node in group.findLayers()}

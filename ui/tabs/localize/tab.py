@@ -15,7 +15,8 @@ from qgis.PyQt.QtWidgets import QFileDialog, QPushButton, QVBoxLayout, QWidget
 from ....core.errors import ParameterError
 from ....core.localization import Status
 from ....core.named_files import named_file
-from ....processing.exchange.flight_styles import flight_look
+from ....processing.compat import is_null
+from ....processing.exchange.output_style import Look
 from ....processing.exchange.results_file import write_results
 from ....processing.translation import tr
 from ....processing.wording.sentences import worded
@@ -299,7 +300,8 @@ class LocalizeTab(QWidget):
         path = path if path.lower().endswith(".gpkg") else f"{path}.gpkg"
         QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
         if self._layers.track is not None:
-            flight_look(self._layers.positions).give(self._layers.positions)
+            positions = self._layers.positions
+            Look("poses", is_timed=any(not is_null(one["time"]) for one in positions.getFeatures())).give(positions)
         try:
             write_results(path, self._layers)
             positions, *_others, track = named_results(path)

@@ -1,0 +1,160 @@
+"""Styles that depend on a class table, and those that rasters have beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+from uuid import uuid4
+
+from osgeo import gdal
+from qgis.core import (
+    QgsCategorizedSymbolRenderer,
+    QgsFeatureRequest,
+    QgsFillSymbol,
+    QgsMapLayer,
+    QgsMarkerSymbol,
+    QgsPalettedRasterRenderer,
+    QgsRasterLayer,
+    QgsReadWriteContext,
+    QgsRendererCategory,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtXml import QDomDocument
+
+from ...core.annotation.classes import ClassLookup
+from ...core.labels.class_table import ClassTable
+from ...storage.database.reader import stored_style
+from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
+from ...storage.replaceable import MARK_OF_NOTE
+from .layer_metadata import Note, keep_beside
+from .styles import STYLES, apply_style, name_columns
+
+if TYPE_CHECKING:
+    from .annotation import AnnotationSource
+
+
+def database_styles(table: ClassTable) -> dict[str, str]:
+    """QML of the default style of each layer of a database, by table name."""
+    windows, references = _fields_only("Polygon", WINDOW_FIELDS), _fields_only("Point", REFERENCE_FIELDS)
+    apply_style(windows, "windows")
+    references.setRenderer(references_renderer(table))
+    return {"windows": _titled(windows), "references": _titled(references), "overview": _overview_qml(table)}
+
+
+def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorLayer:
+    # Of fields a style has titles by name, and no types.
+    columns = "&".join(f"field={name}" for name, _ in fields)
+    return QgsVectorLayer(f"{geometry}?{columns}", "style", "memory")
+
+
+def _titled(layer: QgsVectorLayer) -> str:
+    name_columns(layer)
+    return _exported(layer, QgsMapLayer.StyleCategory.Fields)
+
+
+def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
+    """Dots colored by class; the legend shows the reference classes by name."""
+    categories = []
+    for c in table.references:
+        symbol = QgsMarkerSymbol.createSimple(
+            {"name": "circle", "color": c.color, "size": "1.8", "outline_color": "#ffffff", "outline_width": "0.2"}
+        )
+        categories.append(QgsRendererCategory(c.value, symbol, c.name))
+    return QgsCategorizedSymbolRenderer("class", categories)
+
+
+def annotation_renderer(table: ClassTable, class_field: str, priority_field: str = "") -> QgsCategorizedSymbolRenderer:
+    """Polygons in the class colors, without outlines; higher priorities on top where a field tells them."""
+    categories = []
+    for c in table:
+        symbol = QgsFillSymbol.createSimple({"color": c.color, "outline_style": "no"})
+        categories.append(QgsRendererCategory(c.name, symbol, c.name))
+    renderer = QgsCategorizedSymbolRenderer(class_field, categories)
+    if priority_field:
+        renderer.setOrderBy(QgsFeatureRequest.OrderBy([QgsFeatureRequest.OrderByClause(priority_field)]))
+        renderer.setOrderByEnabled(True)
+    return renderer
+
+
+def repaired_renderer(lookup: ClassLookup, source: AnnotationSource) -> QgsCategorizedSymbolRenderer:
+    """An annotation in its class colors, by the values that its class column has."""
+    categories = []
+    for one in lookup.table:
+        symbol = QgsFillSymbol.createSimple({"color": one.color, "outline_style": "no"})
+        for raw in lookup.raw_values(one.value, source.class_is_number):
+            categories.append(QgsRendererCategory(raw, symbol.clone(), one.name))
+    return QgsCategorizedSymbolRenderer(source.class_expression, categories)
+
+
+def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> str:
+    """Write the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
+
+    Without it the legend lists all 256 entries of the GeoTIFF's color table.
+
+    Args:
+        path: Of the label map.
+        table: Its classes.
+        note: What the map tells about itself, written beside it as well.
+
+    Returns:
+        The style as QML.
+    """
+    if note is not None:
+        keep_beside(path, QgsRasterLayer(path, "note"), note)
+    layer = QgsRasterLayer(path, "style")
+    layer.setRenderer(label_renderer(layer, table))
+    return _write_beside(path, _exported(layer))
+
+
+def write_percent_style(path: str, band: int = 1) -> str:
+    """Write the style that QGIS finds beside a raster of percent, dark for doubt; returns it as QML."""
+    qml = (STYLES / "percent.qml").read_text(encoding="utf-8")
+    return _write_beside(path, qml.replace('band="1"', f'band="{band}"'))
+
+
+def _write_beside(path: str, qml: str) -> str:
+    marked = qml.replace("</qgis>", f"{MARK_OF_NOTE}</qgis>")
+    Path(path).with_suffix(".qml").write_text(marked, encoding="utf-8")
+    return qml
+
+
+def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRasterRenderer:
+    """Class colors and names for a raster of class values."""
+    classes = [QgsPalettedRasterRenderer.Class(c.value, QColor(c.color), c.name) for c in table if c.value]
+    return QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes)
+
+
+def apply_overview_style(layer: QgsRasterLayer, database: str) -> None:
+    """Gives an overview layer the style in its database; QGIS itself does so for vector layers only."""
+    qml = stored_style(database, "overview")
+    document = QDomDocument()
+    if qml and document.setContent(qml):
+        layer.importNamedStyle(document)
+
+
+def _overview_qml(table: ClassTable) -> str:
+    # A style is exported from a layer, and a raster layer needs a raster: one pixel in memory.
+    path = f"/vsimem/semref_style_{uuid4().hex}.tif"
+    try:
+        raster = gdal.GetDriverByName("GTiff").Create(path, 1, 1, 1, gdal.GDT_Byte)
+        raster.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+        raster.FlushCache()
+        layer = QgsRasterLayer(path, "overview")
+        layer.setRenderer(label_renderer(layer, table))
+        return _exported(layer)
+    finally:
+        gdal.Unlink(path)
+
+
+def _exported(layer: QgsMapLayer, *more: QgsMapLayer.StyleCategory) -> str:
+    document = QDomDocument()
+    # The other categories hold colors that QGIS draws by lot.
+    categories = QgsMapLayer.StyleCategory.Symbology | QgsMapLayer.StyleCategory.CustomProperties
+    for category in more:
+        categories |= category
+    error = layer.exportNamedStyle(document, QgsReadWriteContext(), categories)
+    if document.isNull():
+        raise RuntimeError(f"the style of {layer.name()} could not be exported: {error}")
+    return document.toString()
