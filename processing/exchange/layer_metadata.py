@@ -9,7 +9,7 @@ from __future__ import annotations
 import contextlib
 import sqlite3
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
@@ -38,10 +38,8 @@ _LONGEST_COMMAND = 20_000
 
 _LAYERS = "source", "vector", "raster", "multilayer"
 
-_MOST_LINES, _LONGEST_HISTORY = 50, 150_000
-"""Lines and characters of a history: no note of more than a million is read, and in XML a sign may take six."""
-
-_LEFT_OUT = "…"
+_MOST_LINES = 50
+"""Of a history; each update of a database adds one."""
 
 SENTENCES_OF_TITLES = {REFERENCES: "Landmarks", WINDOWS: "Windows"}
 
@@ -53,32 +51,64 @@ SENTENCES_OF_TABLES = {
 
 
 @dataclass(frozen=True)
-class Lineage:
-    """How a run makes what it writes.
+class Note:
+    """What a layer tells about itself.
 
     Attributes:
-        history: One line: when, by which version, and the call that makes it again; empty where unknown.
+        title: What it is called.
+        abstract: What it is.
+        history: Lines, the oldest first. A run adds one: when, by which version, and the call that makes it again.
         sources: Of the inputs that name licenses or rights: title, with these in brackets.
     """
 
-    history: str = ""
+    title: str = ""
+    abstract: str = ""
+    history: tuple[str, ...] = ()
     sources: str = ""
 
+    def metadata(self, layer: QgsMapLayer) -> QgsLayerMetadata:
+        """For QGIS; ``layer``: whose CRS and extent it tells. Of a long history the first line and the newest stay."""
+        lines = list(self.history)
+        made = QgsLayerMetadata()
+        made.setType("dataset")
+        made.setTitle(self.title)
+        made.setAbstract(self.abstract)
+        made.setRights([self.sources] if self.sources else [])
+        made.setHistory(lines if len(lines) <= _MOST_LINES else [lines[0], "…", *lines[1 - _MOST_LINES :]])
+        made.setCrs(layer.crs())
+        extent = QgsLayerMetadata.Extent()
+        spatial = QgsLayerMetadata.SpatialExtent()
+        spatial.extentCrs = layer.crs()
+        if not layer.extent().isEmpty():
+            spatial.bounds = QgsBox3d(layer.extent())
+        extent.setSpatialExtents([spatial])
+        made.setExtent(extent)
+        return made
 
-def lineage_of(
+    def after(self, known: QgsLayerMetadata) -> Note:
+        """Of a layer that this run changed: it stays what it was, and what made it before is its history, too."""
+        return replace(
+            self,
+            abstract=known.abstract() or self.abstract,
+            history=(*known.history(), *self.history),
+            sources=_each_once([*known.rights(), self.sources]),
+        )
+
+
+def note_of_run(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, version: str
-) -> Lineage:
-    """How a run makes what it will write; call it where layers live, after they were read."""
+) -> Note:
+    """History and sources of what a run will write; call it where layers live, after they were read."""
     try:
         command = algorithm.asPythonCommand(parameters, context)
     except Exception:
-        # QGIS raises anything for values that it can't write down; the layer is worth more than its lineage.
+        # QGIS raises anything for values that it can't write down; the layer is worth more than its history.
         command = f"processing.run({algorithm.id()!r}, …)"
     if len(command) > _LONGEST_COMMAND:
         command = f"{command[:_LONGEST_COMMAND]}…"
     now = datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
     sources = _each_once(_source(title, one) for title, one in _inputs(algorithm, parameters, context))
-    return Lineage(f"{now}, SemRef {version}: {command}", sources)
+    return Note(history=(f"{now}, SemRef {version}: {command}",), sources=sources)
 
 
 def _each_once(texts: Iterable[str]) -> str:
@@ -126,55 +156,6 @@ def _of_file(source: str) -> QgsLayerMetadata | None:
     if not text or not document.setContent(text) or not known.readMetadataXml(document.documentElement()):
         return None
     return known
-
-
-@dataclass(frozen=True)
-class Note:
-    """Metadata of a layer. ``earlier``: lines of its history before this run."""
-
-    title: str
-    abstract: str
-    lineage: Lineage = field(default_factory=Lineage)
-    earlier: tuple[str, ...] = ()
-
-    def metadata(self, layer: QgsMapLayer) -> QgsLayerMetadata:
-        """For QGIS; ``layer``: whose CRS and extent it tells."""
-        made = QgsLayerMetadata()
-        made.setType("dataset")
-        made.setTitle(self.title)
-        made.setAbstract(self.abstract)
-        made.setRights([self.lineage.sources] if self.lineage.sources else [])
-        made.setHistory(_shortened([*self.earlier, *([self.lineage.history] if self.lineage.history else [])]))
-        made.setCrs(layer.crs())
-        extent = QgsLayerMetadata.Extent()
-        spatial = QgsLayerMetadata.SpatialExtent()
-        spatial.extentCrs = layer.crs()
-        if not layer.extent().isEmpty():
-            spatial.bounds = QgsBox3d(layer.extent())
-        extent.setSpatialExtents([spatial])
-        made.setExtent(extent)
-        return made
-
-    def after(self, known: QgsLayerMetadata) -> Note:
-        """Of a layer that this run changed: it stays what it was, and what made it before is its history, too."""
-        lineage = replace(self.lineage, sources=_each_once([*known.rights(), self.lineage.sources]))
-        return replace(
-            self, abstract=known.abstract() or self.abstract, lineage=lineage, earlier=tuple(known.history())
-        )
-
-
-def _shortened(history: list[str]) -> list[str]:
-    """The first line, which tells what made the layer, and the newest; a line of “…” where others are left out."""
-    lines = [line for line in history if line != _LEFT_OUT]
-    was_shortened = len(lines) < len(history)
-    first, newest, length = lines[:1], [], sum(map(len, lines[:1]))
-    for line in reversed(lines[1:]):
-        length += len(line)
-        if len(newest) == _MOST_LINES - 1 or length > _LONGEST_HISTORY:
-            was_shortened = True
-            break
-        newest.insert(0, line)
-    return [*first, *([_LEFT_OUT] if was_shortened else []), *newest]
 
 
 def keep_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:

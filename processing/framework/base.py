@@ -24,7 +24,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
 from ...core.sentences import legible
-from ..exchange.layer_metadata import Lineage, lineage_of
+from ..exchange.layer_metadata import Note, note_of_run
 from ..packages.components import NEEDED, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
@@ -68,7 +68,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
     """Outputs that may be the file of an input, by key: it is read whole before, and replaced when all is done."""
 
     _refusal: SemRefError | None = None
-    _lineage: Lineage | None = None
+    _note = Note()
     _reports_as_files = False
 
     def title(self) -> str:
@@ -190,7 +190,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             values.require_texts()
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.read_layers(values)
-            self._lineage = lineage_of(self, parameters, context, plugin_version())
+            self._note = note_of_run(self, parameters, context, plugin_version())
         except SemRefError as error:
             # Raised by processAlgorithm: of what prepareAlgorithm raises QGIS tells Python callers nothing.
             self._refusal = error
@@ -203,7 +203,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             if self._refusal is not None:
                 raise self._refusal
             values = Values(self, parameters, context)
-            with Outputs(values, self._lineage) as outputs:
+            with Outputs(values, self._note) as outputs:
                 numbers = self.work(values, outputs, TellingFeedback(feedback))
                 outputs.commit()
             return {**outputs.results, **(numbers or {})}

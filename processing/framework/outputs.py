@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Callable, Union
 
 from qgis.core import (
@@ -23,7 +23,7 @@ from ...storage.replaceable import require_closed
 from ...storage.vector_files import content_digest, copy_database, feature_count, lacks_spatial_index
 from ..compat import make_field
 from ..exchange.database_layers import OPENED, open_when_done
-from ..exchange.layer_metadata import Lineage, Note, keep_in_database
+from ..exchange.layer_metadata import Note, keep_in_database
 from ..exchange.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
 from . import parameters
 
@@ -49,9 +49,9 @@ class Outputs:
         results: Where each output will lie, by key: what the algorithm returns.
     """
 
-    def __init__(self, values: Values, lineage: Lineage | None = None) -> None:
-        """Nothing is written yet; ``lineage``: how the run makes what it will write."""
-        self._values, self._lineage = values, lineage or Lineage()
+    def __init__(self, values: Values, note: Note) -> None:
+        """Nothing is written yet; ``note``: history and sources of what the run will write."""
+        self._values, self._note_of_run = values, note
         self._batch = Batch()
         self._layers: list[_Layer] = []
         self._copies: dict[str, str] = {}
@@ -102,7 +102,8 @@ class Outputs:
 
     def _note(self, key: str) -> Note:
         """What an output tells about itself."""
-        return Note(*self._values.described(key), self._lineage)
+        title, abstract = self._values.described(key)
+        return replace(self._note_of_run, title=title, abstract=abstract)
 
     @contextmanager
     def file(self, key: str) -> Iterator[str]:
