@@ -139,7 +139,7 @@ def _method(trials: Sequence[Trial], method: str) -> dict[str, Any]:
     summary = summarize(trials, method)
     values = {name: _rate(value) if isinstance(value, Rate) else value for name, value in vars(summary).items()}
     values["success_by_offset"] = [_rate_at(one) for one in success_by_offset(trials, method)]
-    values["success_by_landmarks"] = [_rate_at(one) for one in success_by_landmarks(trials, method)]
+    values["success_by_landmarks"] = [_rate_at(one) for one in success_by_landmarks(of_method(trials, method, MAP))]
     values["roads"] = [_road(one) for one in road_summaries(of_method(trials, method, MAP, MIRRORED))]
     values["reliability"] = [_rate_at(one) for one in reliability(trials, method)]
     return values

@@ -18,7 +18,10 @@ from .trial import Trial
 HELD_SHARES = (0.5, 0.95, 0.99)
 CONFIDENCE_BINS = tuple(np.linspace(0, 1, 11).tolist())
 LANDMARK_BINS = (0, 5, 10, 20, 40, 80)
-"""Landmarks of the window around which an image lies, from each number to the next, the last without end."""
+"""Landmarks of the window around which an image lies."""
+
+IN_VIEW_BINS = (0, 3, 6, 10, 15, 20, 40, 80)
+"""Whole landmarks in view."""
 
 
 @dataclass(frozen=True)
@@ -147,16 +150,30 @@ def success_by_offset(trials: Sequence[Trial], method: str) -> list[RateAt]:
     return _right_by(offsets, moved, (*OFFSETS, np.inf))
 
 
-def success_by_landmarks(trials: Sequence[Trial], method: str) -> list[RateAt]:
-    """Right fixes by the number of landmarks that the database has in the window."""
-    tried = [t for t in of_method(trials, method, MAP) if t.landmarks is not None]
-    return _right_by([t.landmarks or 0 for t in tried], tried, (*LANDMARK_BINS, np.inf))
+def success_by_landmarks(trials: Sequence[Trial], edges: Sequence[float] = LANDMARK_BINS) -> list[RateAt]:
+    """Right ones among the trials whose landmarks were counted, from each edge to the next, the last without end."""
+    counted = [t for t in trials if t.landmarks is not None]
+    return _right_by([t.landmarks or 0 for t in counted], counted, (*edges, np.inf))
 
 
 def reliability(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Share of right ones among the fixes of a confidence, mirrored images among them."""
     fixes = [t for t in of_method(trials, method, MAP, MIRRORED) if t.is_fix]
-    return _right_by([t.result.confidence or 0.0 for t in fixes], fixes, CONFIDENCE_BINS)
+    return calibration(np.array([t.result.confidence or 0.0 for t in fixes]), np.array([t.is_right for t in fixes]))
+
+
+def calibration(predicted: np.ndarray, right: np.ndarray) -> list[RateAt]:
+    """Right ones among images by their predicted success (n,) 0…1; NaN is left out."""
+    known = np.isfinite(predicted)
+    return binned(predicted[known], np.asarray(right, bool)[known], CONFIDENCE_BINS)
+
+
+def brier_score(predicted: np.ndarray, right: np.ndarray) -> float | None:
+    """Mean squared difference of predicted success and what came of it (1 right, 0 not); None without predictions."""
+    known = np.isfinite(predicted)
+    if not known.any():
+        return None
+    return float(((predicted[known] - np.asarray(right, float)[known]) ** 2).mean())
 
 
 def error_curve(trials: Sequence[Trial], method: str) -> tuple[np.ndarray, np.ndarray]:

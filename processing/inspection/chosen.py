@@ -6,10 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...core.errors import DatabaseError
-from .flight import looks_like_flight
 
 LOOKED_AT = 5
 """Images whose colors are counted, at most, where their names do not say that they are photos."""
+
+TIMES_READ = 12
+"""Photos whose times are read, at most: evenly among all of them, in the order of their names."""
+
+LONGEST_PAUSE_S = 600.0
+"""Between two photos of a flight, for each image from one looked at to the next."""
+
+LEAST_OF_FLIGHT = 3
+"""Images that make a flight worth the name."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +48,26 @@ def look_at_images(paths: Sequence[str]) -> ChosenImages:
     files = image_files(list(paths))
     has_photos = any(map(is_photo, files)) or any(map(has_photo_colors, files[:LOOKED_AT]))
     return ChosenImages(len(files), has_photos, looks_like_flight(files))
+
+
+def looks_like_flight(files: Sequence[str]) -> int:
+    """How many images there are, if they look like those of one flight; else 0.
+
+    Photos tell when they were taken; they do when names and times have one order and no pause is long. For background
+    threads.
+    """
+    from ...core.labels.photo_camera import photo_camera
+    from ..framework.flight_images import by_name
+
+    files = sorted(files, key=by_name)
+    if len(files) < LEAST_OF_FLIGHT:
+        return 0
+    step = max(1, len(files) // TIMES_READ)
+    times_s = [photo_camera(path).time_s for path in files[::step]]
+    if any(time_s is None for time_s in times_s):
+        return 0
+    pauses = [after - before for before, after in zip(times_s, times_s[1:])]
+    return len(files) if all(0 <= pause <= step * LONGEST_PAUSE_S for pause in pauses) else 0
 
 
 def require_database(path: str) -> None:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsProcessingFeedback
 
+from .window import LookAlike, look_alike
+
 if TYPE_CHECKING:
     import numpy as np
 
@@ -38,23 +40,6 @@ class ImageQuery:
 
 
 @dataclass(frozen=True)
-class RunnerUp:
-    """A window after the best one.
-
-    Attributes:
-        name: Of the window.
-        distance: Of its vector from the image's.
-        center_xy: Map coordinates.
-        size: Edge, map units.
-    """
-
-    name: str
-    distance: float
-    center_xy: tuple[float, float]
-    size: float
-
-
-@dataclass(frozen=True)
 class InspectedImage:
     """What is seen in an image; positions in its own pixel coordinates (column, row).
 
@@ -72,7 +57,7 @@ class InspectedImage:
     star_xy: np.ndarray
     square: tuple[int, int, int]
     vector: np.ndarray | None
-    runners_up: tuple[RunnerUp, ...] = ()
+    runners_up: tuple[LookAlike, ...] = ()
 
 
 class ImageInspector:
@@ -135,15 +120,11 @@ def _smallest_px2(query: ImageQuery, database: ReferenceDatabase, size: int) -> 
     return max(parameters.minimum_area / query.pixel_size_m**2, SMALLEST_OBJECT_PX)
 
 
-def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> tuple[RunnerUp, ...]:
+def _runners_up(labels_hw: np.ndarray, database: ReferenceDatabase) -> tuple[LookAlike, ...]:
     from ...core.localizer.localizer import Localizer
 
-    windows = database.windows
     found = Localizer(database).nearest_windows(labels_hw, RUNNERS_UP + 1)[1:]
-    return tuple(
-        RunnerUp(str(windows.names[n]), distance, tuple(windows.centers[n].tolist()), float(windows.sizes[n]))
-        for n, distance in found
-    )
+    return tuple(look_alike(database, n, distance) for n, distance in found)
 
 
 def photo_rgba(path: str, longest_px: int) -> np.ndarray:

@@ -36,7 +36,7 @@ class Ray:
 
 @dataclass(frozen=True)
 class LookAlike:
-    """A window elsewhere; ``distance`` of its vector, ``center_xy`` in map coordinates, ``size`` in map units."""
+    """A window with a similar vector; ``distance`` of it, ``center_xy`` in map coordinates, ``size`` in map units."""
 
     index: int
     name: str
@@ -116,8 +116,7 @@ def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
     windows, found = database.windows, describe_window(database, index)
     vector = windows.vectors[index] if windows.described[index] else None
     look_alikes = tuple(
-        LookAlike(int(n), str(windows.names[n]), float(distance), _center(database, n), float(windows.sizes[n]))
-        for n, distance in zip(found.look_alikes, found.distances)
+        look_alike(database, int(n), float(distance)) for n, distance in zip(found.look_alikes, found.distances)
     )
     return InspectedWindow(
         index,
@@ -130,6 +129,12 @@ def inspect_window(database: ReferenceDatabase, index: int) -> InspectedWindow:
         tuple(map(tuple, database.references.positions[found.objects].tolist())),
         look_alikes,
     )
+
+
+def look_alike(database: ReferenceDatabase, index: int, distance: float) -> LookAlike:
+    """Describe a window whose vector differs by ``distance`` from the one that is shown."""
+    windows = database.windows
+    return LookAlike(index, str(windows.names[index]), distance, _center(database, index), float(windows.sizes[index]))
 
 
 def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Comparison | None:

@@ -11,10 +11,16 @@ import numpy as np
 from ...core.assessment.assessment import WRONG, Estimates
 from ...core.assessment.cells import Cells
 from ...core.assessment.model import SuccessModel
-from ...core.assessment.summary import brier_score, calibration, success_by_landmarks
 from ...core.database.model import ReferenceDatabase
 from ...core.evaluation.rates import rate_of
-from ...core.evaluation.summary import RoadSummary, road_summaries
+from ...core.evaluation.summary import (
+    IN_VIEW_BINS,
+    RoadSummary,
+    brier_score,
+    calibration,
+    road_summaries,
+    success_by_landmarks,
+)
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
 from ...core.simulation.conditions import Conditions
@@ -128,7 +134,7 @@ class AssessmentReport:
         return page.records(self.results, columns) + page.paragraph(note)
 
     def _landmarks_chart(self) -> str:
-        found = {r.title(): success_by_landmarks(r.trials) for r in self.results}
+        found = {r.title(): success_by_landmarks(r.trials, IN_VIEW_BINS) for r in self.results}
         caption = tr("Simulated images by the landmarks that the map has whole in them; lines: 95 % intervals.")
         return parts.landmarks_chart(found, tr("landmarks in view"), caption)
 

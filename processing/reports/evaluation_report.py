@@ -136,7 +136,9 @@ class EvaluationReport:
         return page.figure(charts.line_chart(series, x_axis, charts.percent_axis(tr("right fixes")), name), caption)
 
     def _landmarks_chart(self) -> str:
-        found = {title: success_by_landmarks(self.trials, method) for method, title in self.methods.items()}
+        found = {
+            title: success_by_landmarks(of_method(self.trials, method, MAP)) for method, title in self.methods.items()
+        }
         caption = tr("Right fixes by the number of landmarks the database has there.")
         return parts.landmarks_chart(found, tr("landmarks in the window"), caption)
 

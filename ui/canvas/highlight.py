@@ -9,7 +9,8 @@ from qgis.core import QgsCsException, QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsVertexMarker
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
-from ...processing.inspection.image import RUNNERS_UP, RunnerUp
+from ...processing.inspection.image import RUNNERS_UP
+from ...processing.inspection.window import LookAlike
 from ..findings import Finding
 from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, square, to_canvas, with_opacity
 
@@ -49,7 +50,7 @@ class HitHighlight(Marks):
             return True
         return self.draw(_shapes(self._hit), self._hit.crs)
 
-    def show_runners_up(self, windows: Sequence[RunnerUp]) -> None:
+    def show_runners_up(self, windows: Sequence[LookAlike]) -> None:
         """Outlines the windows that come after the shown one, the paler the farther behind."""
         if self._hit is not None:
             squares = {_runner_up(rank): square(*window.center_xy, window.size) for rank, window in enumerate(windows)}

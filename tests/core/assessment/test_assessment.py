@@ -7,7 +7,7 @@ import pytest
 
 from semref.core.assessment.assessment import REASONS, Assessment, to_correlate
 from semref.core.assessment.cells import ground_cells
-from semref.core.assessment.summary import brier_score
+from semref.core.evaluation.summary import brier_score
 from semref.core.simulation.conditions import Conditions
 from semref.core.simulation.noise import USUAL
 

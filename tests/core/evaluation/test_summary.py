@@ -17,6 +17,8 @@ from semref.core.evaluation.evaluation import (
 )
 from semref.core.evaluation.rates import Rate
 from semref.core.evaluation.summary import (
+    brier_score,
+    calibration,
     covered,
     error_curve,
     held_shares,
@@ -79,7 +81,7 @@ def test_success_is_told_for_each_offset():
 
 
 def test_success_is_told_for_each_bin_of_landmarks():
-    first, last = success_by_landmarks([trial(landmarks=4), trial(False, landmarks=300)], Method.CONSTELLATION)
+    first, last = success_by_landmarks([trial(landmarks=4), trial(False, landmarks=300)])
     assert (first.low, first.high, last.low, last.high) == (0, 5, 80, np.inf)
 
 
@@ -87,6 +89,17 @@ def test_reliability_counts_fixes_and_mirrored_ones_as_wrong():
     tried = [trial(confidence=1.0)] * 3 + [trial(False, confidence=0.95, kind=MIRRORED)]
     (only,) = reliability([*tried, trial(status="no_match", confidence=0.93)], Method.CONSTELLATION)
     assert only.rate == Rate(3, 4) and only.at == pytest.approx((3 + 0.95) / 4)
+
+
+def test_calibration_puts_each_prediction_into_its_bin():
+    found = calibration(np.array([0.05, 0.95, 1.0, np.nan]), np.array([False, True, True, True]))
+    assert [(one.low, one.rate) for one in found] == [(0.0, Rate(0, 1)), (0.9, Rate(2, 2))]
+    assert calibration(np.array([]), np.array([])) == []
+
+
+def test_the_brier_score_is_the_mean_squared_miss():
+    assert brier_score(np.array([1.0, 0.5, np.nan]), np.array([True, False, True])) == 0.125
+    assert brier_score(np.array([np.nan]), np.array([True])) is None
 
 
 def test_the_grid_of_noise_has_missed_in_rows_and_spurious_in_columns():

@@ -10,7 +10,7 @@ from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QTextOption
 from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
-from ....processing.inspection.image import RunnerUp
+from ....processing.inspection.window import LookAlike
 from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
 from ...findings import Finding, error_text, status_text
@@ -99,7 +99,7 @@ def _joined(*measures: tuple[object | None, str]) -> str:
     return ", ".join(LocalTemplate(text).format(value=value) for value, text in measures if value is not None)
 
 
-def runners_up_line(windows: Sequence[RunnerUp]) -> str:
+def runners_up_line(windows: Sequence[LookAlike]) -> str:
     """HTML: the windows after the best one, with the distances of their vectors."""
     texts = [f"{window.name} ({number_text(window.distance, 3)})" for window in windows]
     return escape(tr("next best: {windows}").format(windows=", ".join(texts)))
