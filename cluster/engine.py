@@ -109,7 +109,7 @@ def _local(count: int) -> LocalCluster:
             silence_logs=logging.CRITICAL,
         )
     except (ImportError, OSError, ValueError, RuntimeError) as error:
-        raise SemRefError("cluster.not_started", reason=reason_of(error)) from None
+        raise SemRefError("Workers can't be started here ({reason}).", reason=reason_of(error)) from None
 
 
 def _remote(address: str) -> Client:
@@ -117,7 +117,12 @@ def _remote(address: str) -> Client:
     try:
         return Client(address, timeout=CONNECTED_WITHIN_S)
     except (OSError, ValueError) as error:
-        raise SemRefError("cluster.no_scheduler", address=address, reason=reason_of(error)) from None
+        raise SemRefError(
+            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
+            "local:4.",
+            address=address,
+            reason=reason_of(error),
+        ) from None
 
 
 def _wait_for_workers(client: Client, tell: _Tell) -> None:
@@ -179,7 +184,10 @@ class DaskRunner:
                 self._submit(task, waiting, kept, numbers, finished)
                 yield number, result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise SemRefError("cluster.connection_lost", reason=reason_of(error)) from None
+            raise SemRefError(
+                "The scheduler can't be reached any more ({reason}); see its log and start again.",
+                reason=reason_of(error),
+            ) from None
 
     def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
         """Yields what calls gave, in their order; what is done before its turn waits with the workers.
@@ -200,7 +208,10 @@ class DaskRunner:
                 future.release()
                 yield result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise SemRefError("cluster.connection_lost", reason=reason_of(error)) from None
+            raise SemRefError(
+                "The scheduler can't be reached any more ({reason}); see its log and start again.",
+                reason=reason_of(error),
+            ) from None
 
     def _given(self, task: str, kept: Any, arguments: tuple) -> Any:
         return self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
@@ -229,12 +240,16 @@ def _taken(future: Any) -> Any:
     try:
         state, result = future.result()
     except KilledWorker:
-        raise SemRefError("cluster.workers_died", count=_DIED_AT_MOST + 1) from None
+        raise SemRefError(
+            "{count} workers died over one piece of the work; give workers more memory, or see their logs for the "
+            "reason.",
+            count=_DIED_AT_MOST + 1,
+        ) from None
     except (OSError, concurrent.futures.CancelledError):
         raise
     except Exception as error:
-        raise SemRefError("cluster.worker_failed", reason=reason_of(error)) from None
+        raise SemRefError("A worker could not do its part ({reason}).", reason=reason_of(error)) from None
     if state == "failed":
-        kind, code, values = result
-        raise getattr(errors, kind)(Sentence(code, **dict(values)))
+        kind, template, values = result
+        raise getattr(errors, kind)(Sentence(template, **dict(values)))
     return result

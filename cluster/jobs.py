@@ -134,7 +134,9 @@ def _opened(content: bytes) -> tuple[Any, str]:
 def _as_planned(database: ReferenceDatabase, known: str) -> ReferenceDatabase:
     """The same; raises DatabaseError for another one than pieces were planned by."""
     if fingerprint(database) != known:
-        raise DatabaseError("cluster.map_changed", path=database.source)
+        raise DatabaseError(
+            "{path} was changed while it was read; start again when it stays as it is.", path=database.source
+        )
     return database
 
 

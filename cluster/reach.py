@@ -32,12 +32,26 @@ def require_scheduler(address: str) -> None:
         asyncio.run(_greeted(address))
     except asyncio.TimeoutError:
         reason = f"no answer within {CONNECTED_WITHIN_S} s"
-        raise SemRefError("cluster.no_scheduler", address=address, reason=reason) from None
+        raise SemRefError(
+            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
+            "local:4.",
+            address=address,
+            reason=reason,
+        ) from None
     except (OSError, ValueError) as error:
-        raise SemRefError("cluster.no_scheduler", address=address, reason=reason_of(error)) from None
+        raise SemRefError(
+            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
+            "local:4.",
+            address=address,
+            reason=reason_of(error),
+        ) from None
     except (MemoryError, RuntimeError, TypeError, KeyError, AttributeError):
         # What others say is read as numbers of bytes, or as anything else.
-        raise SemRefError("cluster.other_server", address=address) from None
+        raise SemRefError(
+            "What answers at {address} is no scheduler of Dask, or one of another version; give the address that the "
+            "scheduler prints, not its dashboard's.",
+            address=address,
+        ) from None
 
 
 def _require_listening(address: str) -> None:

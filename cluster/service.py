@@ -39,7 +39,7 @@ def main(path: str) -> int:
     except SemRefError as error:
         sentence = error.sentence
         values = {key: _plain(value) for key, value in sentence.values}
-        _report("failed", code=sentence.code, values=values)
+        _report("failed", template=sentence.template, values=values)
         return REFUSED
     except KeyboardInterrupt:
         return INTERRUPTED

@@ -35,7 +35,7 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
         arguments: The others.
 
     Returns:
-        “done” and what it gave; “failed” and class, code and values of an error that the user can mend.
+        “done” and what it gave; “failed” and class, template and values of an error that the user can mend.
     """
     try:
         if task == SEGMENT:
@@ -47,7 +47,7 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
             return "done", jobs.do(task, *shared, *arguments)
         return "done", TASKS[task](_labels(path), *shared, *arguments)
     except SemRefError as error:
-        return "failed", (type(error).__name__, error.sentence.code, error.sentence.values)
+        return "failed", (type(error).__name__, error.sentence.template, error.sentence.values)
 
 
 @lru_cache(1)

@@ -10,22 +10,21 @@ class SemRefError(Exception):
 
     Its text is English; ``processing/wording`` says the same in the user's language.
 
-    >>> str(LabelMapError("labels.no_pixels"))
-    'The image has no pixels.'
+    >>> str(LabelMapError("{path} has no pixels.", path="a.tif"))
+    'a.tif has no pixels.'
 
     Attributes:
         sentence: What is said to the user.
     """
 
-    def __init__(self, code: str | Sentence, /, **values: object) -> None:
+    def __init__(self, said: str | Sentence, /, **values: object) -> None:
         """Makes the error.
 
         Args:
-            code: Key of the template in ``core/sentences`` (or the table of the room that raises), or a sentence
-                that another error said already.
+            said: The template, or a sentence that was made already.
             values: The values that the template names.
         """
-        self.sentence = code if isinstance(code, Sentence) else Sentence(code, **values)
+        self.sentence = said if isinstance(said, Sentence) else Sentence(said, **values)
         super().__init__(self.sentence)
 
     def __str__(self) -> str:
@@ -51,6 +50,14 @@ class WindowError(SemRefError):
 
 class DatabaseError(SemRefError):
     """A reference database is missing, foreign, truncated or too new."""
+
+
+class DatabaseInUseError(DatabaseError):
+    """Another program is writing the database; it will be done soon."""
+
+
+class UnwritableError(SemRefError):
+    """A file can't be written where the user wants it, whatever is in it."""
 
 
 class ParameterError(SemRefError):

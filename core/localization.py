@@ -57,10 +57,10 @@ class _Keyed(str, Enum):
 class Status(_Keyed):
     """What came of an image; each equals its key, the text of the column ``status``."""
 
-    FIX = "fix", Sentence("localization.status_fix")
-    AMBIGUOUS = "ambiguous", Sentence("localization.status_ambiguous")
-    NO_MATCH = "no_match", Sentence("localization.status_no_match")
-    TOO_FEW_REFERENCES = "too_few_references", Sentence("localization.status_too_few_references")
+    FIX = "fix", Sentence("Fix")
+    AMBIGUOUS = "ambiguous", Sentence("Ambiguous")
+    NO_MATCH = "no_match", Sentence("No match")
+    TOO_FEW_REFERENCES = "too_few_references", Sentence("Too few landmarks")
 
     def __new__(cls, key: str, title: Sentence) -> Status:
         """Makes a member that is its key."""
@@ -71,12 +71,32 @@ class Status(_Keyed):
 
 
 IMAGE_PARTS = {
-    "left": Sentence("localization.left_part"),
-    "right": Sentence("localization.right_part"),
-    "upper": Sentence("localization.upper_part"),
-    "lower": Sentence("localization.lower_part"),
+    "left": Sentence("left part"),
+    "right": Sentence("right part"),
+    "upper": Sentence("upper part"),
+    "lower": Sentence("lower part"),
 }
 """Parts of an image, for sentences."""
+
+
+def shown_landmarks(count: int, whole: bool = False) -> Sentence:
+    """How many landmarks an image shows; ``whole``: that its edge does not cut."""
+    if whole:
+        return Sentence(
+            "The image shows {count} whole landmark" if count == 1 else "The image shows {count} whole landmarks",
+            count=count,
+        )
+    return Sentence(
+        "The image shows {count} landmark" if count == 1 else "The image shows {count} landmarks", count=count
+    )
+
+
+def too_few_landmarks(count: int, missing: int, whole: bool = False) -> Sentence:
+    """The reason that an image has no fix: it shows ``count`` landmarks, and ``missing`` more are needed."""
+    needed = Sentence(
+        "at least {count} more is needed" if missing == 1 else "at least {count} more are needed", count=missing
+    )
+    return Sentence("{shown}; {needed}.", shown=shown_landmarks(count, whole), needed=needed)
 
 
 class Method(_Keyed):
@@ -90,10 +110,10 @@ class Method(_Keyed):
 
     number: int
 
-    AUTOMATIC = "automatic", 0, Sentence("localization.method_automatic")
-    TOPOLOGY_VECTOR = "topology vector", 1, Sentence("localization.method_topology_vector")
-    CONSTELLATION = "constellation", 2, Sentence("localization.method_constellation")
-    MAP_CORRELATION = "map correlation", 3, Sentence("localization.method_map_correlation")
+    AUTOMATIC = "automatic", 0, Sentence("Automatic")
+    TOPOLOGY_VECTOR = "topology vector", 1, Sentence("Topology vector (He & Wu 2025)")
+    CONSTELLATION = "constellation", 2, Sentence("Constellation")
+    MAP_CORRELATION = "map correlation", 3, Sentence("Map correlation")
 
     def __new__(cls, key: str, number: int, title: Sentence) -> Method:
         """Makes a member that is its key."""

@@ -88,10 +88,6 @@
    <translation>Ein GeoPackage, das „Referenzdatenbank erstellen“ erzeugt hat.</translation>
   </message>
   <message>
-   <source>A PDF to print and to file.</source>
-   <translation>Ein PDF zum Drucken und Ablegen.</translation>
-  </message>
-  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>Ein Python mit torch; ohne Angabe das der Optionen oder das, das SemRef zum Trainieren angelegt hat.</translation>
   </message>
@@ -272,10 +268,6 @@
    <translation>Fügt dem Projekt das Bild als halbdurchsichtigen Layer hinzu, platziert nach seinem gefundenen Standort</translation>
   </message>
   <message>
-   <source>Adds the positions to the project as a temporary point layer</source>
-   <translation>Fügt dem Projekt die Positionen als temporären Punktlayer hinzu</translation>
-  </message>
-  <message>
    <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
    <translation>Luftbild mit 8 oder 16 Bit und seiner Lage auf dem Boden. Gelernt werden Rot, Grün und Blau. Kartenkacheln und Webkarten zeichnet QGIS; sie brauchen Ausdehnung und Auflösung.</translation>
   </message>
@@ -352,8 +344,8 @@
    <translation>Ein Bild von {width} × {height} Pixeln zeigt zu wenig, um segmentiert zu werden; es braucht bei der Auflösung des Modells {least} Pixel in jeder Richtung.</translation>
   </message>
   <message>
-   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
-   <translation>Ein Orthofoto, Kartenkacheln oder die Übersicht der Datenbank, unter allem gezeichnet.</translation>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Angle</source>
@@ -468,10 +460,6 @@
    <translation>Bei {resolution_cm:g} cm pro Pixel bleibt vom Bild nichts übrig; eine feinere Auflösung wählen.</translation>
   </message>
   <message>
-   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
-   <translation>Bei {resolution_cm:g} cm pro Pixel bleibt vom Bild nichts übrig; eine andere RESOLUTION angeben.</translation>
-  </message>
-  <message>
    <source>Auto</source>
    <translation>Automatisch</translation>
   </message>
@@ -574,10 +562,6 @@ Die Klassen kommen aus der Klassentabelle, sonst aus dem kategorisierten Stil de
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>Nach dem Verfahren, das den Fix gab. Als richtig genannt: die mittlere Konfidenz, die der Anteil richtiger Fixe sein sollte; Kalibrierungsfehler: wie weit beide auseinanderliegen, Zehntel für Zehntel der Konfidenz. Ellipsen: richtige Fixe, deren wahrer Ort in der genannten Ellipse liegt; ehrliche enthalten 50, 95 und 99 %.</translation>
-  </message>
-  <message>
-   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
-   <translation>In CLASS_TABLE fehlt die Klasse {missing} von {source}; sie ergänzen oder CLASS_TABLE leer lassen.</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
@@ -936,10 +920,6 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöcke werden für die Validierung zurückgelegt, und kein Pixel ist in beiden. Kacheln ohne Klassen entfallen. Klassen in einem anderen Gitter werden durch nächste Nachbarn auf das des Bildes gebracht.</translation>
   </message>
   <message>
-   <source>DATABASES names {count}; choose two or more to use them as one.</source>
-   <translation>DATABASES nennt {count}; zwei oder mehr wählen, um sie als eine zu verwenden.</translation>
-  </message>
-  <message>
    <source>Dask on this machine: keeps other users out of its processes</source>
    <translation>Dask auf diesem Rechner: hält andere Benutzer von seinen Prozessen fern</translation>
   </message>
@@ -1244,6 +1224,10 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
    <translation>Bewertung der Lokalisierung</translation>
   </message>
   <message>
+   <source>Everything: images, and what cameras write into photos</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Alles: Klassenkarten, Datenbanken, Lokalisierung</translation>
   </message>
@@ -1298,14 +1282,6 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   <message>
    <source>Extent of the layer to try</source>
    <translation>Ausschnitt des Layers zum Ausprobieren</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
-   <translation>FOOTPRINT ist {footprint:g}; die Kantenlänge des Geländes angeben, das ein Bild zeigt.</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
-   <translation>FOOTPRINT ist {text}; Kantenlängen des Geländes in Karteneinheiten angeben, getrennt durch „;“.</translation>
   </message>
   <message>
    <source>False accept rate</source>
@@ -1728,10 +1704,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Ausrichtung der Bildoberkante, im Uhrzeigersinn von Gitternord.</translation>
   </message>
   <message>
-   <source>Heading of the sheet; the route layer’s name if left out.</source>
-   <translation>Überschrift des Blatts; der Name des Routenlayers, wenn nichts angegeben ist.</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Höhen (Z) weggelassen: {features}.</translation>
   </message>
@@ -2008,10 +1980,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Referenzobjekte werden verbunden</translation>
   </message>
   <message>
-   <source>Keep results as layer</source>
-   <translation>Als Layer behalten</translation>
-  </message>
-  <message>
    <source>Key file</source>
    <translation>Schlüsseldatei</translation>
   </message>
@@ -2022,10 +1990,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
   <message>
    <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
    <translation>LAYER ist leer, daher kann {keys} kein Teil davon sein; wählen Sie einen LAYER oder lassen Sie {keys} weg.</translation>
-  </message>
-  <message>
-   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
-   <translation>LEVELS müssen positive Vielfache der Fenstergröße sein, zum Beispiel 1;2.</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -2384,10 +2348,6 @@ Bilder ohne Fix werden ausgelassen, ebenso Fixe des Topologievektors, die keine 
    <translation>Aus einem Ordner mit Wheels anlegen …</translation>
   </message>
   <message>
-   <source>Make route sheet</source>
-   <translation>Routenblatt anlegen</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2404,12 +2364,24 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Beispielprojekt wird erzeugt</translation>
   </message>
   <message>
+   <source>Map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Map correlation</source>
    <translation>Kartenkorrelation</translation>
   </message>
   <message>
    <source>Map displaced (map units)</source>
    <translation>Karte verschoben (Karteneinheiten)</translation>
+  </message>
+  <message>
+   <source>Map of the route</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map of the track</source>
@@ -2620,10 +2592,6 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} dazu wählen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
   </message>
   <message>
-   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
-   <translation>Keine Klasse ist eine Referenzklasse; mindestens eine von {classes} in REFERENCE_CLASSES nennen oder ihr in der Klassentabelle die Rolle „reference“ geben.</translation>
-  </message>
-  <message>
    <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
    <translation>Keine Klasse von {path} hat in beiden Karten genug Landmarken, um ihren Versatz zu nennen; ein größeres Gebiet angeben oder MODEL_OUTPUT leer lassen.</translation>
   </message>
@@ -2646,10 +2614,6 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
    <translation>Kein Bild hat einen Ort: Versuchen Sie es mit einer vorab bekannten Position, der Kameratabelle oder einer Datenbank dieses Geländes.</translation>
-  </message>
-  <message>
-   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
-   <translation>Im Gebiet von CLIP liegt keine Landmarke; ein anderes Gebiet oder eine größere DISTANCE wählen.</translation>
   </message>
   <message>
    <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
@@ -2698,10 +2662,6 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Kein Fenster der Datenbank hat die {least} Landmarken, die ein Topologievektor braucht; sie mit größeren Fenstern, kleinerer Mindestfläche oder mehr Referenzklassen erstellen.</translation>
-  </message>
-  <message>
-   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
-   <translation>Kein Fenster der Datenbank liegt auf LABELS und hat mindestens {minimum_references} Landmarken; die Klassenkarte desselben Geländes oder kleinere MINIMUM_REFERENCES wählen.</translation>
   </message>
   <message>
    <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
@@ -3048,10 +3008,6 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Übersicht</translation>
   </message>
   <message>
-   <source>PDF files (*.pdf)</source>
-   <translation>PDF-Dateien (*.pdf)</translation>
-  </message>
-  <message>
    <source>Package</source>
    <translation>Paket</translation>
   </message>
@@ -3236,24 +3192,12 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
    <translation>Profil</translation>
   </message>
   <message>
-   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
-   <translation>Profil des erwarteten Erfolgs entlang der Route und ihre Lücken in einer Datei zum Lesen und Drucken.</translation>
-  </message>
-  <message>
    <source>Programs (*)</source>
    <translation>Programme (*)</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>Projiziertes KBS in Metern. Ohne Angabe: das des Layers, wenn es metrisch ist, sonst eine UTM-Zone.</translation>
-  </message>
-  <message>
-   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
-
-Layers are drawn as they are styled in the project.</source>
-   <translation>Bringt eine beurteilte Route auf Papier: ein PDF in A4 mit der Karte, der nach erwartetem Erfolg abgestuften Route, Kennzahlen und einer Tabelle der Strecken ohne erwarteten Fix.
-
-Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3276,14 +3220,6 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>QGIS findet zuerst {path}, das SemRef nicht installiert hat; dort, wo es herkam, durch {package} ersetzen.</translation>
   </message>
   <message>
-   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
-   <translation>REFERENCE und PREDICTED überschneiden sich nicht; Karten desselben Geländes wählen.</translation>
-  </message>
-  <message>
-   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
-   <translation>REFERENCE hat {width} × {height} Pixel und PREDICTED {other_width} × {other_height}, und nicht beide sind georeferenziert; Bilder gleicher Größe oder zwei georeferenzierte Karten vergleichen.</translation>
-  </message>
-  <message>
    <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
    <translation>REFERENCE hat das KBS {crs}, PREDICTED aber {predicted_crs}; eines davon in das KBS des anderen umrechnen.</translation>
   </message>
@@ -3294,10 +3230,6 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   <message>
    <source>ROUTE has no CRS; set its layer's CRS.</source>
    <translation>ROUTE hat kein KBS; das KBS des Layers setzen.</translation>
-  </message>
-  <message>
-   <source>ROUTE has no line with a length; draw one through two points at least.</source>
-   <translation>ROUTE hat keine Linie mit einer Länge; eine durch mindestens zwei Punkte zeichnen.</translation>
   </message>
   <message>
    <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
@@ -3568,10 +3500,6 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Route</translation>
   </message>
   <message>
-   <source>Route sheet</source>
-   <translation>Routenblatt</translation>
-  </message>
-  <message>
    <source>Route {number}</source>
    <translation>Route {number}</translation>
   </message>
@@ -3588,22 +3516,6 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Regeln</translation>
   </message>
   <message>
-   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
-   <translation>SPACING ist {size:g}, das ergibt {count} Quadrate auf der Karte; mindestens {least:.3g} angeben.</translation>
-  </message>
-  <message>
-   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
-   <translation>SPACING ist {size:g}; die Kantenlänge eines Quadrats in Karteneinheiten angeben.</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
-   <translation>SPACING ist {spacing:g}, das ergibt {count} Punkte; mindestens {least:.3g} angeben.</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
-   <translation>SPACING ist {spacing:g}; den Abstand der Punkte in Karteneinheiten angeben.</translation>
-  </message>
-  <message>
    <source>Save class table</source>
    <translation>Klassentabelle speichern</translation>
   </message>
@@ -3612,8 +3524,8 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
    <translation>Ergebnisse speichern</translation>
   </message>
   <message>
-   <source>Save results to a file…</source>
-   <translation>Ergebnisse in eine Datei speichern…</translation>
+   <source>Save results…</source>
+   <translation>Ergebnisse speichern …</translation>
   </message>
   <message>
    <source>Saved; the dock shows these results again when this project is opened.</source>
@@ -3710,10 +3622,6 @@ Layer werden so gezeichnet, wie sie im Projekt gestaltet sind.</translation>
   <message>
    <source>SemRef track</source>
    <translation>SemRef-Spur</translation>
-  </message>
-  <message>
-   <source>SemRef windows</source>
-   <translation>SemRef-Fenster</translation>
   </message>
   <message>
    <source>SemRef’s own environment</source>
@@ -4128,10 +4036,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Datenbank wurde mit SemRef {plugin_version} erstellt, das keine Blockprüfsummen und Grenzen der Landmarken speicherte; was sich geändert hat, ist daher nicht festzustellen: sie einmal mit „Referenzdatenbank erstellen“ neu erstellen.</translation>
   </message>
   <message>
-   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
-   <translation>Die Datenbank wurde mit SemRef {plugin_version} erstellt, das keine Blockprüfsummen und Grenzen der Landmarken speicherte; was sich geändert hat, ist daher nicht festzustellen: sie einmal neu erstellen.</translation>
-  </message>
-  <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>Die Datenbank wurde ohne ihre Übersicht gelesen, die die Kartenkorrelation durchsucht.</translation>
   </message>
@@ -4240,10 +4144,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Geometrie von Objekt {id} wurde gültig gemacht: {reason}.</translation>
   </message>
   <message>
-   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
-   <translation>Das Gelände hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size}; mehr Gelände eintragen oder eine kleinere RESOLUTION angeben.</translation>
-  </message>
-  <message>
    <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
    <translation>Das gewünschte Gelände; ohne Angabe alles, was da ist. Kachelkarten und Webkarten brauchen es, oder eine Maske.</translation>
   </message>
@@ -4272,8 +4172,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Das Bild hat {width} × {height} Pixel und entzerrt {level_width} × {level_height}, eine Kante darf aber höchstens {most} haben; es zuerst verkleinern.</translation>
   </message>
   <message>
-   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
-   <translation>Das Bild hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size} Pixeln; eine kleinere Kachel wählen.</translation>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or choose a finer resolution or a smaller tile.</source>
+   <translation>Das Bild hat {width} × {height} Pixel, weniger als eine Kachel von {tile_size} Pixeln; mehr Gelände eintragen oder eine feinere Auflösung oder eine kleinere Kachel wählen.</translation>
   </message>
   <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
@@ -4352,10 +4252,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassenkarte, aus der die Referenzdatenbank erstellt wurde.</translation>
   </message>
   <message>
-   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
-   <translation>Die Klassenkarte hätte {width} × {height} Pixel; eine größere PIXEL_SIZE oder eine kleinere EXTENT wählen.</translation>
-  </message>
-  <message>
    <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
    <translation>Die Klassenkarte hätte {width} × {height} Pixel; wählen Sie größere Pixel oder eine kleinere Ausdehnung.</translation>
   </message>
@@ -4376,12 +4272,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Klassen haben den Wert {unknown}, der der Klassentabelle fehlt; ihre Klassen sind {classes}.</translation>
   </message>
   <message>
-   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
-   <translation>Die Klassen lassen {training} Kacheln zum Trainieren und {validation} zum Validieren übrig; kleinere Kacheln als {tile_size} Pixel, eine kleinere Schrittweite oder einen anderen Validierungsanteil wählen.</translation>
-  </message>
-  <message>
-   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
-   <translation>Die Klassen lassen {training} Kacheln von {tile_size} Pixeln zum Trainieren und {validation} zum Prüfen; mehr Gelände eintragen oder eine kleinere RESOLUTION oder eine andere VALIDATION_FRACTION angeben.</translation>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
+   <translation>Die Klassen lassen {training} Kacheln von {tile_size} Pixeln zum Trainieren und {validation} zum Prüfen; mehr Gelände eintragen oder eine feinere Auflösung, kleinere Kacheln oder einen anderen Validierungsanteil wählen.</translation>
   </message>
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
@@ -4446,10 +4338,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>Die Karten haben kein metrisches KBS, daher ist der Versatz der Klassen nicht in Metern bekannt; Karten mit einem solchen angeben oder MODEL_OUTPUT leer lassen.</translation>
-  </message>
-  <message>
-   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
-   <translation>Die Karten haben kein Pixel gemeinsam, das in REFERENCE eine Klasse hat; Karten desselben Geländes wählen.</translation>
   </message>
   <message>
    <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
@@ -4552,20 +4440,12 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Die Pixelgröße, mit der der Layer gerastert werden soll: Landmarken, die solche Pixel verlieren, verschmelzen oder zerteilen würden, werden ebenfalls gemeldet. Ohne Angabe wird nicht danach gesehen.</translation>
   </message>
   <message>
-   <source>The points that “Assess route” wrote.</source>
-   <translation>Die Punkte, die „Route beurteilen“ geschrieben hat.</translation>
-  </message>
-  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>Die Polygone lassen sich nicht bilden: {reason}.</translation>
   </message>
   <message>
    <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
    <translation>Die Polygone mit Klasse, mit den Feldern class, priority, tag, osm_id und name.</translation>
-  </message>
-  <message>
-   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
-   <translation>Die Positionen sind jetzt ein temporärer Layer; zum Behalten exportieren.</translation>
   </message>
   <message>
    <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
@@ -4622,6 +4502,10 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
    <translation>Die Ergebnisse nennen ein Bild, das nicht in ihrem Ordner ist. Es oder seinen Ordner zur Liste der Bilder hinzufügen.</translation>
+  </message>
+  <message>
+   <source>The route by expected success; {count} points, {date}. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4692,8 +4576,8 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Der kleinste Maßstab ({smallest:g}) liegt über dem größten ({largest:g}); bitte beide angeben, den kleineren zuerst.</translation>
   </message>
   <message>
-   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
-   <translation>Die Quadrate, die „Referenzdatenbank beurteilen“ geschrieben hat, unter der Route gezeichnet.</translation>
+   <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4780,10 +4664,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
    <translation>Es gibt keine Datei {path}; eine andere Route wählen.</translation>
   </message>
   <message>
-   <source>There is no file {path}; export one or choose another.</source>
-   <translation>Es gibt keine Datei {path}; eine exportieren oder eine andere wählen.</translation>
-  </message>
-  <message>
    <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
    <translation>Es gibt keine Datei {path}; eine mit „Für den Bordrechner exportieren“ exportieren oder eine andere wählen.</translation>
   </message>
@@ -4858,10 +4738,6 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   <message>
    <source>Time limit (minutes)</source>
    <translation>Zeitgrenze (Minuten)</translation>
-  </message>
-  <message>
-   <source>Title</source>
-   <translation>Titel</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -5912,10 +5788,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>nichts</translation>
   </message>
   <message>
-   <source>nowhere</source>
-   <translation>nirgends</translation>
-  </message>
-  <message>
    <source>of each image by itself: {method}</source>
    <translation>jedes Bildes für sich: {method}</translation>
   </message>
@@ -6320,10 +6192,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{count} Stellen weichen ab.</translation>
   </message>
   <message>
-   <source>{count} points, {date}</source>
-   <translation>{count} Punkte, {date}</translation>
-  </message>
-  <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} Punkte; {share:.0%} davon mit einem erwarteten Erfolg von {threshold:.0%} oder mehr.</translation>
   </message>
@@ -6620,10 +6488,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{option} braucht das Python-Paket {package}; installieren Sie es: pip install {package}.</translation>
   </message>
   <message>
-   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
-   <translation>{output} ist nicht als Datenbankverbund zu erkennen; einen Namen angeben, der auf {suffix} endet.</translation>
-  </message>
-  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} gibt es schon und ist keine Borddatei; sie entfernen oder einen anderen Namen wählen.</translation>
   </message>
@@ -6824,10 +6688,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat {bands} Kanäle; eine Klassenkarte hat einen: ein Farbbild zuerst mit „Farbiges Klassenbild dekodieren“ dekodieren.</translation>
   </message>
   <message>
-   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
-   <translation>{path} hat {bands} Kanäle; eine Klassenkarte hat einen: die Farben zuerst zu Klassenwerten dekodieren.</translation>
-  </message>
-  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} hat {count} Landmarken und Grenzen von {bounds}; neu erstellen.</translation>
   </message>
@@ -6900,10 +6760,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist ein Ordner; einen Dateinamen angeben.</translation>
   </message>
   <message>
-   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
-   <translation>{path} ist ein TIFF mit Palette und {bits} Bit pro Pixel; mit 8 oder als PNG speichern.</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} ist eine ältere Version, als SemRef nutzen kann, und QGIS findet sie zuerst; aktualisieren oder entfernen Sie sie.</translation>
   </message>
@@ -6922,10 +6778,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
    <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; es ohne den früheren Lauf noch einmal starten.</translation>
-  </message>
-  <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} ist beschädigt ({reason}), sodass dieses Training nicht fortgesetzt werden kann; RESUME ausschalten, um es noch einmal zu starten.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -7000,10 +6852,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist keine Borddatei von SemRef; eine mit „Für den Bordrechner exportieren“ erzeugte wählen.</translation>
   </message>
   <message>
-   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
-   <translation>{path} ist keine Borddatei von SemRef; eine wählen, die SemRef exportiert hat.</translation>
-  </message>
-  <message>
    <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
    <translation>{path} ist kein Bericht von „Klassenkarten vergleichen“, der von Landmarken erzählt; das mit REPORT ausführen und die Seite als COMPARISON angeben.</translation>
   </message>
@@ -7028,16 +6876,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist kein GeoPackage; eine mit „Referenzdatenbank erstellen“ erzeugte Datenbank wählen.</translation>
   </message>
   <message>
-   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
-   <translation>{path} ist kein GeoPackage; eine Datenbank wählen, die SemRef erstellt hat.</translation>
-  </message>
-  <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
    <translation>{path} ist keine SemRef-Referenzdatenbank (es fehlt {missing}); eine mit „Referenzdatenbank erstellen“ erzeugte wählen.</translation>
-  </message>
-  <message>
-   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
-   <translation>{path} ist keine SemRef-Referenzdatenbank (es fehlt {missing}); eine wählen, die SemRef erstellt hat.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
@@ -7248,16 +7088,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{share:.1%} der Pixel passen zu keiner Klasse.</translation>
   </message>
   <message>
-   <source>{shift:.0f} m to the left</source>
-   <translation>{shift:.0f} m nach links</translation>
-  </message>
-  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>{shift:.0f} m nach links: {after} statt {before}</translation>
-  </message>
-  <message>
-   <source>{shift:.0f} m to the right</source>
-   <translation>{shift:.0f} m nach rechts</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -7280,12 +7112,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{source} misst nicht in Metern; das Ergebnis ist in {target}.</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
-   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); ein Modell wählen, das sie nennt, oder es mit ihren Namen exportieren.</translation>
-  </message>
-  <message>
-   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
-   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); sie in CLASS_TABLE angeben, in der Reihenfolge der Ausgaben des Netzes.</translation>
+   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
+   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); eine Klassentabelle in der Reihenfolge der Ausgaben des Netzes angeben oder ein Modell wählen, das sie nennt.</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
@@ -7350,10 +7178,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} nennt keine Brennweite; das Bild wird genommen, wie es ist.</translation>
-  </message>
-  <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
-   <translation>{source} unterscheidet {channels} Klassen, in CLASS_TABLE stehen aber {count} Klassennamen: {names}; die Namen nehmen, mit denen es trainiert wurde.</translation>
   </message>
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
@@ -7486,10 +7310,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>„{layer}“ würde mit {width} × {height} Pixeln gezeichnet, das sind mehr als {most_million} Millionen; wählen Sie einen kleineren EXTENT, oder holen Sie das Bild als Datei vom Anbieter.</translation>
-  </message>
-  <message>
-   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
-   <translation>„{name}“ ist keine beurteilte Route: Sie hat keine Punkte, oder ihr fehlen die Spalten {missing}; geben Sie an, was „Route beurteilen“ geschrieben hat.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -88,10 +88,6 @@
    <translation>Un GeoPackage creado con «Crear base de datos de referencia».</translation>
   </message>
   <message>
-   <source>A PDF to print and to file.</source>
-   <translation>Un PDF para imprimir y archivar.</translation>
-  </message>
-  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>Un Python con torch; si se omite, el de las opciones o el que SemRef creó para entrenar.</translation>
   </message>
@@ -272,10 +268,6 @@
    <translation>Añade la imagen al proyecto como capa semitransparente, colocada según la posición encontrada</translation>
   </message>
   <message>
-   <source>Adds the positions to the project as a temporary point layer</source>
-   <translation>Añade las posiciones al proyecto como capa de puntos temporal</translation>
-  </message>
-  <message>
    <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
    <translation>Imagen aérea de 8 o 16 bits con su lugar en el terreno. Se aprenden rojo, verde y azul. Las teselas de mapas y los mapas web los dibuja QGIS; necesitan extensión y resolución.</translation>
   </message>
@@ -352,8 +344,8 @@
    <translation>Una imagen de {width} × {height} píxeles muestra demasiado poco para segmentarla; necesita {least} píxeles en cada sentido con la resolución del modelo.</translation>
   </message>
   <message>
-   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
-   <translation>Una ortofoto, teselas de mapa o la vista general de la base de datos, dibujadas debajo de todo.</translation>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Angle</source>
@@ -468,10 +460,6 @@
    <translation>A {resolution_cm:g} cm por píxel no queda nada de la imagen; elija una resolución más fina.</translation>
   </message>
   <message>
-   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
-   <translation>A {resolution_cm:g} cm por píxel no queda nada de la imagen; indique otra RESOLUTION.</translation>
-  </message>
-  <message>
    <source>Auto</source>
    <translation>Automático</translation>
   </message>
@@ -574,10 +562,6 @@ Las clases vienen de la tabla de clases; si no, del estilo categorizado de la ca
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>Según el método que dio la posición. Declaradas correctas: la confianza media, que debería ser la proporción de posiciones correctas; error de calibración: cuánto difieren ambas, décima a décima de la confianza. Elipses: posiciones correctas cuyo lugar verdadero está en la elipse declarada; las honestas contienen el 50, el 95 y el 99 %.</translation>
-  </message>
-  <message>
-   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
-   <translation>A CLASS_TABLE le falta la clase {missing} de {source}; añádala o deje CLASS_TABLE vacía.</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
@@ -936,10 +920,6 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 Las teselas de entrenamiento y de validación se separan por lugar: bloques enteros de terreno se reservan para la validación, y ningún píxel está en ambas. Las teselas sin etiquetas se dejan fuera. Las etiquetas en otra cuadrícula se llevan a la de la imagen por vecino más próximo.</translation>
   </message>
   <message>
-   <source>DATABASES names {count}; choose two or more to use them as one.</source>
-   <translation>DATABASES nombra {count}; elija dos o más para usarlas como una.</translation>
-  </message>
-  <message>
    <source>Dask on this machine: keeps other users out of its processes</source>
    <translation>Dask en este equipo: mantiene a otros usuarios fuera de sus procesos</translation>
   </message>
@@ -1244,6 +1224,10 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
    <translation>Evaluación de la localización</translation>
   </message>
   <message>
+   <source>Everything: images, and what cameras write into photos</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Todo: mapas de etiquetas, bases de datos, localización</translation>
   </message>
@@ -1298,14 +1282,6 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   <message>
    <source>Extent of the layer to try</source>
    <translation>Extensión de la capa de prueba</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
-   <translation>FOOTPRINT es {footprint:g}; indique el lado del terreno que muestra una imagen.</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
-   <translation>FOOTPRINT es {text}; indique lados del terreno en unidades del mapa, separados por «;».</translation>
   </message>
   <message>
    <source>False accept rate</source>
@@ -1728,10 +1704,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Rumbo de la parte superior de una imagen, en sentido horario desde el norte de la cuadrícula.</translation>
   </message>
   <message>
-   <source>Heading of the sheet; the route layer’s name if left out.</source>
-   <translation>Encabezado de la hoja; el nombre de la capa de la ruta si se omite.</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Alturas (Z) omitidas: {features}.</translation>
   </message>
@@ -2008,10 +1980,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Uniendo objetos de referencia</translation>
   </message>
   <message>
-   <source>Keep results as layer</source>
-   <translation>Conservar como capa</translation>
-  </message>
-  <message>
    <source>Key file</source>
    <translation>Archivo de clave</translation>
   </message>
@@ -2022,10 +1990,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
   <message>
    <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
    <translation>LAYER está vacío, así que {keys} no puede ser una parte; elija una LAYER u omita {keys}.</translation>
-  </message>
-  <message>
-   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
-   <translation>LEVELS deben ser múltiplos positivos del tamaño de ventana, por ejemplo 1;2.</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -2384,10 +2348,6 @@ Se omiten las imágenes sin posición y las posiciones del vector topológico, q
    <translation>Crearlo desde una carpeta de wheels…</translation>
   </message>
   <message>
-   <source>Make route sheet</source>
-   <translation>Crear hoja de ruta</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2404,12 +2364,24 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Creando el proyecto de ejemplo</translation>
   </message>
   <message>
+   <source>Map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Map correlation</source>
    <translation>Correlación de mapas</translation>
   </message>
   <message>
    <source>Map displaced (map units)</source>
    <translation>Mapa desplazado (unidades del mapa)</translation>
+  </message>
+  <message>
+   <source>Map of the route</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map of the track</source>
@@ -2620,10 +2592,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Ninguna clase es de referencia; elija como tal al menos una de {classes} o dele el rol «reference» en la tabla de clases.</translation>
   </message>
   <message>
-   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
-   <translation>Ninguna clase es de referencia; nombre al menos una de {classes} en REFERENCE_CLASSES o dele el rol «reference» en la tabla de clases.</translation>
-  </message>
-  <message>
    <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
    <translation>Ninguna clase de {path} tiene suficientes hitos en ambos mapas para conocer su sesgo; indique un área mayor o deje MODEL_OUTPUT vacío.</translation>
   </message>
@@ -2646,10 +2614,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
    <translation>Ninguna imagen tiene lugar: pruebe con una posición previa, la tabla de la cámara o una base de datos de este terreno.</translation>
-  </message>
-  <message>
-   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
-   <translation>No hay ningún hito en el área de CLIP; elija otra área o una DISTANCE mayor.</translation>
   </message>
   <message>
    <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
@@ -2698,10 +2662,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Ninguna ventana de la base de datos tiene los {least} hitos que necesita un vector topológico; créela con ventanas mayores, un área mínima menor o más clases de referencia.</translation>
-  </message>
-  <message>
-   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
-   <translation>Ninguna ventana de la base de datos está sobre LABELS y tiene {minimum_references} hitos o más; elija el mapa de etiquetas del mismo terreno o un MINIMUM_REFERENCES menor.</translation>
   </message>
   <message>
    <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
@@ -3048,10 +3008,6 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Vista general</translation>
   </message>
   <message>
-   <source>PDF files (*.pdf)</source>
-   <translation>Archivos PDF (*.pdf)</translation>
-  </message>
-  <message>
    <source>Package</source>
    <translation>Paquete</translation>
   </message>
@@ -3236,24 +3192,12 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
    <translation>Perfil</translation>
   </message>
   <message>
-   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
-   <translation>Perfil del acierto esperado a lo largo de la ruta, y sus huecos, en un solo archivo para leer e imprimir.</translation>
-  </message>
-  <message>
    <source>Programs (*)</source>
    <translation>Programas (*)</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>SRC proyectado en metros. Si se omite: el de la capa si es métrico; si no, una zona UTM.</translation>
-  </message>
-  <message>
-   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
-
-Layers are drawn as they are styled in the project.</source>
-   <translation>Lleva al papel una ruta evaluada: un PDF en A4 con el mapa, la ruta graduada por éxito esperado, cifras clave y una tabla de los tramos sin posición esperada.
-
-Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3276,14 +3220,6 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>QGIS encuentra primero {path}, que SemRef no instaló; sustitúyalo por {package} donde se instaló.</translation>
   </message>
   <message>
-   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
-   <translation>REFERENCE y PREDICTED no se solapan; elija mapas del mismo terreno.</translation>
-  </message>
-  <message>
-   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
-   <translation>REFERENCE tiene {width} × {height} píxeles y PREDICTED {other_width} × {other_height}, y no ambos están georreferenciados; compare imágenes del mismo tamaño o dos mapas georreferenciados.</translation>
-  </message>
-  <message>
    <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
    <translation>REFERENCE está en {crs}, pero PREDICTED está en {predicted_crs}; reproyecte uno de ellos al SRC del otro.</translation>
   </message>
@@ -3294,10 +3230,6 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   <message>
    <source>ROUTE has no CRS; set its layer's CRS.</source>
    <translation>ROUTE no tiene SRC; asigne el SRC de su capa.</translation>
-  </message>
-  <message>
-   <source>ROUTE has no line with a length; draw one through two points at least.</source>
-   <translation>ROUTE no tiene ninguna línea con longitud; dibuje una que pase por dos puntos como mínimo.</translation>
   </message>
   <message>
    <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
@@ -3568,10 +3500,6 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Ruta</translation>
   </message>
   <message>
-   <source>Route sheet</source>
-   <translation>Hoja de ruta</translation>
-  </message>
-  <message>
    <source>Route {number}</source>
    <translation>Ruta {number}</translation>
   </message>
@@ -3588,22 +3516,6 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Reglas</translation>
   </message>
   <message>
-   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
-   <translation>SPACING es {size:g}, lo que da {count} cuadrados en el mapa; indique {least:.3g} o más.</translation>
-  </message>
-  <message>
-   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
-   <translation>SPACING es {size:g}; indique el lado de un cuadrado en unidades del mapa.</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
-   <translation>SPACING es {spacing:g}, lo que da {count} puntos; indique {least:.3g} o más.</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
-   <translation>SPACING es {spacing:g}; indique la distancia entre los puntos en unidades del mapa.</translation>
-  </message>
-  <message>
    <source>Save class table</source>
    <translation>Guardar tabla de clases</translation>
   </message>
@@ -3612,8 +3524,8 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
    <translation>Guardar resultados</translation>
   </message>
   <message>
-   <source>Save results to a file…</source>
-   <translation>Guardar los resultados en un archivo…</translation>
+   <source>Save results…</source>
+   <translation>Guardar resultados…</translation>
   </message>
   <message>
    <source>Saved; the dock shows these results again when this project is opened.</source>
@@ -3710,10 +3622,6 @@ Las capas se dibujan con el estilo que tienen en el proyecto.</translation>
   <message>
    <source>SemRef track</source>
    <translation>Trayectoria de SemRef</translation>
-  </message>
-  <message>
-   <source>SemRef windows</source>
-   <translation>Ventanas de SemRef</translation>
   </message>
   <message>
    <source>SemRef’s own environment</source>
@@ -4128,10 +4036,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La base de datos se creó con SemRef {plugin_version}, que no guardaba resúmenes de bloques ni límites de hitos, así que no se puede saber qué ha cambiado; vuelva a crearla una vez con «Crear base de datos de referencia».</translation>
   </message>
   <message>
-   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
-   <translation>La base de datos se creó con SemRef {plugin_version}, que no guardaba resúmenes de bloques ni límites de hitos, así que no se puede saber qué ha cambiado; vuelva a crearla una vez.</translation>
-  </message>
-  <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>La base de datos se leyó sin su vista general, en la que busca la correlación de mapas.</translation>
   </message>
@@ -4240,10 +4144,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La geometría del objeto espacial {id} se hizo válida: {reason}.</translation>
   </message>
   <message>
-   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
-   <translation>El terreno tiene {width} × {height} píxeles, menos que una tesela de {tile_size}; etiquete más terreno o indique una RESOLUTION menor.</translation>
-  </message>
-  <message>
    <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
    <translation>El terreno deseado; todo el que haya si se omite. Los mapas de teselas y los mapas web lo necesitan, o una máscara.</translation>
   </message>
@@ -4272,8 +4172,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La imagen tiene {width} × {height} píxeles y {level_width} × {level_height} una vez nivelada, pero un lado puede tener {most} como máximo; redúzcala antes.</translation>
   </message>
   <message>
-   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
-   <translation>La imagen tiene {width} × {height} píxeles, menos que una tesela de {tile_size} píxeles; elija una tesela menor.</translation>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or choose a finer resolution or a smaller tile.</source>
+   <translation>La imagen tiene {width} × {height} píxeles, menos que una tesela de {tile_size} píxeles; etiquete más terreno o elija una resolución más fina o una tesela menor.</translation>
   </message>
   <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
@@ -4352,10 +4252,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El mapa de etiquetas con el que se creó la base de datos de referencia.</translation>
   </message>
   <message>
-   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
-   <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija un PIXEL_SIZE mayor o una EXTENT menor.</translation>
-  </message>
-  <message>
    <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
    <translation>El mapa de etiquetas tendría {width} × {height} píxeles; elija píxeles más grandes o una extensión menor.</translation>
   </message>
@@ -4376,12 +4272,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>Las etiquetas tienen el valor {unknown}, que falta en la tabla de clases; sus clases son {classes}.</translation>
   </message>
   <message>
-   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
-   <translation>Las etiquetas dejan {training} teselas para el entrenamiento y {validation} para la validación; elija teselas de menos de {tile_size} píxeles, un paso menor u otra fracción de validación.</translation>
-  </message>
-  <message>
-   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
-   <translation>Las etiquetas dejan {training} teselas de {tile_size} píxeles para entrenar y {validation} para validar; etiquete más terreno o indique una RESOLUTION menor u otra VALIDATION_FRACTION.</translation>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
+   <translation>Las etiquetas dejan {training} teselas de {tile_size} píxeles para entrenar y {validation} para validar; etiquete más terreno o elija una resolución más fina, teselas menores u otra fracción de validación.</translation>
   </message>
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
@@ -4446,10 +4338,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>Los mapas no tienen un SRC métrico, así que el sesgo de las clases no se conoce en metros; indique mapas que lo tengan o deje MODEL_OUTPUT vacío.</translation>
-  </message>
-  <message>
-   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
-   <translation>Los mapas no tienen en común ningún píxel que REFERENCE etiquete; elija mapas del mismo terreno.</translation>
   </message>
   <message>
    <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
@@ -4552,20 +4440,12 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>El tamaño de píxel con el que se rasterizará la capa: también se informa de los hitos que esos píxeles perderían, unirían o dividirían. Si se omite, no se examina.</translation>
   </message>
   <message>
-   <source>The points that “Assess route” wrote.</source>
-   <translation>Los puntos que escribió «Evaluar ruta».</translation>
-  </message>
-  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>No se pueden formar los polígonos: {reason}.</translation>
   </message>
   <message>
    <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
    <translation>Los polígonos que tienen clase, con los campos class, priority, tag, osm_id y name.</translation>
-  </message>
-  <message>
-   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
-   <translation>Las posiciones son ahora una capa temporal del proyecto; expórtela para conservarlas.</translation>
   </message>
   <message>
    <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
@@ -4622,6 +4502,10 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
    <translation>Los resultados nombran una imagen que no está en su carpeta. Añádala, o su carpeta, a la lista de imágenes.</translation>
+  </message>
+  <message>
+   <source>The route by expected success; {count} points, {date}. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4692,8 +4576,8 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>La escala menor ({smallest:g}) supera la mayor ({largest:g}); indique ambas, la menor primero.</translation>
   </message>
   <message>
-   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
-   <translation>Los cuadrados que escribió «Evaluar base de datos de referencia», dibujados bajo la ruta.</translation>
+   <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4780,10 +4664,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
    <translation>No hay ningún archivo {path}; elija otra ruta.</translation>
   </message>
   <message>
-   <source>There is no file {path}; export one or choose another.</source>
-   <translation>No hay ningún archivo {path}; exporte uno o elija otro.</translation>
-  </message>
-  <message>
    <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
    <translation>No hay ningún archivo {path}; exporte uno con «Exportar para uso a bordo» o elija otro.</translation>
   </message>
@@ -4858,10 +4738,6 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   <message>
    <source>Time limit (minutes)</source>
    <translation>Límite de tiempo (minutos)</translation>
-  </message>
-  <message>
-   <source>Title</source>
-   <translation>Título</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -5912,10 +5788,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>nada</translation>
   </message>
   <message>
-   <source>nowhere</source>
-   <translation>en ningún sitio</translation>
-  </message>
-  <message>
    <source>of each image by itself: {method}</source>
    <translation>de cada imagen por sí sola: {method}</translation>
   </message>
@@ -6320,10 +6192,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{count} lugares discrepan.</translation>
   </message>
   <message>
-   <source>{count} points, {date}</source>
-   <translation>{count} puntos, {date}</translation>
-  </message>
-  <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} puntos; {share:.0%} de ellos con un acierto esperado del {threshold:.0%} o más.</translation>
   </message>
@@ -6620,10 +6488,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{option} necesita el paquete de Python {package}; instálelo: pip install {package}.</translation>
   </message>
   <message>
-   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
-   <translation>{output} no puede reconocerse como conjunto de bases de datos; dé un nombre que termine en {suffix}.</translation>
-  </message>
-  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} existe y no es un archivo de a bordo; elimínelo o elija otro nombre.</translation>
   </message>
@@ -6824,10 +6688,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} tiene {bands} bandas; un mapa de etiquetas tiene una: decodifique antes una imagen en color con «Decodificar etiquetas en color».</translation>
   </message>
   <message>
-   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
-   <translation>{path} tiene {bands} bandas; un mapa de etiquetas tiene una: decodifique antes sus colores a valores de clase.</translation>
-  </message>
-  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} tiene {count} hitos y límites de {bounds}; vuelva a crearla.</translation>
   </message>
@@ -6900,10 +6760,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} es una carpeta; indique un nombre de archivo.</translation>
   </message>
   <message>
-   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
-   <translation>{path} es un TIFF con paleta de {bits} bits por píxel; guárdelo con 8 o como PNG.</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} es una versión más antigua de la que SemRef puede usar, y QGIS la encuentra primero; actualícela o quítela.</translation>
   </message>
@@ -6922,10 +6778,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
    <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; inícielo de nuevo sin la ejecución anterior.</translation>
-  </message>
-  <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} está dañado ({reason}), así que este entrenamiento no puede continuar; desactive RESUME para iniciarlo de nuevo.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -7000,10 +6852,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no es un archivo de a bordo de SemRef; elija uno creado con «Exportar para uso a bordo».</translation>
   </message>
   <message>
-   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
-   <translation>{path} no es un archivo de a bordo de SemRef; elija uno que SemRef haya exportado.</translation>
-  </message>
-  <message>
    <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
    <translation>{path} no es un informe de «Comparar mapas de etiquetas» que hable de hitos; ejecútelo con REPORT y dé su página como COMPARISON.</translation>
   </message>
@@ -7028,16 +6876,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no es un GeoPackage; elija una base de datos creada con «Crear base de datos de referencia».</translation>
   </message>
   <message>
-   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
-   <translation>{path} no es un GeoPackage; elija una base de datos que SemRef haya creado.</translation>
-  </message>
-  <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
    <translation>{path} no es una base de datos de referencia de SemRef (le falta {missing}); elija una creada con «Crear base de datos de referencia».</translation>
-  </message>
-  <message>
-   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
-   <translation>{path} no es una base de datos de referencia de SemRef (le falta {missing}); elija una que SemRef haya creado.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
@@ -7248,16 +7088,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{share:.1%} de los píxeles no coinciden con ninguna clase.</translation>
   </message>
   <message>
-   <source>{shift:.0f} m to the left</source>
-   <translation>{shift:.0f} m a la izquierda</translation>
-  </message>
-  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>{shift:.0f} m a la izquierda: {after} en lugar de {before}</translation>
-  </message>
-  <message>
-   <source>{shift:.0f} m to the right</source>
-   <translation>{shift:.0f} m a la derecha</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -7280,12 +7112,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{source} no mide en metros; el resultado está en {target}.</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
-   <translation>{source} no nombra sus clases (clave de metadatos class_names); elija un modelo que las nombre o expórtelo con sus nombres.</translation>
-  </message>
-  <message>
-   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
-   <translation>{source} no nombra sus clases (clave de metadatos class_names); indíquelas en CLASS_TABLE, en el orden de las salidas de la red.</translation>
+   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
+   <translation>{source} no nombra sus clases (clave de metadatos class_names); indique una tabla de clases en el orden de las salidas de la red o elija un modelo que las nombre.</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
@@ -7350,10 +7178,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} no indica ninguna distancia focal, así que la imagen se toma tal cual.</translation>
-  </message>
-  <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
-   <translation>{source} distingue {channels} clases, pero hay {count} nombres de clase en CLASS_TABLE: {names}; tome los nombres con los que se entrenó.</translation>
   </message>
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
@@ -7486,10 +7310,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>«{layer}» se dibujaría con {width} × {height} píxeles, más de {most_million} millones; elija un EXTENT menor u obtenga la imagen como archivo de quien la ofrece.</translation>
-  </message>
-  <message>
-   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
-   <translation>«{name}» no es una ruta evaluada: no tiene puntos o le faltan las columnas {missing}; indique lo que escribió «Evaluar ruta».</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

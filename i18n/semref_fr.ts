@@ -88,10 +88,6 @@
    <translation>Un GeoPackage fait par « Créer une base de données de référence ».</translation>
   </message>
   <message>
-   <source>A PDF to print and to file.</source>
-   <translation>Un PDF à imprimer et à classer.</translation>
-  </message>
-  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>Un Python avec torch ; à défaut, celui des options ou celui que SemRef a créé pour l’entraînement.</translation>
   </message>
@@ -272,10 +268,6 @@
    <translation>Ajoute l’image au projet comme couche semi-transparente, placée selon la position trouvée</translation>
   </message>
   <message>
-   <source>Adds the positions to the project as a temporary point layer</source>
-   <translation>Ajoute les positions au projet comme couche temporaire de points</translation>
-  </message>
-  <message>
    <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
    <translation>Image aérienne de 8 ou 16 bits avec sa place au sol. Le rouge, le vert et le bleu sont appris. Les tuiles de cartes et les cartes web sont dessinées par QGIS ; il leur faut une emprise et une résolution.</translation>
   </message>
@@ -352,8 +344,8 @@
    <translation>Une image de {width} × {height} pixels montre trop peu pour être segmentée ; il lui faut {least} pixels dans chaque sens à la résolution du modèle.</translation>
   </message>
   <message>
-   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
-   <translation>Une orthophoto, des tuiles de carte ou l’aperçu de la base de données, dessinés sous tout le reste.</translation>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Angle</source>
@@ -468,10 +460,6 @@
    <translation>À {resolution_cm:g} cm par pixel, il ne reste rien de l’image ; choisissez une résolution plus fine.</translation>
   </message>
   <message>
-   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
-   <translation>À {resolution_cm:g} cm par pixel, il ne reste rien de l’image ; indiquez une autre RESOLUTION.</translation>
-  </message>
-  <message>
    <source>Auto</source>
    <translation>Automatique</translation>
   </message>
@@ -574,10 +562,6 @@ Les classes viennent de la table des classes, sinon du style catégorisé de la 
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>Selon la méthode qui a donné la position. Annoncées correctes : la confiance moyenne, qui devrait être la part des positions correctes ; erreur de calibration : leur écart, dixième par dixième de la confiance. Ellipses : positions correctes dont le vrai lieu est dans l’ellipse annoncée ; des ellipses honnêtes en contiennent 50, 95 et 99 %.</translation>
-  </message>
-  <message>
-   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
-   <translation>Il manque à CLASS_TABLE la classe {missing} de {source} ; ajoutez-la, ou laissez CLASS_TABLE vide.</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
@@ -936,10 +920,6 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 Les tuiles d’entraînement et de validation sont séparées par lieu : des blocs de terrain entiers sont réservés à la validation, et aucun pixel n’est dans les deux. Les tuiles sans étiquettes sont laissées de côté. Les étiquettes d’une autre grille sont ramenées sur celle de l’image, par plus proche voisin.</translation>
   </message>
   <message>
-   <source>DATABASES names {count}; choose two or more to use them as one.</source>
-   <translation>DATABASES en nomme {count} ; choisissez-en deux ou plus pour les utiliser comme une seule.</translation>
-  </message>
-  <message>
    <source>Dask on this machine: keeps other users out of its processes</source>
    <translation>Dask sur cet ordinateur : tient les autres utilisateurs à l’écart de ses processus</translation>
   </message>
@@ -1244,6 +1224,10 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
    <translation>Évaluation de la localisation</translation>
   </message>
   <message>
+   <source>Everything: images, and what cameras write into photos</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>Tout : cartes d’étiquettes, bases de données, localisation</translation>
   </message>
@@ -1298,14 +1282,6 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   <message>
    <source>Extent of the layer to try</source>
    <translation>Emprise de la couche à essayer</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
-   <translation>FOOTPRINT vaut {footprint:g} ; donnez le côté du terrain que montre une image.</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
-   <translation>FOOTPRINT vaut {text} ; donnez des côtés du terrain en unités de carte, séparés par « ; ».</translation>
   </message>
   <message>
    <source>False accept rate</source>
@@ -1728,10 +1704,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Cap du haut d’une image, dans le sens horaire depuis le nord de la grille.</translation>
   </message>
   <message>
-   <source>Heading of the sheet; the route layer’s name if left out.</source>
-   <translation>Titre de la feuille ; le nom de la couche de la route si rien n’est indiqué.</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>Altitudes (Z) omises : {features}.</translation>
   </message>
@@ -2008,10 +1980,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Réunion des objets de référence</translation>
   </message>
   <message>
-   <source>Keep results as layer</source>
-   <translation>Garder comme couche</translation>
-  </message>
-  <message>
    <source>Key file</source>
    <translation>Fichier de clé</translation>
   </message>
@@ -2022,10 +1990,6 @@ Les images sans position sont laissées de côté, de même que les positions du
   <message>
    <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
    <translation>LAYER est vide, {keys} ne peut donc pas en être une partie ; choisissez une LAYER ou omettez {keys}.</translation>
-  </message>
-  <message>
-   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
-   <translation>LEVELS doit contenir des multiples positifs de la taille de fenêtre, par exemple 1;2.</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -2384,10 +2348,6 @@ Les images sans position sont laissées de côté, de même que les positions du
    <translation>Le créer depuis un dossier de wheels…</translation>
   </message>
   <message>
-   <source>Make route sheet</source>
-   <translation>Créer une feuille de route</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2404,12 +2364,24 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Création du projet d’exemple</translation>
   </message>
   <message>
+   <source>Map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Map correlation</source>
    <translation>Corrélation de cartes</translation>
   </message>
   <message>
    <source>Map displaced (map units)</source>
    <translation>Carte déplacée (unités de carte)</translation>
+  </message>
+  <message>
+   <source>Map of the route</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map of the track</source>
@@ -2620,10 +2592,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Aucune classe n’est une classe de référence ; choisissez-en au moins une parmi {classes}, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
   </message>
   <message>
-   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
-   <translation>Aucune classe n’est une classe de référence ; nommez-en au moins une parmi {classes} dans REFERENCE_CLASSES, ou donnez-lui le rôle « reference » dans la table des classes.</translation>
-  </message>
-  <message>
    <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
    <translation>Aucune classe de {path} n’a assez de repères visuels dans les deux cartes pour connaître son biais ; donnez une zone plus grande ou laissez MODEL_OUTPUT vide.</translation>
   </message>
@@ -2646,10 +2614,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
    <translation>Aucune image n’a de lieu : essayez une position a priori, la table de la caméra ou une base de données de ce terrain.</translation>
-  </message>
-  <message>
-   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
-   <translation>Aucun repère visuel ne se trouve dans la zone de CLIP ; choisissez une autre zone ou une DISTANCE plus grande.</translation>
   </message>
   <message>
    <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
@@ -2698,10 +2662,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>Aucune fenêtre de la base de données n’a les {least} repères visuels que demande un vecteur topologique ; créez-la avec des fenêtres plus grandes, une surface minimale plus petite ou davantage de classes de référence.</translation>
-  </message>
-  <message>
-   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
-   <translation>Aucune fenêtre de la base de données ne se trouve sur LABELS avec au moins {minimum_references} repères visuels ; choisissez la carte d’étiquettes du même terrain, ou un MINIMUM_REFERENCES plus petit.</translation>
   </message>
   <message>
    <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
@@ -3048,10 +3008,6 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Vue d’ensemble</translation>
   </message>
   <message>
-   <source>PDF files (*.pdf)</source>
-   <translation>Fichiers PDF (*.pdf)</translation>
-  </message>
-  <message>
    <source>Package</source>
    <translation>Paquet</translation>
   </message>
@@ -3236,24 +3192,12 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
    <translation>Profil</translation>
   </message>
   <message>
-   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
-   <translation>Profil de la réussite attendue le long de la route, et ses lacunes, dans un seul fichier à lire et à imprimer.</translation>
-  </message>
-  <message>
    <source>Programs (*)</source>
    <translation>Programmes (*)</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>SCR projeté en mètres. En cas d’omission : celui de la couche s’il est métrique, sinon une zone UTM.</translation>
-  </message>
-  <message>
-   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
-
-Layers are drawn as they are styled in the project.</source>
-   <translation>Met une route évaluée sur papier : un PDF en A4 avec la carte, la route graduée selon le succès attendu, les chiffres clés et un tableau des tronçons sans position attendue.
-
-Les couches sont dessinées avec leur style du projet.</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3276,14 +3220,6 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>QGIS trouve d’abord {path}, que SemRef n’a pas installé ; remplacez-le par {package} là d’où il vient.</translation>
   </message>
   <message>
-   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
-   <translation>REFERENCE et PREDICTED ne se recouvrent pas ; choisissez des cartes du même terrain.</translation>
-  </message>
-  <message>
-   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
-   <translation>REFERENCE a {width} × {height} pixels et PREDICTED {other_width} × {other_height}, et les deux ne sont pas géoréférencées ; comparez des images de même taille ou deux cartes géoréférencées.</translation>
-  </message>
-  <message>
    <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
    <translation>REFERENCE est en {crs}, mais PREDICTED est en {predicted_crs} ; reprojetez l’une dans le SCR de l’autre.</translation>
   </message>
@@ -3294,10 +3230,6 @@ Les couches sont dessinées avec leur style du projet.</translation>
   <message>
    <source>ROUTE has no CRS; set its layer's CRS.</source>
    <translation>ROUTE n’a pas de SCR ; définissez celui de sa couche.</translation>
-  </message>
-  <message>
-   <source>ROUTE has no line with a length; draw one through two points at least.</source>
-   <translation>ROUTE n’a aucune ligne ayant une longueur ; tracez-en une passant par deux points au moins.</translation>
   </message>
   <message>
    <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
@@ -3568,10 +3500,6 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Route</translation>
   </message>
   <message>
-   <source>Route sheet</source>
-   <translation>Feuille de route</translation>
-  </message>
-  <message>
    <source>Route {number}</source>
    <translation>Route {number}</translation>
   </message>
@@ -3588,22 +3516,6 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Règles</translation>
   </message>
   <message>
-   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
-   <translation>SPACING vaut {size:g}, ce qui fait {count} carrés sur la carte ; donnez {least:.3g} ou plus.</translation>
-  </message>
-  <message>
-   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
-   <translation>SPACING vaut {size:g} ; donnez le côté d’un carré en unités de carte.</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
-   <translation>SPACING vaut {spacing:g}, ce qui fait {count} points ; donnez {least:.3g} ou plus.</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
-   <translation>SPACING vaut {spacing:g} ; donnez la distance entre les points en unités de carte.</translation>
-  </message>
-  <message>
    <source>Save class table</source>
    <translation>Enregistrer la table de classes</translation>
   </message>
@@ -3612,8 +3524,8 @@ Les couches sont dessinées avec leur style du projet.</translation>
    <translation>Enregistrer les résultats</translation>
   </message>
   <message>
-   <source>Save results to a file…</source>
-   <translation>Enregistrer les résultats dans un fichier…</translation>
+   <source>Save results…</source>
+   <translation>Enregistrer les résultats…</translation>
   </message>
   <message>
    <source>Saved; the dock shows these results again when this project is opened.</source>
@@ -3710,10 +3622,6 @@ Les couches sont dessinées avec leur style du projet.</translation>
   <message>
    <source>SemRef track</source>
    <translation>Trace SemRef</translation>
-  </message>
-  <message>
-   <source>SemRef windows</source>
-   <translation>Fenêtres SemRef</translation>
   </message>
   <message>
    <source>SemRef’s own environment</source>
@@ -4128,10 +4036,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La base de données a été créée par SemRef {plugin_version}, qui n’enregistrait ni empreintes de blocs ni limites des repères visuels ; on ne peut donc pas dire ce qui a changé : recréez-la une fois avec « Créer une base de données de référence ».</translation>
   </message>
   <message>
-   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
-   <translation>La base de données a été créée par SemRef {plugin_version}, qui n’enregistrait ni empreintes de blocs ni limites des repères visuels ; on ne peut donc pas dire ce qui a changé : recréez-la une fois.</translation>
-  </message>
-  <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>La base de données a été lue sans sa vue d’ensemble, que parcourt la corrélation de cartes.</translation>
   </message>
@@ -4240,10 +4144,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La géométrie de l’entité {id} a été rendue valide : {reason}.</translation>
   </message>
   <message>
-   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
-   <translation>Le terrain a {width} × {height} pixels, moins qu’une tuile de {tile_size} ; étiquetez davantage de terrain, ou donnez une RESOLUTION plus petite.</translation>
-  </message>
-  <message>
    <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
    <translation>Le terrain voulu ; tout ce qu’il y a si omis. Les cartes en tuiles et les cartes web en ont besoin, ou d’un masque.</translation>
   </message>
@@ -4272,8 +4172,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>L’image a {width} × {height} pixels et {level_width} × {level_height} une fois redressée, mais un côté peut en avoir {most} au plus ; réduisez-la d’abord.</translation>
   </message>
   <message>
-   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
-   <translation>L’image a {width} × {height} pixels, moins qu’une tuile de {tile_size} pixels ; choisissez une tuile plus petite.</translation>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or choose a finer resolution or a smaller tile.</source>
+   <translation>L’image a {width} × {height} pixels, moins qu’une tuile de {tile_size} pixels ; étiquetez davantage de terrain, ou choisissez une résolution plus fine ou une tuile plus petite.</translation>
   </message>
   <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
@@ -4352,10 +4252,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La carte d’étiquettes à partir de laquelle la base de données de référence a été créée.</translation>
   </message>
   <message>
-   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
-   <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez un PIXEL_SIZE plus grand ou une EXTENT plus petite.</translation>
-  </message>
-  <message>
    <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
    <translation>La carte d’étiquettes aurait {width} × {height} pixels ; choisissez des pixels plus grands ou une emprise plus petite.</translation>
   </message>
@@ -4376,12 +4272,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Les étiquettes ont la valeur {unknown}, qui manque à la table des classes ; ses classes sont {classes}.</translation>
   </message>
   <message>
-   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
-   <translation>Les étiquettes laissent {training} tuiles pour l’entraînement et {validation} pour la validation ; choisissez des tuiles de moins de {tile_size} pixels, un pas plus petit ou une autre part de validation.</translation>
-  </message>
-  <message>
-   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
-   <translation>Les étiquettes laissent {training} tuiles de {tile_size} pixels pour l’entraînement et {validation} pour la validation ; étiquetez davantage de terrain, ou donnez une RESOLUTION plus petite ou une autre VALIDATION_FRACTION.</translation>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
+   <translation>Les étiquettes laissent {training} tuiles de {tile_size} pixels pour l’entraînement et {validation} pour la validation ; étiquetez davantage de terrain, ou choisissez une résolution plus fine, des tuiles plus petites ou une autre part de validation.</translation>
   </message>
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
@@ -4446,10 +4338,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>Les cartes n’ont pas de SCR métrique, le biais des classes n’est donc pas connu en mètres ; donnez des cartes qui en ont un ou laissez MODEL_OUTPUT vide.</translation>
-  </message>
-  <message>
-   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
-   <translation>Les cartes n’ont en commun aucun pixel étiqueté par REFERENCE ; choisissez des cartes du même terrain.</translation>
   </message>
   <message>
    <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
@@ -4552,20 +4440,12 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La taille de pixel avec laquelle la couche sera rastérisée : les repères visuels que de tels pixels perdraient, fusionneraient ou diviseraient sont aussi signalés. En cas d’omission, ce n’est pas examiné.</translation>
   </message>
   <message>
-   <source>The points that “Assess route” wrote.</source>
-   <translation>Les points que « Évaluer une route » a écrits.</translation>
-  </message>
-  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>Les polygones ne peuvent pas être formés : {reason}.</translation>
   </message>
   <message>
    <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
    <translation>Les polygones qui ont une classe, avec les champs class, priority, tag, osm_id et name.</translation>
-  </message>
-  <message>
-   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
-   <translation>Les positions sont maintenant une couche temporaire du projet ; exportez-la pour les conserver.</translation>
   </message>
   <message>
    <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
@@ -4622,6 +4502,10 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
    <translation>Les résultats nomment une image qui n’est pas dans leur dossier. Ajoutez-la, ou son dossier, à la liste des images.</translation>
+  </message>
+  <message>
+   <source>The route by expected success; {count} points, {date}. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4692,8 +4576,8 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>La plus petite échelle ({smallest:g}) dépasse la plus grande ({largest:g}) ; donnez les deux, la plus petite en premier.</translation>
   </message>
   <message>
-   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
-   <translation>Les carrés que « Évaluer une base de données de référence » a écrits, dessinés sous la route.</translation>
+   <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4780,10 +4664,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
    <translation>Il n’y a pas de fichier {path} ; choisissez un autre itinéraire.</translation>
   </message>
   <message>
-   <source>There is no file {path}; export one or choose another.</source>
-   <translation>Il n’y a pas de fichier {path} ; exportez-en un ou choisissez-en un autre.</translation>
-  </message>
-  <message>
    <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
    <translation>Il n’y a pas de fichier {path} ; exportez-en un avec « Exporter pour l’usage à bord » ou choisissez-en un autre.</translation>
   </message>
@@ -4858,10 +4738,6 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   <message>
    <source>Time limit (minutes)</source>
    <translation>Limite de temps (minutes)</translation>
-  </message>
-  <message>
-   <source>Title</source>
-   <translation>Titre</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -5912,10 +5788,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>rien</translation>
   </message>
   <message>
-   <source>nowhere</source>
-   <translation>nulle part</translation>
-  </message>
-  <message>
    <source>of each image by itself: {method}</source>
    <translation>de chaque image à elle seule : {method}</translation>
   </message>
@@ -6320,10 +6192,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{count} endroits divergent.</translation>
   </message>
   <message>
-   <source>{count} points, {date}</source>
-   <translation>{count} points, {date}</translation>
-  </message>
-  <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} points ; {share:.0%} d’entre eux avec une réussite attendue de {threshold:.0%} ou plus.</translation>
   </message>
@@ -6620,10 +6488,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{option} a besoin du paquet Python {package} ; installez-le : pip install {package}.</translation>
   </message>
   <message>
-   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
-   <translation>{output} ne peut pas être reconnu comme jeu de bases de données ; donnez un nom qui se termine par {suffix}.</translation>
-  </message>
-  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} existe et n’est pas un fichier de bord ; supprimez-le ou choisissez un autre nom.</translation>
   </message>
@@ -6824,10 +6688,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} a {bands} bandes ; une carte d’étiquettes en a une : décodez d’abord une image en couleur avec « Décoder des étiquettes en couleur ».</translation>
   </message>
   <message>
-   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
-   <translation>{path} a {bands} bandes ; une carte d’étiquettes en a une : décodez d’abord ses couleurs en valeurs de classe.</translation>
-  </message>
-  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} a {count} repères visuels et les limites de {bounds} ; recréez-la.</translation>
   </message>
@@ -6900,10 +6760,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} est un dossier ; donnez un nom de fichier.</translation>
   </message>
   <message>
-   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
-   <translation>{path} est un TIFF à palette de {bits} bits par pixel ; enregistrez-le avec 8, ou en PNG.</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} est une version trop ancienne pour SemRef, et QGIS la trouve d’abord ; mettez-la à jour ou supprimez-la.</translation>
   </message>
@@ -6922,10 +6778,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
    <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; recommencez-le sans l’exécution précédente.</translation>
-  </message>
-  <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} est endommagé ({reason}), si bien que cet entraînement ne peut pas continuer ; désactivez RESUME pour le recommencer.</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -7000,10 +6852,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un créé par « Exporter pour l’usage à bord ».</translation>
   </message>
   <message>
-   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
-   <translation>{path} n’est pas un fichier de bord de SemRef ; choisissez-en un que SemRef a exporté.</translation>
-  </message>
-  <message>
    <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
    <translation>{path} n’est pas un rapport de « Comparer des cartes d’étiquettes » qui parle de repères visuels ; exécutez-le avec REPORT et donnez sa page comme COMPARISON.</translation>
   </message>
@@ -7028,16 +6876,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’est pas un GeoPackage ; choisissez une base de données créée par « Créer une base de données de référence ».</translation>
   </message>
   <message>
-   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
-   <translation>{path} n’est pas un GeoPackage ; choisissez une base de données que SemRef a créée.</translation>
-  </message>
-  <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
    <translation>{path} n’est pas une base de données de référence SemRef (il lui manque {missing}) ; choisissez-en une créée par « Créer une base de données de référence ».</translation>
-  </message>
-  <message>
-   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
-   <translation>{path} n’est pas une base de données de référence SemRef (il lui manque {missing}) ; choisissez-en une que SemRef a créée.</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
@@ -7248,16 +7088,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{share:.1%} des pixels ne correspondent à aucune classe.</translation>
   </message>
   <message>
-   <source>{shift:.0f} m to the left</source>
-   <translation>{shift:.0f} m vers la gauche</translation>
-  </message>
-  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>{shift:.0f} m à gauche : {after} au lieu de {before}</translation>
-  </message>
-  <message>
-   <source>{shift:.0f} m to the right</source>
-   <translation>{shift:.0f} m vers la droite</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -7280,12 +7112,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{source} ne mesure pas en mètres ; le résultat est dans {target}.</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
-   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou exportez-le avec leurs noms.</translation>
-  </message>
-  <message>
-   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
-   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; donnez-les dans CLASS_TABLE, dans l’ordre des sorties du réseau.</translation>
+   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
+   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; donnez une table de classes dans l’ordre des sorties du réseau, ou choisissez un modèle qui les nomme.</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
@@ -7350,10 +7178,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} n’indique pas de focale, l’image est donc prise telle quelle.</translation>
-  </message>
-  <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
-   <translation>{source} distingue {channels} classes, mais il y a {count} noms de classes dans CLASS_TABLE : {names} ; prenez les noms avec lesquels il a été entraîné.</translation>
   </message>
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
@@ -7486,10 +7310,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>« {layer} » serait dessinée avec {width} × {height} pixels, soit plus de {most_million} millions ; choisissez un EXTENT plus petit, ou obtenez l’image en fichier auprès de son fournisseur.</translation>
-  </message>
-  <message>
-   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
-   <translation>« {name} » n’est pas une route évaluée : elle n’a pas de points, ou les colonnes {missing} manquent ; donnez ce que « Évaluer une route » a écrit.</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

@@ -88,10 +88,6 @@
    <translation>由“构建参考数据库”生成的 GeoPackage。</translation>
   </message>
   <message>
-   <source>A PDF to print and to file.</source>
-   <translation>供打印和归档的 PDF。</translation>
-  </message>
-  <message>
    <source>A Python with torch; if left out, that of the options, or the one that SemRef made for training.</source>
    <translation>带有 torch 的 Python；留空则使用选项中的 Python，或 SemRef 为训练创建的 Python。</translation>
   </message>
@@ -272,10 +268,6 @@
    <translation>将影像作为半透明图层添加到工程中，按其定位结果放置</translation>
   </message>
   <message>
-   <source>Adds the positions to the project as a temporary point layer</source>
-   <translation>将位置作为临时点图层添加到工程中</translation>
-  </message>
-  <message>
    <source>Aerial image of 8 or 16 bits with its place on the ground. Red, green and blue are learned. Map tiles and web maps are drawn by QGIS; they need extent and resolution.</source>
    <translation>带有地面位置的 8 位或 16 位航空影像。学习红、绿、蓝波段。地图瓦片和网络地图由 QGIS 绘制；它们需要范围和分辨率。</translation>
   </message>
@@ -352,8 +344,8 @@
    <translation>{width} × {height} 像元的影像内容太少，无法分割；按模型的分辨率，每个方向需要 {least} 个像元。</translation>
   </message>
   <message>
-   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything.</source>
-   <translation>正射影像、地图瓦片或数据库概览，绘于最底层。</translation>
+   <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Angle</source>
@@ -468,10 +460,6 @@
    <translation>按每像元 {resolution_cm:g} cm，影像将所剩无几；请选择更精细的分辨率。</translation>
   </message>
   <message>
-   <source>At {resolution_cm:g} cm a pixel nothing is left of the image; give another RESOLUTION.</source>
-   <translation>按每像元 {resolution_cm:g} cm，影像将所剩无几；请给出其他 RESOLUTION。</translation>
-  </message>
-  <message>
    <source>Auto</source>
    <translation>自动</translation>
   </message>
@@ -574,10 +562,6 @@ Classes come from the class table, else from the layer’s categorized style, el
   <message>
    <source>By the method that gave the fix. Told to be right: the mean confidence, which should be the share of right fixes; calibration error: how far both are apart, tenth by tenth of the confidence. Ellipses: right fixes whose true place lies in the ellipse that was told; honest ones hold 50, 95 and 99 %.</source>
    <translation>按给出定位的方法。声称正确：平均置信度，应等于正确定位的比例；校准误差：两者的差距，按置信度每十分之一统计。椭圆：真实位置落在所报椭圆内的正确定位；诚实的椭圆应包含 50、95 和 99 %。</translation>
-  </message>
-  <message>
-   <source>CLASS_TABLE lacks the class {missing} of {source}; add it, or leave CLASS_TABLE empty.</source>
-   <translation>CLASS_TABLE 缺少 {source} 的类别 {missing}；请添加该类别，或将 CLASS_TABLE 留空。</translation>
   </message>
   <message>
    <source>CLIP does not fit its CRS {crs}; correct the CRS.</source>
@@ -936,10 +920,6 @@ Training and validation tiles are divided by place: whole blocks of ground are s
 训练图块和验证图块按地点划分：整块的地面留作验证，任何像元都不会同时出现在两者中。没有标签的图块会被舍弃。格网不同的标签会按最近邻重采样到影像的格网上。</translation>
   </message>
   <message>
-   <source>DATABASES names {count}; choose two or more to use them as one.</source>
-   <translation>DATABASES 中有 {count} 个；请选择两个或更多以便合用。</translation>
-  </message>
-  <message>
    <source>Dask on this machine: keeps other users out of its processes</source>
    <translation>本机上的 Dask：阻止其他用户访问其进程</translation>
   </message>
@@ -1244,6 +1224,10 @@ Training and validation tiles are divided by place: whole blocks of ground are s
    <translation>定位评估</translation>
   </message>
   <message>
+   <source>Everything: images, and what cameras write into photos</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Everything: label maps, databases, localization</source>
    <translation>全部功能：标签图、数据库、定位</translation>
   </message>
@@ -1298,14 +1282,6 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   <message>
    <source>Extent of the layer to try</source>
    <translation>要尝试的图层的范围</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {footprint:g}; give the edge of the ground that an image shows.</source>
-   <translation>FOOTPRINT 为 {footprint:g}；请给出影像所覆盖地面的边长。</translation>
-  </message>
-  <message>
-   <source>FOOTPRINT is {text}; give edges of the ground in map units, separated by “;”.</source>
-   <translation>FOOTPRINT 为 {text}；请以地图单位给出地面边长，用“;”分隔。</translation>
   </message>
   <message>
    <source>False accept rate</source>
@@ -1728,10 +1704,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>影像顶边的航向，自坐标北起顺时针计算。</translation>
   </message>
   <message>
-   <source>Heading of the sheet; the route layer’s name if left out.</source>
-   <translation>图页标题；留空时取航线图层的名称。</translation>
-  </message>
-  <message>
    <source>Heights (Z) left out: {features}.</source>
    <translation>已舍弃高度 (Z)：{features}。</translation>
   </message>
@@ -2008,10 +1980,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>正在合并参考对象</translation>
   </message>
   <message>
-   <source>Keep results as layer</source>
-   <translation>将结果保留为图层</translation>
-  </message>
-  <message>
    <source>Key file</source>
    <translation>密钥文件</translation>
   </message>
@@ -2022,10 +1990,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
   <message>
    <source>LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.</source>
    <translation>LAYER 为空，因此 {keys} 不能是它的一部分；请选择 LAYER，或不填 {keys}。</translation>
-  </message>
-  <message>
-   <source>LEVELS must be positive multipliers of the window size, for example 1;2.</source>
-   <translation>LEVELS 必须是窗口大小的正倍数，例如 1;2。</translation>
   </message>
   <message>
    <source>Label image</source>
@@ -2384,10 +2348,6 @@ Images without a fix are left out, and so are fixes of the topology vector, whic
    <translation>从 wheel 文件夹创建…</translation>
   </message>
   <message>
-   <source>Make route sheet</source>
-   <translation>生成航线图页</translation>
-  </message>
-  <message>
    <source>Makes a land-cover layer clean: geometries become valid, overlaps go to one polygon, tiny gaps and slivers to the neighbor with the longest shared border, and touching polygons of one class become one. The result has one polygon for each landmark.
 
 Where polygons overlap, the higher priority stays on top, else the smaller polygon, else the lower class value. Each polygon keeps the attributes of the feature that covers most of it. Repairing a repaired layer changes nothing.</source>
@@ -2404,12 +2364,24 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>正在生成示例工程</translation>
   </message>
   <message>
+   <source>Map</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Map correlation</source>
    <translation>地图相关</translation>
   </message>
   <message>
    <source>Map displaced (map units)</source>
    <translation>地图位移（地图单位）</translation>
+  </message>
+  <message>
+   <source>Map of the route</source>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Map of the track</source>
@@ -2620,10 +2592,6 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>没有参考类别；请在 {classes} 中至少选择一个作为参考类别，或在类别表中为其指定角色“reference”。</translation>
   </message>
   <message>
-   <source>No class is a reference class; name at least one of {classes} in REFERENCE_CLASSES, or give it the role “reference” in the class table.</source>
-   <translation>没有参考类别；请在 REFERENCE_CLASSES 中至少写出 {classes} 中的一个，或在类别表中为其指定角色“reference”。</translation>
-  </message>
-  <message>
    <source>No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave MODEL_OUTPUT empty.</source>
    <translation>{path} 没有任何类别在两张地图中有足够的地标来得出其偏移；请给出更大的区域，或将 MODEL_OUTPUT 留空。</translation>
   </message>
@@ -2646,10 +2614,6 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>No image has a place: try a prior position, the camera table, or a database of this ground.</source>
    <translation>没有影像得到位置：请尝试先验位置、相机表，或该地面的数据库。</translation>
-  </message>
-  <message>
-   <source>No landmark lies in the area of CLIP; choose another area or a larger DISTANCE.</source>
-   <translation>CLIP 区域内没有地标；请选择其他区域或更大的 DISTANCE。</translation>
   </message>
   <message>
    <source>No landmark lies in the area; choose another area or a larger distance around it.</source>
@@ -2698,10 +2662,6 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   <message>
    <source>No window of the database has the {least} landmarks a topology vector needs; build it with larger windows, a smaller minimum area or more reference classes.</source>
    <translation>数据库中没有窗口具有拓扑向量所需的 {least} 个地标；请用更大的窗口、更小的最小面积或更多参考类别构建。</translation>
-  </message>
-  <message>
-   <source>No window of the database lies on LABELS and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller MINIMUM_REFERENCES.</source>
-   <translation>数据库中没有位于 LABELS 之上且至少有 {minimum_references} 个地标的窗口；请选择同一地面的标签图，或更小的 MINIMUM_REFERENCES。</translation>
   </message>
   <message>
    <source>No window of the database lies on the label map and has {minimum_references} landmarks or more; choose the label map of the same ground, or a smaller number of landmarks.</source>
@@ -3048,10 +3008,6 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>概览</translation>
   </message>
   <message>
-   <source>PDF files (*.pdf)</source>
-   <translation>PDF 文件 (*.pdf)</translation>
-  </message>
-  <message>
    <source>Package</source>
    <translation>软件包</translation>
   </message>
@@ -3236,24 +3192,12 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
    <translation>剖面</translation>
   </message>
   <message>
-   <source>Profile of expected success along the route, and its gaps, in one file to read and print.</source>
-   <translation>沿航线的预期成功率剖面及空缺，汇于一个可阅读和打印的文件。</translation>
-  </message>
-  <message>
    <source>Programs (*)</source>
    <translation>程序 (*)</translation>
   </message>
   <message>
    <source>Projected CRS in meters. If left out: the layer’s own if it is metric, else a UTM zone.</source>
    <translation>以米为单位的投影坐标参照系。若留空：图层自身的坐标参照系以米为单位时采用该坐标参照系，否则采用 UTM 分带。</translation>
-  </message>
-  <message>
-   <source>Puts an assessed route on paper: a PDF in A4 with the map, the route graded by expected success, key figures, and a table of the stretches without an expected fix.
-
-Layers are drawn as they are styled in the project.</source>
-   <translation>将已评价的航线绘到纸上：A4 幅面 PDF，含地图、按预期成功率分级的航线、关键数字，以及无预期定位航段的表格。
-
-图层按其在工程中的样式绘制。</translation>
   </message>
   <message>
    <source>Puts {file} back in its place</source>
@@ -3276,14 +3220,6 @@ Layers are drawn as they are styled in the project.</source>
    <translation>QGIS 首先找到 {path}，它不是 SemRef 安装的；请在其来源处将它替换为 {package}。</translation>
   </message>
   <message>
-   <source>REFERENCE and PREDICTED don't overlap; choose maps of the same ground.</source>
-   <translation>REFERENCE 与 PREDICTED 不重叠；请选择同一地面的地图。</translation>
-  </message>
-  <message>
-   <source>REFERENCE has {width} × {height} pixels and PREDICTED {other_width} × {other_height}, and not both have a georeference; compare images of one size or two georeferenced maps.</source>
-   <translation>REFERENCE 有 {width} × {height} 像元，PREDICTED 有 {other_width} × {other_height} 像元，且并非两者都有地理参照；请比较大小相同的影像或两幅有地理参照的地图。</translation>
-  </message>
-  <message>
    <source>REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.</source>
    <translation>REFERENCE 使用 {crs}，而 PREDICTED 使用 {predicted_crs}；请将其中一个重投影到另一个的坐标参照系。</translation>
   </message>
@@ -3294,10 +3230,6 @@ Layers are drawn as they are styled in the project.</source>
   <message>
    <source>ROUTE has no CRS; set its layer's CRS.</source>
    <translation>ROUTE 没有坐标参照系；请设置其图层的坐标参照系。</translation>
-  </message>
-  <message>
-   <source>ROUTE has no line with a length; draw one through two points at least.</source>
-   <translation>ROUTE 中没有具有长度的线；请绘制一条至少经过两点的线。</translation>
   </message>
   <message>
    <source>ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.</source>
@@ -3568,10 +3500,6 @@ Layers are drawn as they are styled in the project.</source>
    <translation>航线</translation>
   </message>
   <message>
-   <source>Route sheet</source>
-   <translation>航线图页</translation>
-  </message>
-  <message>
    <source>Route {number}</source>
    <translation>航线 {number}</translation>
   </message>
@@ -3588,22 +3516,6 @@ Layers are drawn as they are styled in the project.</source>
    <translation>规则</translation>
   </message>
   <message>
-   <source>SPACING is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.</source>
-   <translation>SPACING 为 {size:g}，会在地图上产生 {count} 个方格；请给出 {least:.3g} 或更大的值。</translation>
-  </message>
-  <message>
-   <source>SPACING is {size:g}; give the edge of a square in map units.</source>
-   <translation>SPACING 为 {size:g}；请以地图单位给出方格的边长。</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}, which makes {count} points; give {least:.3g} or more.</source>
-   <translation>SPACING 为 {spacing:g}，会产生 {count} 个点；请给出 {least:.3g} 或更大的值。</translation>
-  </message>
-  <message>
-   <source>SPACING is {spacing:g}; give the distance between points in map units.</source>
-   <translation>SPACING 为 {spacing:g}；请以地图单位给出点间距。</translation>
-  </message>
-  <message>
    <source>Save class table</source>
    <translation>保存类别表</translation>
   </message>
@@ -3612,8 +3524,8 @@ Layers are drawn as they are styled in the project.</source>
    <translation>保存结果</translation>
   </message>
   <message>
-   <source>Save results to a file…</source>
-   <translation>将结果保存到文件…</translation>
+   <source>Save results…</source>
+   <translation>保存结果…</translation>
   </message>
   <message>
    <source>Saved; the dock shows these results again when this project is opened.</source>
@@ -3710,10 +3622,6 @@ Layers are drawn as they are styled in the project.</source>
   <message>
    <source>SemRef track</source>
    <translation>SemRef 航迹</translation>
-  </message>
-  <message>
-   <source>SemRef windows</source>
-   <translation>SemRef 窗口</translation>
   </message>
   <message>
    <source>SemRef’s own environment</source>
@@ -4128,10 +4036,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>该数据库由 SemRef {plugin_version} 生成，当时不保存分块哈希和地标范围，因此无法判断哪些内容已更改；请用“构建参考数据库”重新构建一次。</translation>
   </message>
   <message>
-   <source>The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so what changed can't be told; build it anew once.</source>
-   <translation>该数据库由 SemRef {plugin_version} 生成，当时不保存分块哈希和地标范围，因此无法判断哪些内容已更改；请重新构建一次。</translation>
-  </message>
-  <message>
    <source>The database was read without its overview, which map correlation searches.</source>
    <translation>读取数据库时未包含概览图，而地图相关需要在其中搜索。</translation>
   </message>
@@ -4240,10 +4144,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>要素 {id} 的几何图形已修复为有效：{reason}。</translation>
   </message>
   <message>
-   <source>The ground has {width} × {height} pixels, less than a tile of {tile_size}; label more ground, or give a smaller RESOLUTION.</source>
-   <translation>地面只有 {width} × {height} 像素，小于 {tile_size} 的图块；请标注更多地面，或给出更小的 RESOLUTION。</translation>
-  </message>
-  <message>
    <source>The ground that is wanted; all that there is if left out. Map tiles and web maps need it, or a mask.</source>
    <translation>所需的地面；不填则为全部。瓦片地图和网络地图需要填写，或给出掩膜。</translation>
   </message>
@@ -4272,8 +4172,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>影像有 {width} × {height} 像元，校平后为 {level_width} × {level_height}，但边长最多为 {most}；请先缩小。</translation>
   </message>
   <message>
-   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; choose a smaller tile.</source>
-   <translation>影像有 {width} × {height} 像元，小于 {tile_size} 像元的图块；请选择更小的图块。</translation>
+   <source>The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or choose a finer resolution or a smaller tile.</source>
+   <translation>影像有 {width} × {height} 像元，小于 {tile_size} 像元的图块；请标注更多地面，或选择更细的分辨率或更小的图块。</translation>
   </message>
   <message>
    <source>The image is described as this database’s windows are; the settings below are then not used.</source>
@@ -4352,10 +4252,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>构建参考数据库所用的标签图。</translation>
   </message>
   <message>
-   <source>The label map would have {width} × {height} pixels; choose a larger PIXEL_SIZE or a smaller EXTENT.</source>
-   <translation>标签图将有 {width} × {height} 像元；请选择更大的 PIXEL_SIZE 或更小的 EXTENT。</translation>
-  </message>
-  <message>
    <source>The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.</source>
    <translation>标签图将有 {width} × {height} 像素；请选择更大的像素或更小的范围。</translation>
   </message>
@@ -4376,12 +4272,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>标签的值 {unknown} 不在类别表中；表中的类别为 {classes}。</translation>
   </message>
   <message>
-   <source>The labels leave {training} tiles for training and {validation} for validation; choose smaller tiles than {tile_size} pixels, a smaller stride, or another validation fraction.</source>
-   <translation>标签只留下 {training} 个训练图块和 {validation} 个验证图块；请选择小于 {tile_size} 像元的图块、更小的步长或其他验证比例。</translation>
-  </message>
-  <message>
-   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or give a smaller RESOLUTION or another VALIDATION_FRACTION.</source>
-   <translation>标签只够 {training} 个 {tile_size} 像素的图块用于训练、{validation} 个用于验证；请标注更多地面，或给出更小的 RESOLUTION 或其他 VALIDATION_FRACTION。</translation>
+   <source>The labels leave {training} tiles of {tile_size} pixels for training and {validation} for validation; label more ground, or choose a finer resolution, smaller tiles or another validation fraction.</source>
+   <translation>标签只够 {training} 个 {tile_size} 像元的图块用于训练、{validation} 个用于验证；请标注更多地面，或选择更细的分辨率、更小的图块或其他验证比例。</translation>
   </message>
   <message>
    <source>The labels {path} are missing or don't fit their image.</source>
@@ -4446,10 +4338,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or leave MODEL_OUTPUT empty.</source>
    <translation>地图没有以米为单位的坐标系，因此类别偏移的米数未知；请给出有此坐标系的地图，或将 MODEL_OUTPUT 留空。</translation>
-  </message>
-  <message>
-   <source>The maps have no pixel in common that REFERENCE labels; choose maps of the same ground.</source>
-   <translation>两幅地图没有共同的、由 REFERENCE 标注的像元；请选择同一地面的地图。</translation>
   </message>
   <message>
    <source>The maps have no pixel in common that the reference labels; choose maps of the same ground.</source>
@@ -4552,20 +4440,12 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>图层将要栅格化的像元大小：在该像元大小下会丢失、合并或分裂的地标也会被报告。若留空则不检查。</translation>
   </message>
   <message>
-   <source>The points that “Assess route” wrote.</source>
-   <translation>“评价航线”写出的点。</translation>
-  </message>
-  <message>
    <source>The polygons can’t be made: {reason}.</source>
    <translation>无法生成多边形：{reason}。</translation>
   </message>
   <message>
    <source>The polygons that have a class, with the fields class, priority, tag, osm_id and name.</source>
    <translation>有类别的多边形，字段为 class、priority、tag、osm_id 和 name。</translation>
-  </message>
-  <message>
-   <source>The positions are a temporary layer of the project now; export it to keep them.</source>
-   <translation>位置现在是工程中的临时图层；如需保留请导出。</translation>
   </message>
   <message>
    <source>The positions name {path}, which is not in their own folder; select the image, or its folder, as Images.</source>
@@ -4622,6 +4502,10 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>The results name an image that is not in their folder. Add it, or its folder, to the list of images.</source>
    <translation>结果指向一幅不在其文件夹中的影像。请将该影像或其文件夹添加到影像列表。</translation>
+  </message>
+  <message>
+   <source>The route by expected success; {count} points, {date}. North is up.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4692,8 +4576,8 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>最小比例（{smallest:g}）大于最大比例（{largest:g}）；请同时给出两者，较小者在前。</translation>
   </message>
   <message>
-   <source>The squares that “Assess reference database” wrote, drawn below the route.</source>
-   <translation>“评价参考数据库”写出的方格，绘于航线之下。</translation>
+   <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -4780,10 +4664,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
    <translation>没有文件 {path}；请选择其他航线。</translation>
   </message>
   <message>
-   <source>There is no file {path}; export one or choose another.</source>
-   <translation>没有文件 {path}；请导出一个或选择其他文件。</translation>
-  </message>
-  <message>
    <source>There is no file {path}; export one with “Export for onboard use” or choose another.</source>
    <translation>没有文件 {path}；请用“导出机载文件”导出一个，或选择其他文件。</translation>
   </message>
@@ -4858,10 +4738,6 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   <message>
    <source>Time limit (minutes)</source>
    <translation>时间限制（分钟）</translation>
-  </message>
-  <message>
-   <source>Title</source>
-   <translation>标题</translation>
   </message>
   <message>
    <source>Tolerance of polygons (map units)</source>
@@ -5912,10 +5788,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>无</translation>
   </message>
   <message>
-   <source>nowhere</source>
-   <translation>无</translation>
-  </message>
-  <message>
    <source>of each image by itself: {method}</source>
    <translation>每幅影像单独：{method}</translation>
   </message>
@@ -6320,10 +6192,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{count} 处不一致。</translation>
   </message>
   <message>
-   <source>{count} points, {date}</source>
-   <translation>{count} 个点，{date}</translation>
-  </message>
-  <message>
    <source>{count} points; {share:.0%} of them with an expected success of {threshold:.0%} or more.</source>
    <translation>{count} 个点；其中 {share:.0%} 的预期成功率达 {threshold:.0%} 以上。</translation>
   </message>
@@ -6620,10 +6488,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{option} 需要 Python 包 {package}；请安装：pip install {package}。</translation>
   </message>
   <message>
-   <source>{output} can't be known as a set of databases; give a name that ends in {suffix}.</source>
-   <translation>{output} 无法被识别为数据库集；请给出以 {suffix} 结尾的名称。</translation>
-  </message>
-  <message>
    <source>{output} exists and is no onboard file; remove it or choose another name.</source>
    <translation>{output} 已存在且不是机载文件；请将其删除或选择其他名称。</translation>
   </message>
@@ -6824,10 +6688,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 有 {bands} 个波段；标签图只有一个：请先用“解码彩色标签”解码彩色影像。</translation>
   </message>
   <message>
-   <source>{path} has {bands} bands; a label map has one: decode its colors to class values first.</source>
-   <translation>{path} 有 {bands} 个波段；标签图只有一个：请先将其颜色解码为类别值。</translation>
-  </message>
-  <message>
    <source>{path} has {count} landmarks and bounds of {bounds}; build it again.</source>
    <translation>{path} 有 {count} 个地标，但有 {bounds} 个范围；请重新构建。</translation>
   </message>
@@ -6900,10 +6760,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 是文件夹；请给出文件名。</translation>
   </message>
   <message>
-   <source>{path} is a paletted TIFF of {bits} bits a pixel; save it with 8, or as PNG.</source>
-   <translation>{path} 是每像元 {bits} 位的调色板 TIFF；请保存为 8 位或 PNG。</translation>
-  </message>
-  <message>
    <source>{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.</source>
    <translation>{path} 的版本对 SemRef 来说过旧，而 QGIS 会先找到它；请更新或移除它。</translation>
   </message>
@@ -6922,10 +6778,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run.</source>
    <translation>{path} 已损坏（{reason}），无法继续此训练；请不使用先前的运行重新开始。</translation>
-  </message>
-  <message>
-   <source>{path} is damaged ({reason}), so this training can't be continued; turn RESUME off to start it again.</source>
-   <translation>{path} 已损坏（{reason}），无法继续此训练；请关闭 RESUME 以重新开始。</translation>
   </message>
   <message>
    <source>{path} is damaged or cut short ({reason}); build it again or fetch another copy.</source>
@@ -7000,10 +6852,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不是 SemRef 的机载文件；请选择由“导出机载文件”生成的文件。</translation>
   </message>
   <message>
-   <source>{path} is no onboard file of SemRef; choose one that SemRef exported.</source>
-   <translation>{path} 不是 SemRef 的机载文件；请选择由 SemRef 导出的文件。</translation>
-  </message>
-  <message>
    <source>{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its page as COMPARISON.</source>
    <translation>{path} 不是“比较标签图”给出的含地标信息的报告；请带 REPORT 运行该算法，并将其页面作为 COMPARISON。</translation>
   </message>
@@ -7028,16 +6876,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不是 GeoPackage；请选择由“构建参考数据库”生成的数据库。</translation>
   </message>
   <message>
-   <source>{path} is not a GeoPackage; choose a database that SemRef built.</source>
-   <translation>{path} 不是 GeoPackage；请选择由 SemRef 构建的数据库。</translation>
-  </message>
-  <message>
    <source>{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference database”.</source>
    <translation>{path} 不是 SemRef 参考数据库（缺少 {missing}）；请选择由“构建参考数据库”生成的数据库。</translation>
-  </message>
-  <message>
-   <source>{path} is not a SemRef reference database (it lacks {missing}); choose one that SemRef built.</source>
-   <translation>{path} 不是 SemRef 参考数据库（缺少 {missing}）；请选择由 SemRef 构建的数据库。</translation>
   </message>
   <message>
    <source>{path} is not a SemRef reference database; choose one made by “Build reference database”.</source>
@@ -7248,16 +7088,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{share:.1%} 的像元不匹配任何类别。</translation>
   </message>
   <message>
-   <source>{shift:.0f} m to the left</source>
-   <translation>向左 {shift:.0f} 米</translation>
-  </message>
-  <message>
    <source>{shift:.0f} m to the left: {after} instead of {before}</source>
    <translation>向左 {shift:.0f} m：{after}，而不是 {before}</translation>
-  </message>
-  <message>
-   <source>{shift:.0f} m to the right</source>
-   <translation>向右 {shift:.0f} 米</translation>
   </message>
   <message>
    <source>{shift:.0f} m to the right: {after} instead of {before}</source>
@@ -7280,12 +7112,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{source} 不以米为单位；结果采用 {target}。</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or export it with their names.</source>
-   <translation>{source} 没有给出类别名称（元数据键 class_names）；请选择给出名称的模型，或连同名称一起导出。</translation>
-  </message>
-  <message>
-   <source>{source} does not name its classes (metadata key class_names); give them in CLASS_TABLE, in the order of the network's outputs.</source>
-   <translation>{source} 没有给出类别名称（元数据键 class_names）；请按网络输出的顺序在 CLASS_TABLE 中给出。</translation>
+   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
+   <translation>{source} 没有给出类别名称（元数据键 class_names）；请按网络输出的顺序提供类别表，或选择给出名称的模型。</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>
@@ -7350,10 +7178,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{source} tells no focal length, so the image is taken as it is.</source>
    <translation>{source} 未给出焦距，因此影像按原样处理。</translation>
-  </message>
-  <message>
-   <source>{source} tells {channels} classes apart, but there are {count} class names in CLASS_TABLE: {names}; take the names it was trained with.</source>
-   <translation>{source} 区分 {channels} 个类别，但 CLASS_TABLE 中有 {count} 个类别名称：{names}；请采用训练时的名称。</translation>
   </message>
   <message>
    <source>{source} tells {channels} classes apart, but there are {count} class names in its metadata (class_names): {names}; take the names it was trained with.</source>
@@ -7486,10 +7310,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; choose a smaller EXTENT, or get the image as a file from whoever offers it.</source>
    <translation>“{layer}”将绘制为 {width} × {height} 像素，超过 {most_million} 百万；请选择更小的 EXTENT，或向提供者获取影像文件。</translation>
-  </message>
-  <message>
-   <source>“{name}” is no assessed route: it has no points, or lacks the columns {missing}; give what “Assess route” wrote.</source>
-   <translation>“{name}”不是已评价的航线：没有点，或缺少列 {missing}；请给出“评价航线”的输出。</translation>
   </message>
   <message>
    <source>“{output}” and “{other}” are the same file, {path}; choose two files.</source>

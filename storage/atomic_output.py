@@ -88,7 +88,11 @@ class Batch:
         """
         final = Path(target)
         if not final.parent.is_dir():
-            raise ParameterError("storage.no_folder", folder=final.parent, name=final.name)
+            raise ParameterError(
+                "The folder {folder} does not exist; create it or choose another place for {name}.",
+                folder=final.parent,
+                name=final.name,
+            )
         return str(self._stage(final, lambda: require_replaceable(target, suffix, tables)).made)
 
     def folder(self, target: str, replaces: bool = False) -> str:
@@ -122,7 +126,9 @@ class Batch:
         """
         for staged in self._staged:
             if not staged.is_ours():
-                raise ParameterError("storage.database_changed", path=staged.workplace)
+                raise ParameterError(
+                    "{path} was changed by another program meanwhile; try again.", path=staged.workplace
+                )
             _flush(staged.workplace)
         for check in checks:
             check()
@@ -136,7 +142,11 @@ class Batch:
             except OSError as error:
                 if error.errno in (errno.ENOSPC, errno.EDQUOT):
                     raise
-                raise ParameterError("storage.not_replaceable", path=staged.final) from None
+                raise ParameterError(
+                    "{path} can't be replaced; it may be open in this or another program: close or remove it, or "
+                    "choose another name.",
+                    path=staged.final,
+                ) from None
             _flush_folder(staged.final.parent)
 
     def close(self) -> None:
@@ -152,9 +162,15 @@ class Batch:
             # Nothing random follows a dot: QGIS takes “.x.gz…” for an archive.
             workplace = tempfile.mkdtemp(prefix=".semref-", suffix=".part", dir=final.parent)
         except PermissionError:
-            raise ParameterError("storage.folder_unwritable", folder=final.parent, name=final.name) from None
+            raise ParameterError(
+                "The folder {folder} can't be written to; choose another place for {name}.",
+                folder=final.parent,
+                name=final.name,
+            ) from None
         except OSError as error:
-            raise ParameterError("storage.file_unwritable", path=final, reason=error.strerror) from None
+            raise ParameterError(
+                "{path} can't be written: {reason}; choose another place.", path=final, reason=error.strerror
+            ) from None
         self._staged.append(_Staged(final, Path(workplace), require_free))
         return self._staged[-1]
 
@@ -178,9 +194,11 @@ def folder_written_beside(target: str, replaces: bool = False) -> Iterator[str]:
 def require_empty(folder: Path) -> None:
     """Raise ParameterError for what is neither missing nor an empty folder. A link to a folder is not followed."""
     if os.path.islink(folder) or (os.path.exists(folder) and not os.path.isdir(folder)):
-        raise ParameterError("storage.is_file", path=folder)
+        raise ParameterError("{path} is a file or a link; choose a folder.", path=folder)
     if os.path.isdir(folder) and os.listdir(folder):
-        raise ParameterError("storage.folder_not_empty", path=folder)
+        raise ParameterError(
+            "The folder {path} holds other files, which are left alone; choose a new or empty one.", path=folder
+        )
 
 
 def _rename_folder(staged: _Staged) -> None:
@@ -209,7 +227,12 @@ def _rename_files(staged: _Staged) -> None:
     for path in map(final.with_name, older):
         # A folder, or a part of another file, belongs to somebody else.
         if (path.is_dir() and not path.is_symlink()) or not (os.path.lexists(final) or is_note(path)):
-            raise ParameterError("storage.stranger_beside", path=path, name=final.name)
+            raise ParameterError(
+                "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose "
+                "another name.",
+                path=path,
+                name=final.name,
+            )
     (workplace / _OLDER).mkdir()
     aside, renamed = [], []
     made = [final.name] if staged.made.exists() else []

@@ -10,7 +10,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal, ogr
 
-from ..core.errors import LabelMapError
+from ..core.errors import LabelMapError, UnwritableError
 from .gdal_errors import gdal_failure, gdal_failures
 from .rasters import GdalLabels
 
@@ -46,7 +46,8 @@ class LabelMapPair:
         (height, width), (other_height, other_width) = self.reference.shape_hw, self.predicted.shape_hw
         if None in grids and (grids[0] != grids[1] or (height, width) != (other_height, other_width)):
             raise LabelMapError(
-                "storage.sizes_without_georeference",
+                "The reference has {width} × {height} pixels and the prediction {other_width} × {other_height}, and "
+                "not both have a georeference; compare images of one size or two georeferenced maps.",
                 width=width,
                 height=height,
                 other_width=other_width,
@@ -54,14 +55,14 @@ class LabelMapPair:
             )
         grid, other = (transform or PIXEL_TRANSFORM for transform in grids)
         if grid != other and any(transform[2] or transform[4] for transform in (grid, other)):
-            raise LabelMapError("storage.rotated_against")
+            raise LabelMapError("One of the maps is rotated against the other; warp both to a north-up grid first.")
         # Of each pixel of REFERENCE along an axis, the pixel of PREDICTED at its center.
         columns = _pixels_at(grid[0], grid[1], width, other[0], other[1])
         rows = _pixels_at(grid[3], grid[5], height, other[3], other[5])
         self._first_column, self._columns = _inside(columns, other_width)
         self._first_row, self._rows = _inside(rows, other_height)
         if not len(self._columns) or not len(self._rows):
-            raise LabelMapError("storage.no_overlap")
+            raise LabelMapError("The reference and the prediction don't overlap; choose maps of the same ground.")
         x0, dx, x_turn, y0, y_turn, dy = grid
         x = x0 + self._first_column * dx + self._first_row * x_turn
         self.geotransform = (x, dx, x_turn, y0 + self._first_column * y_turn + self._first_row * dy, y_turn, dy)
@@ -120,7 +121,7 @@ class DisagreementMap:
         options = ["TILED=YES", "COMPRESS=DEFLATE", "ZLEVEL=1", "BIGTIFF=IF_SAFER"]
         self._raster = gdal.GetDriverByName("GTiff").Create(self._path, width, height, 1, gdal.GDT_UInt16, options)
         if self._raster is None:
-            raise LabelMapError("storage.unwritable", path=self._path, reason=gdal_failure())
+            raise UnwritableError("{path} can't be written: {reason}.", path=self._path, reason=gdal_failure())
         self._raster.SetGeoTransform(pair.geotransform)
         self._database = self._layer = None
 
@@ -137,7 +138,7 @@ class DisagreementMap:
         with gdal_failures() as failures:
             self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
         if failures:
-            raise LabelMapError("storage.unwritable", path=self._path, reason=failures[0])
+            raise UnwritableError("{path} can't be written: {reason}.", path=self._path, reason=failures[0])
 
     def outline(self, proceed: Callable[[float], bool]) -> None:
         """Makes the polygons.
@@ -162,7 +163,7 @@ class DisagreementMap:
             gdal.Polygonize(band, band, self._layer, 0, [], callback=report)
             self._database.CommitTransaction()
         if failures and not stopped:
-            raise LabelMapError("storage.no_polygons", reason=failures[0])
+            raise LabelMapError("The polygons can’t be made: {reason}.", reason=failures[0])
 
     def _make_layer(self) -> None:
         """Begins to write polygons; raises RuntimeError where GDAL can't."""

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import LabelMapError
+from ..core.errors import UnwritableError
 from ..core.geometry.footprint import is_parallelogram, on_ground
 from .gdal_errors import close, gdal_failure, gdal_failures
 from .rasters import open_raster
@@ -29,7 +29,8 @@ def write_draped(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) 
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
     Raises:
-        LabelMapError: The image can't be read, or the VRT not written.
+        LabelMapError: The image can't be read.
+        UnwritableError: The VRT can't be written.
     """
     source = open_raster(image)
     placed_path = f"{target}.placed.vrt"
@@ -53,7 +54,8 @@ def write_geotiff(
         going_on: Asked now and then; False ends the work with a LabelMapError.
 
     Raises:
-        LabelMapError: The image can't be read, or the GeoTIFF not written.
+        LabelMapError: The image can't be read.
+        UnwritableError: The GeoTIFF can't be written.
     """
     source = open_raster(image)
     placed = _place(source, "", crs_wkt, corners_xy)
@@ -69,7 +71,7 @@ def write_geotiff(
             callback=lambda *_: int(going_on()),
         )
     if failures:
-        raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
+        raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=failures[0])
 
 
 def _place(source: gdal.Dataset, path: str, crs_wkt: str, corners_xy: np.ndarray) -> gdal.Dataset:
@@ -77,7 +79,7 @@ def _place(source: gdal.Dataset, path: str, crs_wkt: str, corners_xy: np.ndarray
     footprint = np.asarray(corners_xy, np.float64)
     placed = gdal.GetDriverByName("VRT").CreateCopy(path, source)
     if placed is None:
-        raise LabelMapError("storage.unwritable", path=path, reason=gdal_failure())
+        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=gdal_failure())
     if is_parallelogram(footprint):
         placed.SetProjection(crs_wkt)
         placed.SetGeoTransform(geotransform(footprint, source))
@@ -89,12 +91,12 @@ def _place(source: gdal.Dataset, path: str, crs_wkt: str, corners_xy: np.ndarray
 def _turn(
     target: str, placed: str | gdal.Dataset, source: gdal.Dataset, corners_xy: np.ndarray, **options: object
 ) -> None:
-    """Warps what ``_place`` gave, north up. Raises LabelMapError."""
+    """Warps what ``_place`` gave, north up. Raises UnwritableError."""
     labels = source.RasterCount == 1
     tilted = not is_parallelogram(np.asarray(corners_xy, np.float64))
     turned = gdal.Warp(target, placed, dstNodata=0 if labels else None, dstAlpha=not labels, tps=tilted, **options)
     if turned is None:
-        raise LabelMapError("storage.unwritable", path=target, reason=gdal_failure())
+        raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=gdal_failure())
     turned.FlushCache()
     close(turned)
 

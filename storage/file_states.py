@@ -27,7 +27,7 @@ def require_unchanged(before: Mapping[str, tuple[int, float]]) -> None:
     """Raises ParameterError where a file is another one than when ``state`` reported that of it."""
     for path, then in before.items():
         if state(path) != then:
-            raise ParameterError("cluster.map_changed", path=path)
+            raise ParameterError("{path} was changed while it was read; start again when it stays as it is.", path=path)
 
 
 def fingerprint(database: ReferenceDatabase) -> str:

@@ -15,7 +15,7 @@ def gdal_failure(error: object = None) -> str | Sentence:
     """What GDAL said last, whether it raised or not, as a value of a sentence."""
     text = (str(error) if error else "") or gdal.GetLastErrorMsg()
     if not text:
-        return Sentence("storage.unknown_reason")
+        return Sentence("unknown reason")
     # GDAL 3.10 appends the earlier messages as sentences of their own.
     return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
 

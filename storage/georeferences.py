@@ -32,7 +32,10 @@ def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarr
     """
     source = open_raster(image)
     if not is_parallelogram(np.asarray(corners_xy, np.float64)):
-        raise LabelMapError("storage.tilted_for_world_file", image=os.path.basename(image))
+        raise LabelMapError(
+            "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.",
+            image=os.path.basename(image),
+        )
     transform = geotransform(corners_xy, source)
     x0, across_x, down_x, y0, across_y, down_y = transform
     # A world file tells the center of the first pixel.

@@ -58,7 +58,7 @@ class GdalImage:
         self.bands = color_bands(self._view)
         kinds = {self._view.GetRasterBand(number).DataType for number in self.bands}
         if any(gdal.DataTypeIsComplex(kind) for kind in kinds):
-            raise ImageError("storage.complex_numbers", path=path)
+            raise ImageError("{path} holds complex numbers; a network takes photos.", path=path)
         self.stretch = None if kinds == {gdal.GDT_Byte} else self._percentiles()
         self._row = 0
 
@@ -137,9 +137,11 @@ class GdalImage:
         try:
             found = read(*arguments, **keywords)
         except RuntimeError as error:
-            raise ImageError("storage.damaged", path=self._path, reason=gdal_failure(error)) from None
+            raise ImageError(
+                "{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure(error)
+            ) from None
         if found is None:
-            raise ImageError("storage.damaged", path=self._path, reason=gdal_failure())
+            raise ImageError("{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure())
         return found
 
     def _percentiles(self) -> np.ndarray:

@@ -49,7 +49,8 @@ def opened_photo(path: str) -> GdalImage:
     height, width = photo.shape_hw
     if height * width > MAXIMUM_IMAGE_PIXELS:
         raise ImageError(
-            "labels.image_too_large",
+            "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it "
+            "to what one photo shows.",
             path=path,
             width=width,
             height=height,
@@ -68,7 +69,8 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     width, height = dataset.RasterXSize, dataset.RasterYSize
     if width * height > MAXIMUM_IMAGE_PIXELS:
         raise LabelMapError(
-            "labels.image_too_large",
+            "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it "
+            "to what one photo shows.",
             path=path,
             width=width,
             height=height,
@@ -104,9 +106,11 @@ def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
             return None
         mask = band.GetMaskBand().ReadAsArray()
     except RuntimeError as error:
-        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure(error)) from None
+        raise LabelMapError(
+            "{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure(error)
+        ) from None
     if mask is None:
-        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure())
+        raise LabelMapError("{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure())
     return mask > 0
 
 
@@ -124,7 +128,11 @@ def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.
             colors[value] = palette.GetColorEntry(value)[2::-1]
         return colors[_read_bytes(dataset, 1, path, first_row, rows)]
     if dataset.RasterCount < 3:
-        raise LabelMapError("storage.no_palette", path=path, bands=dataset.RasterCount)
+        raise LabelMapError(
+            "{path} has {bands} band(s) and no palette; a color image has three bands.",
+            path=path,
+            bands=dataset.RasterCount,
+        )
     return np.dstack([_read_bytes(dataset, number, path, first_row, rows) for number in (3, 2, 1)])
 
 
@@ -132,11 +140,13 @@ def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, r
     band = dataset.GetRasterBand(number)
     if band.DataType != gdal.GDT_Byte:
         kind = gdal.GetDataTypeName(band.DataType)
-        raise LabelMapError("labels.color_not_8_bits", path=path, kind=kind)
+        raise LabelMapError("{path} holds {kind} values; a color label image has 8 bits a band.", path=path, kind=kind)
     try:
         data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
     except RuntimeError as error:
-        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure(error)) from None
+        raise LabelMapError(
+            "{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure(error)
+        ) from None
     if data is None:
-        raise LabelMapError("storage.damaged", path=path, reason=gdal_failure())
+        raise LabelMapError("{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure())
     return data

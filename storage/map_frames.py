@@ -20,12 +20,17 @@ def require_map_grid(transform: Sequence[float] | None, path: str) -> None:
         path: What the raster is called in what is said.
     """
     if transform is None:
-        raise LabelMapError("storage.no_georeference", path=path)
+        raise LabelMapError("{path} has no georeference, so its windows would have no place on the map.", path=path)
     _, pixel_x, turn_x, _, turn_y, pixel_y = transform
     if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
-        raise LabelMapError("storage.rotated", path=path)
+        raise LabelMapError("{path} is rotated or mirrored; warp it to a north-up grid first.", path=path)
     if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
-        raise LabelMapError("storage.not_square", path=path, pixel_x=pixel_x, pixel_y=-pixel_y)
+        raise LabelMapError(
+            "{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.",
+            path=path,
+            pixel_x=pixel_x,
+            pixel_y=-pixel_y,
+        )
 
 
 def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None:
@@ -40,5 +45,10 @@ def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None
         known = table.by_value(found.value)
         if known is not None and known.name != found.name:
             raise LabelMapError(
-                "storage.class_called_otherwise", path=path, value=found.value, name=found.name, known=known.name
+                "{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the "
+                "database’s class table.",
+                path=path,
+                value=found.value,
+                name=found.name,
+                known=known.name,
             )

@@ -108,4 +108,4 @@ def _pixel_area(transform: tuple[float, ...]) -> float:
 
 def _raise(failures: list[str]) -> None:
     if failures:
-        raise LabelMapError("storage.no_polygons", reason=failures[0])
+        raise LabelMapError("The polygons can’t be made: {reason}.", reason=failures[0])

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import LabelMapError
+from ..core.errors import UnwritableError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.image_source import PixelMask
 from .gdal_errors import close, gdal_failures
@@ -34,19 +34,19 @@ def write_jpeg(path: Path, bands: np.ndarray) -> None:
 
 
 def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> None:
-    """Copies a piece of a raster, (first column, first row, width, height), to a GeoTIFF. Raises LabelMapError."""
+    """Copies a piece of a raster, (first column, first row, width, height), to a GeoTIFF. Raises UnwritableError."""
     options = {"format": "GTiff", "srcWin": list(window), "creationOptions": list(TILED)}
     with gdal_failures() as failures:
         close(gdal.Translate(target, open_raster(source), **options))
     if failures:
-        raise LabelMapError("storage.unwritable", path=target, reason=failures[0])
+        raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=failures[0])
 
 
 def keep_only(path: str, wanted: PixelMask) -> None:
     """Leaves a GeoTIFF no data outside a mask, as a mask of its own; what had none before still has none.
 
     Raises:
-        LabelMapError: It can't be written.
+        UnwritableError: It can't be written.
     """
     with gdal_failures() as failures:
         gdal.SetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES")
@@ -55,7 +55,7 @@ def keep_only(path: str, wanted: PixelMask) -> None:
         finally:
             gdal.SetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", None)
     if failures:
-        raise LabelMapError("storage.unwritable", path=path, reason=failures[0])
+        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=failures[0])
 
 
 def _write_mask(dataset: gdal.Dataset | None, wanted: PixelMask) -> None:
@@ -79,7 +79,7 @@ class ColorPicture(WrittenRaster):
     """A georeferenced GeoTIFF with red, green, blue and opacity, being written tile by tile."""
 
     def __init__(self, path: str, frame: MapFrame) -> None:
-        """Creates the file where ``frame`` lies, all of it transparent. Raises LabelMapError."""
+        """Creates the file where ``frame`` lies, all of it transparent. Raises UnwritableError."""
         options = (*TILED, "PHOTOMETRIC=RGB", "ALPHA=YES")
         super().__init__(path, frame.shape_hw, 4, frame.geotransform, frame.crs, options)
 
@@ -99,4 +99,4 @@ def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: list[
         # It may still write when it is closed.
         close(gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options))
     if failures:
-        raise LabelMapError("storage.unwritable", path=path, reason=failures[0])
+        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=failures[0])

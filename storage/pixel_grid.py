@@ -21,14 +21,18 @@ def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
     Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
     """
     if not pixel_size > 0 or not math.isfinite(pixel_size):
-        raise ParameterError("storage.pixel_size", pixel_size=pixel_size)
+        raise ParameterError("The pixel size is {pixel_size:g} m; it must be more than 0.", pixel_size=pixel_size)
     # A bound that is a multiple but for rounding must not add a row of pixels.
     slack = 1e-6
     left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
     right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
     width, height = max(right - left, 1), max(top - bottom, 1)
     if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
-        raise ParameterError("storage.too_many_pixels", width=width, height=height)
+        raise ParameterError(
+            "The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.",
+            width=width,
+            height=height,
+        )
     return MapFrame.at((left * pixel_size, top * pixel_size), pixel_size, (height, width), crs_wkt)
 
 

@@ -12,7 +12,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import LabelMapError
+from ..core.errors import LabelMapError, UnwritableError
 from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
@@ -114,16 +114,25 @@ def open_raster(path: str) -> gdal.Dataset:
         # GDAL reads it from damaged keys only now, and may raise as well.
         transform = None if dataset is None else dataset.GetGeoTransform(can_return_null=True)
     except RuntimeError as error:
-        raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure(error)) from None
+        raise LabelMapError("{path} can't be read: {reason}.", path=path, reason=gdal_failure(error)) from None
     finally:
         gdal.PopErrorHandler()
     if dataset is None or dataset.RasterCount == 0:
-        raise LabelMapError("storage.unreadable", path=path, reason=gdal_failure())
+        raise LabelMapError("{path} can't be read: {reason}.", path=path, reason=gdal_failure())
     if drivers and dataset.GetMetadataItem(*_OVERVIEW_FILE):
-        raise LabelMapError("storage.overviews_elsewhere", path=path, name=dataset.GetMetadataItem(*_OVERVIEW_FILE))
+        raise LabelMapError(
+            "{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, "
+            "or build the overviews again.",
+            path=path,
+            name=dataset.GetMetadataItem(*_OVERVIEW_FILE),
+        )
     if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
         numbers = ", ".join(f"{value:g}" for value in transform)
-        raise LabelMapError("storage.bad_georeference", path=path, numbers=numbers)
+        raise LabelMapError(
+            "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.",
+            path=path,
+            numbers=numbers,
+        )
     return dataset
 
 
@@ -166,7 +175,12 @@ def _require_own_side_cars(path: str) -> None:
         is_metadata = side_car.lower().endswith(".aux.xml")
         state = os.stat(side_car)
         if not stat.S_ISREG(state.st_mode) or is_metadata and state.st_size > _MOST_SIDE_CAR_BYTES:
-            raise LabelMapError("storage.foreign_side_car", path=side_car, raster=path)
+            raise LabelMapError(
+                "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
+                "files; remove it.",
+                path=side_car,
+                raster=path,
+            )
         if is_metadata or side_car.lower().endswith(".aux") and not _start(side_car).startswith(_ERDAS):
             continue
         dataset = None
@@ -174,7 +188,12 @@ def _require_own_side_cars(path: str) -> None:
             with gdal_failures():
                 dataset = gdal.OpenEx(side_car, gdal.OF_RASTER | gdal.OF_READONLY, list(_OVERVIEW_DRIVERS))
         if dataset is None or dataset.GetMetadataItem(*_OVERVIEW_FILE):
-            raise LabelMapError("storage.foreign_side_car", path=side_car, raster=path)
+            raise LabelMapError(
+                "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
+                "files; remove it.",
+                path=side_car,
+                raster=path,
+            )
         _require_own_side_cars(side_car)
 
 
@@ -207,7 +226,7 @@ def require_whole_raster(path: str, target: str) -> None:
         target: What it is called in what is said.
 
     Raises:
-        LabelMapError: When it can't be read to its end.
+        UnwritableError: When it can't be read to its end.
     """
     dataset = None
     # It may raise or return None, as the user has set it.
@@ -218,7 +237,9 @@ def require_whole_raster(path: str, target: str) -> None:
                 dataset.GetRasterBand(number).ReadAsArray(dataset.RasterXSize - 1, dataset.RasterYSize - 1, 1, 1)
     if dataset is None or failures:
         reason = failures[-1].rstrip(".") if failures else gdal_failure()
-        raise LabelMapError("storage.not_whole", path=target, reason=reason)
+        raise UnwritableError(
+            "{path} could not be written whole: {reason}; see whether the disk is full.", path=target, reason=reason
+        )
 
 
 class GdalLabels:
@@ -240,10 +261,16 @@ class GdalLabels:
         self._dataset = open_raster(path)
         self._band = self._dataset.GetRasterBand(1)
         if self._dataset.RasterCount != 1:
-            raise LabelMapError("storage.bands_for_labels", path=path, bands=self._dataset.RasterCount)
+            raise LabelMapError(
+                "{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.",
+                path=path,
+                bands=self._dataset.RasterCount,
+            )
         if self._band.DataType not in _INTEGER_TYPES:
             kind = gdal.GetDataTypeName(self._band.DataType)
-            raise LabelMapError("labels.not_whole_numbers", path=path, kind=kind)
+            raise LabelMapError(
+                "{path} holds {kind} values; a label map holds whole numbers from 0 to 255.", path=path, kind=kind
+            )
         self._nodata = self._band.GetNoDataValue()
 
     @property
@@ -265,9 +292,11 @@ class GdalLabels:
         try:
             block = self._band.ReadAsArray(column, row, width, height)
         except RuntimeError as error:
-            raise LabelMapError("storage.damaged", path=self._path, reason=gdal_failure(error)) from None
+            raise LabelMapError(
+                "{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure(error)
+            ) from None
         if block is None:
-            raise LabelMapError("storage.damaged", path=self._path, reason=gdal_failure())
+            raise LabelMapError("{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure())
         # Blocks that are read once and in order would only fill GDAL's cache.
         if not self._keeps_blocks or width == self._dataset.RasterXSize:
             self._dataset.FlushCache()
@@ -277,7 +306,11 @@ class GdalLabels:
             return np.ascontiguousarray(block)
         if block.size and (block.min() < 0 or block.max() > 255):
             found = int(block.max() if block.max() > 255 else block.min())
-            raise LabelMapError("labels.value_out_of_range", path=self._path, found=found)
+            raise LabelMapError(
+                "{path} has the value {found}; a label map holds class values from 0 to 255.",
+                path=self._path,
+                found=found,
+            )
         return block.astype(np.uint8)
 
 
@@ -378,9 +411,9 @@ def image_files(paths: list[str]) -> list[str]:
         try:
             inside = sorted(os.listdir(path))
         except OSError as error:
-            raise LabelMapError("labels.image_unreadable", path=path, reason=error.strerror) from None
+            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=error.strerror) from None
         images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
         if not images:
-            raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)
+            raise LabelMapError("The folder {path} holds no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
         found += images
     return found

@@ -95,9 +95,11 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
     try:
         mode = os.stat(final).st_mode
         if stat.S_ISDIR(mode):
-            raise ParameterError("storage.is_folder", path=final)
+            raise ParameterError("{path} is a folder; give a file name.", path=final)
         if not stat.S_ISREG(mode):
-            raise ParameterError("storage.other_kind", path=final)
+            raise ParameterError(
+                "{path} exists and is another kind of file, which would be lost; choose another name.", path=final
+            )
         with final.open("rb") as file:
             head = file.read(256)
     except (FileNotFoundError, NotADirectoryError):
@@ -105,13 +107,17 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
         _require_no_orphans(final)
         return
     except OSError as error:
-        raise ParameterError("storage.file_unwritable", path=final, reason=error.strerror) from None
+        raise ParameterError(
+            "{path} can't be written: {reason}; choose another place.", path=final, reason=error.strerror
+        ) from None
     if not head:
         return
     wanted = _KINDS.get((suffix or final.suffix).lower())
     found = next((kind for start, kind in _STARTS.items() if _text(head).startswith(start)), _UNKNOWN)
     if wanted is not None and found != wanted:
-        raise ParameterError("storage.other_kind", path=final)
+        raise ParameterError(
+            "{path} exists and is another kind of file, which would be lost; choose another name.", path=final
+        )
     if found == _SQLITE and tables is not None:
         _require_tables(final, tables or (final.stem,))
 
@@ -126,12 +132,26 @@ def _require_tables(path: Path, tables: Collection[str]) -> None:
             rows = connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')").fetchall()
     except sqlite3.Error as error:
         if "locked" in str(error):
-            raise ParameterError("storage.not_replaceable", path=path) from None
-        raise ParameterError("storage.older_unreadable", path=path, reason=str(error)) from None
+            raise ParameterError(
+                "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose "
+                "another name.",
+                path=path,
+            ) from None
+        raise ParameterError(
+            "{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another "
+            "name.",
+            path=path,
+            reason=str(error),
+        ) from None
     names = {name for (name,) in rows if not name.startswith(_OF_GEOPACKAGE)}
     others = sorted(names - {*_OF_A_LAYER, *tables})
     if others:
-        raise ParameterError("storage.other_layers", path=path, layers=", ".join(others[:5]))
+        raise ParameterError(
+            "{path} holds other layers ({layers}), which would be lost; choose another file, or add to it by “Save to "
+            "GeoPackage”.",
+            path=path,
+            layers=", ".join(others[:5]),
+        )
 
 
 def _require_no_orphans(final: Path) -> None:
@@ -141,7 +161,12 @@ def _require_no_orphans(final: Path) -> None:
         beside += [f"{final.stem}{end}" for end in (*_OF_SHAPEFILE, *_DERIVED_OF_SHAPEFILE)]
     for name in beside:
         if os.path.lexists(final.with_name(name)):
-            raise ParameterError("storage.stranger_beside", path=final.with_name(name), name=final.name)
+            raise ParameterError(
+                "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose "
+                "another name.",
+                path=final.with_name(name),
+                name=final.name,
+            )
 
 
 def derived_files(final: Path) -> list[str]:
@@ -178,7 +203,11 @@ def require_closed(path: str) -> None:
     """
     if _KINDS.get(Path(path).suffix.lower()) != _SQLITE:
         return
-    in_use = ParameterError("storage.not_replaceable", path=path)
+    in_use = ParameterError(
+        "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another "
+        "name.",
+        path=path,
+    )
     if os.path.isfile(path) and not os.path.islink(path) and os.path.getsize(path):
         try:
             with contextlib.closing(sqlite3.connect(path, timeout=WAIT_S, isolation_level=None)) as connection:

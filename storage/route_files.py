@@ -40,9 +40,11 @@ def read_waypoint_file(path: str) -> list[np.ndarray]:
         ParameterError: The file can't be read.
     """
     if not os.path.isfile(path):
-        raise ParameterError("storage.no_route_file", path=path)
+        raise ParameterError("There is no file {path}; choose another route.", path=path)
     if os.path.getsize(path) > LARGEST_FILE_BYTES:
-        raise ParameterError("storage.route_too_large", path=path, most_mb=LARGEST_FILE_BYTES >> 20)
+        raise ParameterError(
+            "{path} is larger than {most_mb} MB; no route is.", path=path, most_mb=LARGEST_FILE_BYTES >> 20
+        )
     suffix = Path(path).suffix.lower()
     if suffix == ".plan":
         return [plan_positions(_text(path), path)]
@@ -64,10 +66,12 @@ def plan_positions(text: str, path: str) -> np.ndarray:
     try:
         plan = read_json(text)
     except (ValueError, RecursionError):
-        raise ParameterError("storage.plan_not_json", path=path) from None
+        raise ParameterError(
+            "{path} is no JSON and so no plan of QGroundControl; save the plan again.", path=path
+        ) from None
     mission = plan.get("mission") if isinstance(plan, dict) else None
     if not isinstance(mission, dict) or not isinstance(mission.get("items"), list):
-        raise ParameterError("storage.plan_without_mission", path=path)
+        raise ParameterError("{path} has no mission; save it with QGroundControl as a plan.", path=path)
     found: list[tuple[float, float]] = []
     for item in mission["items"]:
         if isinstance(item, dict):
@@ -87,7 +91,7 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
     """
     lines = text.splitlines()
     if not lines or not lines[0].startswith("QGC WPL"):
-        raise ParameterError("storage.no_waypoint_list", path=path)
+        raise ParameterError("{path} is no waypoint list: its first line is not “QGC WPL 110”.", path=path)
     found = []
     # The first one is the home position.
     for line in lines[2:]:
@@ -96,7 +100,9 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
             try:
                 command, latitude, longitude = int(cells[3]), float(cells[8]), float(cells[9])
             except ValueError:
-                raise ParameterError("storage.no_waypoint", path=path, line=line[:60]) from None
+                raise ParameterError(
+                    "{path} has a line that is no waypoint: {line}", path=path, line=line[:60]
+                ) from None
             if command in _POSITION_COMMANDS and (latitude or longitude):
                 found.append((latitude, longitude))
     return _lon_lat(found, path)
@@ -128,7 +134,12 @@ def _lon_lat(positions: Sequence[tuple[Any, Any]], path: str) -> np.ndarray:
     for latitude, longitude in positions:
         numbers = all(isinstance(value, (int, float)) and math.isfinite(value) for value in (latitude, longitude))
         if not numbers or abs(latitude) > 90 or abs(longitude) > 180:
-            raise ParameterError("storage.waypoint_position", path=path, latitude=latitude, longitude=longitude)
+            raise ParameterError(
+                "{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.",
+                path=path,
+                latitude=latitude,
+                longitude=longitude,
+            )
     return np.array([(longitude, latitude) for latitude, longitude in positions], np.float64).reshape(-1, 2)
 
 
@@ -136,7 +147,7 @@ def _text(path: str) -> str:
     try:
         return Path(path).read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
-        raise ParameterError("storage.route_not_text", path=path) from None
+        raise ParameterError("{path} is no text and so no route; choose another file.", path=path) from None
 
 
 def _lines_of_ogr(path: str) -> list[np.ndarray]:
@@ -150,9 +161,9 @@ def _drawn_lines(path: str) -> list[np.ndarray]:
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR, list(_DRIVERS[Path(path).suffix.lower()]))
     if dataset is None:
         raise ParameterError(
-            "storage.route_unreadable",
+            "{path} can't be read as a route ({reason}).",
             path=path,
-            reason=failures[0] if failures else Sentence("storage.unknown_format"),
+            reason=failures[0] if failures else Sentence("unknown format"),
         )
     names = [dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())]
     if Path(path).suffix.lower() == ".gpx":

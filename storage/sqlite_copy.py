@@ -36,4 +36,4 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
     except sqlite3.OperationalError as error:
         if "locked" in str(error):
             raise
-        raise DatabaseError("storage.database_unwritable", reason=str(error)) from None
+        raise DatabaseError("The database can't be written: {reason}.", reason=str(error)) from None

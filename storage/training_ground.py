@@ -81,7 +81,7 @@ def seen_ground(image: RasterFile, wanted: WantedGround, folder: Path) -> Raster
     else:
         return image
     if made is None:
-        raise LabelMapError("storage.unreadable", path=image.path, reason=gdal_failure())
+        raise LabelMapError("{path} can't be read: {reason}.", path=image.path, reason=gdal_failure())
     made.FlushCache()
     return RasterFile(target, wanted.crs_wkt or image.crs_wkt, image.is_metric or bool(wanted.crs_wkt), ())
 
@@ -102,7 +102,11 @@ def frame_of(image: RasterFile) -> MapFrame:
     dataset = open_raster(image.path)
     transform = dataset.GetGeoTransform(can_return_null=True)
     if transform is None:
-        raise LabelMapError("storage.image_without_place", path=image.path)
+        raise LabelMapError(
+            "{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image "
+            "with its place on the ground.",
+            path=image.path,
+        )
     return MapFrame(image.crs_wkt, tuple(transform), (dataset.RasterYSize, dataset.RasterXSize))
 
 
@@ -117,6 +121,6 @@ def _made(function: object, *arguments: object, **options: object) -> gdal.Datas
         gdal.ErrorReset()
         return function(*arguments, **options)  # type: ignore[operator]
     except RuntimeError as error:
-        raise LabelMapError("storage.unreadable", path=arguments[0], reason=gdal_failure(error)) from None
+        raise LabelMapError("{path} can't be read: {reason}.", path=arguments[0], reason=gdal_failure(error)) from None
     finally:
         gdal.PopErrorHandler()

@@ -58,9 +58,11 @@ class ImageBands:
         self.kind = self.bands[0].DataType
         if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
-            raise LabelMapError("storage.tiles_need_8_or_16_bits", path=path, name=name)
+            raise LabelMapError(
+                "{path} holds {name} values; training tiles are made of 8- or 16-bit images.", path=path, name=name
+            )
         if self.bands[0].GetRasterColorTable() is not None:
-            raise LabelMapError("storage.has_palette", path=path)
+            raise LabelMapError("{path} has a palette; convert it to an RGB image first.", path=path)
         self._seen = GdalImage(path)
         self.network_bands = [kept.index(n) + 1 for n in self._seen.bands]
         self.stretch = self._seen.stretch
@@ -85,7 +87,9 @@ class ImageBands:
         with gdal_failures() as failures:
             pieces = [band.ReadAsArray(column, row, size, size) for band in self.bands]
         if failures:
-            raise LabelMapError("storage.damaged", path=self.path, reason=gdal_failure(failures[0]))
+            raise LabelMapError(
+                "{path} is damaged or cut short: {reason}.", path=self.path, reason=gdal_failure(failures[0])
+            )
         return np.stack(pieces)
 
     def read_as_seen(self, column: int, row: int, size: int) -> tuple[np.ndarray, np.ndarray]:
@@ -111,7 +115,8 @@ class LabelsOnImage:
         self._same_grid = self.labels.shape_hw == self.shape_hw and (not placed or transform == self._image_transform)
         if not self._same_grid and not (placed and all(self._crs)):
             raise LabelMapError(
-                "storage.labels_not_georeferenced",
+                "{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place "
+                "on the ground, or labels of the image’s size.",
                 path=file.path,
                 size=_size(self.labels.shape_hw),
                 image_size=_size(self.shape_hw),
@@ -129,11 +134,13 @@ class LabelsOnImage:
         with gdal_failures() as failures:
             gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
         if failures:
-            raise LabelMapError("storage.labels_not_on_image", reason=failures[0])
+            raise LabelMapError("The labels can’t be brought onto the image: {reason}.", reason=failures[0])
         values = piece.ReadAsArray()
         if values.max() > 255 or values.min() < 0:
             found = int(values.max() if values.max() > 255 else values.min())
-            raise LabelMapError("storage.labels_out_of_range", found=found)
+            raise LabelMapError(
+                "The labels have the value {found}; a label map holds class values from 0 to 255.", found=found
+            )
         return values.astype(np.uint8)
 
 
@@ -268,10 +275,12 @@ class TileExport:
 
     def _require_tiles(self, labeled: np.ndarray) -> None:
         if not labeled.any():
-            raise ParameterError("storage.nothing_labeled")
+            raise ParameterError("No pixel of the image is labeled; check that image and labels show the same ground.")
         if not self.counts[TRAIN] or (self._fraction and not self.counts[VALIDATION]):
             raise ParameterError(
-                "storage.no_subset_tiles",
+                "The labels leave {training} tiles of {tile_size} pixels for training and {validation} for "
+                "validation; label more ground, or choose a finer resolution, smaller tiles or another validation "
+                "fraction.",
                 training=self.counts[TRAIN],
                 validation=self.counts[VALIDATION],
                 tile_size=self._tile_size,
@@ -317,4 +326,8 @@ def _require_known_values(values: np.ndarray, table: ClassTable) -> None:
     """``values``: (256,) pixels a value."""
     unknown = [str(v) for v in np.flatnonzero(values) if v != UNLABELED and table.by_value(int(v)) is None]
     if unknown:
-        raise ClassTableError("storage.labels_not_in_table", unknown=unknown, classes=table.describe())
+        raise ClassTableError(
+            "The labels have the value {unknown}, which the class table lacks; its classes are {classes}.",
+            unknown=unknown,
+            classes=table.describe(),
+        )

@@ -27,7 +27,9 @@ def copy_database(path: str, target: str) -> None:
         with closing(sqlite3.connect(path, timeout=5)) as source, closing(sqlite3.connect(target)) as copy:
             copy_whole(source, copy)
     except sqlite3.Error as error:
-        raise ParameterError("storage.file_unwritable", path=path, reason=str(error)) from None
+        raise ParameterError(
+            "{path} can't be written: {reason}; choose another place.", path=path, reason=str(error)
+        ) from None
 
 
 def content_digest(path: str) -> bytes:

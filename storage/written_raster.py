@@ -8,7 +8,7 @@ from typing import TypeVar
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import LabelMapError
+from ..core.errors import UnwritableError
 from .gdal_errors import close, gdal_failure, gdal_failures
 
 TILED = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER")
@@ -39,7 +39,7 @@ class WrittenRaster:
             options: GDAL's creation options.
 
         Raises:
-            LabelMapError: GDAL can't write there.
+            UnwritableError: GDAL can't write there.
         """
         self._path = path
         height, width = shape_hw
@@ -69,4 +69,6 @@ class WrittenRaster:
 
     def _raise(self, failures: Sequence[str]) -> None:
         if failures:
-            raise LabelMapError("storage.unwritable", path=self._path, reason=gdal_failure(failures[0]))
+            raise UnwritableError(
+                "{path} can't be written: {reason}.", path=self._path, reason=gdal_failure(failures[0])
+            )

@@ -1,6 +1,1 @@
 """Training a segmentation network in a Python of its own that has torch; QGIS only starts it (docs/training.md)."""
-
-from ..core.sentences import add
-from .sentences import SENTENCES
-
-add(SENTENCES)

@@ -57,7 +57,11 @@ def read_base(path: Path) -> Base:
     except Exception:  # onnx and torch have many for files that are none of their own
         base = None
     if base is None:
-        raise TrainingError("training.foreign_base", path=path)
+        raise TrainingError(
+            "{path} is no network that SemRef trained, so it can't be trained further; choose another base model or "
+            "none.",
+            path=path,
+        )
     return base
 
 

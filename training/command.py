@@ -38,7 +38,12 @@ def main(arguments: list[str]) -> int:
         run(read_job(Path(arguments[0])), tell, began)
     except SemRefError as error:
         sentence = error.sentence
-        tell("failed", code=sentence.code, values={k: _plain(v) for k, v in sentence.values}, text=english(sentence))
+        tell(
+            "failed",
+            template=sentence.template,
+            values={k: _plain(v) for k, v in sentence.values},
+            text=english(sentence),
+        )
         return 1
     except Exception as error:  # told to QGIS, which reports it as a bug
         tell("broke", text=traceback.format_exc(), reason=str(error).partition("\n")[0])
@@ -50,7 +55,12 @@ def require_packages() -> None:
     """Raises TrainingError for the first that is missing."""
     lacking = [name for name in NEEDED if importlib.util.find_spec(name) is None]
     if lacking:
-        raise TrainingError("training.lacks_package", python=sys.executable, package=lacking[0])
+        raise TrainingError(
+            "{python} lacks the Python package {package}; choose another Python, or have SemRef make one for training "
+            "under Settings ▸ Options ▸ SemRef.",
+            python=sys.executable,
+            package=lacking[0],
+        )
 
 
 def _plain(value: object) -> object:

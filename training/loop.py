@@ -177,7 +177,7 @@ class Trainer:
             if self.settings.minutes and self.share >= 1:
                 break
         if not np.isfinite(total):
-            raise TrainingError("training.loss_not_finite")
+            raise TrainingError("The loss is no longer a number; train with a lower learning rate.")
         return total / max(count, 1)
 
     def _tell_step(self, loss: float) -> None:
@@ -258,20 +258,34 @@ class Trainer:
             torch.save(state, part)
             part.replace(self.folder / name)
         except (OSError, RuntimeError) as error:
-            raise TrainingError("training.not_saved", folder=self.folder, reason=_first_line(error)) from None
+            raise TrainingError(
+                "The training can't be saved in {folder} ({reason}). Free some disk space and start the training "
+                "again; it continues after the last saved epoch.",
+                folder=self.folder,
+                reason=_first_line(error),
+            ) from None
 
     def resume(self) -> None:
         """Goes on where the last run in the folder stopped. Raises TrainingError where that can't be."""
         path = self.folder / CHECKPOINT
         if not path.exists():
-            raise TrainingError("training.nothing_to_resume", folder=self.folder)
+            raise TrainingError("There is no run to resume in {folder}.", folder=self.folder)
         try:
             state = torch.load(path, map_location=self.device, weights_only=True)
         except Exception as error:  # torch has many for files that were not written to their end
-            raise TrainingError("training.damaged", path=path, reason=_first_line(error)) from None
+            raise TrainingError(
+                "{path} is damaged ({reason}), so this training can't be continued; start it again without the "
+                "earlier run.",
+                path=path,
+                reason=_first_line(error),
+            ) from None
         differing = [k for k, v in asdict(self.settings).items() if k not in FREE and state["settings"].get(k) != v]
         if differing:
-            raise TrainingError("training.other_settings", folder=self.folder, settings=differing)
+            raise TrainingError(
+                "The run in {folder} had another {settings}; give the same again, or begin anew.",
+                folder=self.folder,
+                settings=differing,
+            )
         for name in ("network", "average", "optimizer", "scaler"):
             getattr(self, name).load_state_dict(state[name])
         self.epoch, self.step, self.best_score, self.best_epoch, self._seconds_before = state["progress"]

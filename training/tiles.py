@@ -82,10 +82,10 @@ def open_folder(path: Path) -> TileFolder:
         with (path / "classes.csv").open(encoding="utf-8", newline="") as file:
             rows = [TileClass(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
     except (OSError, ValueError, KeyError) as error:
-        raise TrainingError("training.no_tiles", path=path, reason=error) from None
+        raise TrainingError("{path} holds no exported training tiles: {reason}.", path=path, reason=error) from None
     folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))
     if not folder.tiles("train"):
-        raise TrainingError("training.nothing_to_train_on", path=path)
+        raise TrainingError("{path} holds no tiles to train on.", path=path)
     return folder
 
 
@@ -94,7 +94,11 @@ def open_folders(paths: list[Path]) -> list[TileFolder]:
     folders = [open_folder(path) for path in paths]
     for folder in folders[1:]:
         if [(c.value, c.name) for c in folder.classes] != [(c.value, c.name) for c in folders[0].classes]:
-            raise TrainingError("training.other_classes", path=folder.path, first=folders[0].path)
+            raise TrainingError(
+                "{path} has other classes than {first}; export both with one class table.",
+                path=folder.path,
+                first=folders[0].path,
+            )
     return folders
 
 
@@ -139,7 +143,7 @@ class TileReader:
             pair = self.pairs[index]
             image, labels = read_image(pair), cv2.imread(str(pair.labels), cv2.IMREAD_UNCHANGED)
             if labels is None or labels.shape != image.shape[:2]:
-                raise TrainingError("training.no_labels_of_tile", path=pair.labels)
+                raise TrainingError("The labels {path} are missing or don't fit their image.", path=pair.labels)
             channels = self._channels(pair, labels)
             if image.nbytes + labels.nbytes > self._free:
                 return image / np.float32(255), channels
@@ -165,7 +169,7 @@ def read_image(pair: TilePair) -> np.ndarray:
     if pair.image.suffix == ".png":
         picture = cv2.imread(str(pair.image), cv2.IMREAD_UNCHANGED)
         if picture is None:
-            raise TrainingError("training.tile_unreadable", path=pair.image)
+            raise TrainingError("The tile {path} can't be read.", path=pair.image)
         picture = picture[:, :, ::-1] if picture.ndim == 3 else picture[:, :, None]
     else:
         import tifffile  # GeoTIFF tiles are the exception

@@ -165,7 +165,11 @@ def read_ground(job: Job) -> TrainingGround:
         if zero not in (None, tiles.IGNORED):
             pixels[zero] += counts.get("0", 0)
     if np.count_nonzero(pixels) < 2:
-        raise TrainingError("training.one_class", name=classes[int(np.argmax(pixels))].name)
+        raise TrainingError(
+            "Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to "
+            "tell apart. Label another class, or let ground without a label be a class of its own.",
+            name=classes[int(np.argmax(pixels))].name,
+        )
     training, validation = (
         tiles.TileReader(
             [replace(p, unlabeled=zeros.get(f.path)) for f in folders for p in f.tiles(subset)],

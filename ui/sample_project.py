@@ -158,7 +158,9 @@ def copy_sample(folder: Path) -> None:
         with folder_written_beside(str(folder)) as made:
             shutil.copytree(SAMPLE, made, dirs_exist_ok=True, ignore=shutil.ignore_patterns(".*"))
     except OSError as error:
-        raise ParameterError("storage.unwritable", path=folder, reason=error.strerror or error) from error
+        raise ParameterError(
+            "{path} can't be written: {reason}.", path=folder, reason=error.strerror or error
+        ) from error
 
 
 def parameters(folder: Path) -> dict:

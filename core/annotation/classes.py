@@ -114,7 +114,8 @@ def require_known_classes(unknown: Mapping[str, int], source: str, table: ClassT
         return
     counted = [f"“{text}” ({number})" for text, number in Counter(unknown).most_common()]
     raise AnnotationError(
-        "labels.unknown_classes",
+        "“{source}” has classes that the class table does not have: {unknown}; add them to the table ({classes}) or "
+        "leave those features out.",
         source=source,
         unknown=shortened(counted, _NAMED_AT_MOST),
         classes=table.describe(),

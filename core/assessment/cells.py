@@ -52,12 +52,17 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
         ParameterError: For a size that can't be used.
     """
     if not 0 < size < math.inf:
-        raise ParameterError("assessment.square_edge", size=size)
+        raise ParameterError("The edge of a square is {size:g}; give it in map units.", size=size)
     x0, y_low, x1, y0 = database.parameters.extent
     width, height = (max(math.ceil((b - a) / size - 1e-6), 1) for a, b in ((x0, x1), (y_low, y0)))
     if width * height > MOST_CELLS:
         least = math.sqrt((x1 - x0) * (y0 - y_low) / MOST_CELLS)
-        raise ParameterError("assessment.too_many_squares", size=size, count=width * height, least=1.01 * least)
+        raise ParameterError(
+            "The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.",
+            size=size,
+            count=width * height,
+            least=1.01 * least,
+        )
     empty = ~_labeled(database, size, width, height)
     positions = database.references.positions
     columns = np.clip(((positions[:, 0] - x0) / size).astype(int), 0, width - 1)

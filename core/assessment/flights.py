@@ -131,7 +131,9 @@ class FlownRoutes:
             DatabaseError: The database has no overview, or no landmark.
         """
         if database.overview is None or not len(database.references):
-            raise DatabaseError("assessment.no_overview", source=database.source)
+            raise DatabaseError(
+                "{source} has no overview, by which flights are simulated; build it with one.", source=database.source
+            )
         self._database, self._localizer, self._conditions, self._plan = database, localizer, conditions, plan
         self._frame = database.parameters.overview_frame
         self._source = ArrayLabels(cast(np.ndarray, database.overview))
@@ -148,7 +150,12 @@ class FlownRoutes:
         """
         flights, count = self._plan.flights, len(points)
         if flights * count > MOST_IMAGES:
-            raise ParameterError("assessment.too_many_flights", count=flights * count, most=MOST_IMAGES)
+            raise ParameterError(
+                "The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or "
+                "a larger distance between images.",
+                count=flights * count,
+                most=MOST_IMAGES,
+            )
         placed, lost = np.zeros((2, flights, count), bool)
         radii, errors = np.full((2, flights, count), np.nan)
         done = 0

@@ -66,9 +66,13 @@ class ImageSimulator:
             DatabaseError: for a database without landmarks.
         """
         if not 0 < footprint < math.inf:
-            raise ParameterError("assessment.footprint", footprint=footprint)
+            raise ParameterError(
+                "The footprint is {footprint:g}; give the edge of the ground that an image shows.", footprint=footprint
+            )
         if not len(database.references):
-            raise DatabaseError("assessment.no_landmark", source=database.source)
+            raise DatabaseError(
+                "{source} has no landmark; build it with other classes or a smaller area.", source=database.source
+            )
         self._localizer, self._biases = localizer, biases
         self._database = database
         self.footprint = footprint

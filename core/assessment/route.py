@@ -98,15 +98,20 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
         ParameterError: For a spacing that can't be used, and when no line has a length.
     """
     if not 0 < spacing < math.inf:
-        raise ParameterError("assessment.point_distance", spacing=spacing)
+        raise ParameterError("The distance between points is {spacing:g}; give it in map units.", spacing=spacing)
     lines = [line for line in lines if len(line) > 1 and _steps(line).sum() > 0]
     if not lines:
-        raise ParameterError("assessment.route_without_length")
+        raise ParameterError("The route has no line with a length; draw one through two points at least.")
     lengths = tuple(float(_steps(line).sum()) for line in lines)
     count = sum(math.ceil(length / spacing) + 1 for length in lengths)
     if count > MOST_POINTS:
         least = sum(lengths) / MOST_POINTS
-        raise ParameterError("assessment.too_many_points", spacing=spacing, count=count, least=1.01 * least)
+        raise ParameterError(
+            "The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.",
+            spacing=spacing,
+            count=count,
+            least=1.01 * least,
+        )
     numbers, along, places, headings = [], [], [], []
     for number, (line, length) in enumerate(zip(lines, lengths)):
         at = np.append(np.arange(0, length - 1e-6 * spacing, spacing), length)

@@ -36,13 +36,6 @@ FIELDS = (
 VERDICTS = ("hardly_ever", "sometimes", "often", "reliably", "very_reliably")
 """From the worst to the best."""
 
-_REASONS = {
-    Status.TOO_FEW_REFERENCES.key: "assessment.reason_too_few",
-    Status.AMBIGUOUS.key: "assessment.reason_look_alikes",
-    Status.NO_MATCH.key: "assessment.reason_too_loose",
-    WRONG: "assessment.reason_wrong",
-}
-
 
 def verdict_edges(threshold: float) -> tuple[float, ...]:
     """Success from which each of VERDICTS is given, and 1 at the end; the upper two are good enough.
@@ -71,7 +64,9 @@ def footprint_sizes(text: str, default: float) -> list[float]:
             except ValueError:
                 sizes.append(math.nan)
     if not all(0 < size < math.inf for size in sizes):
-        raise ParameterError("assessment.footprints", text=text)
+        raise ParameterError(
+            "“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.", text=text
+        )
     return list(dict.fromkeys(sizes)) or [default]
 
 
@@ -82,11 +77,16 @@ def reason_sentence(reason: str, landmarks: float) -> Sentence | None:
         reason: Of ``assessment.REASONS``, or empty.
         landmarks: In view, on average.
     """
-    code = _REASONS.get(reason)
-    if code is None:
-        return None
-    is_counted = reason in (Status.TOO_FEW_REFERENCES.key, Status.NO_MATCH.key)
-    return Sentence(code, landmarks=landmarks) if is_counted else Sentence(code)
+    if reason == Status.TOO_FEW_REFERENCES.key:
+        return Sentence("Too few landmarks: {landmarks:.0f} in view on average.", landmarks=landmarks)
+    if reason == Status.AMBIGUOUS.key:
+        return Sentence("Look-alikes: another place, or the mirrored image, fits almost as well.")
+    if reason == Status.NO_MATCH.key:
+        return Sentence(
+            "Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.",
+            landmarks=landmarks,
+        )
+    return Sentence("Some fixes would be wrong.") if reason == WRONG else None
 
 
 def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words

@@ -84,7 +84,18 @@ def verdict(opponents: Opponents, rivals: int, allowed: float, settings: Decisio
         return Status.FIX, None
     if not may_be_a_fix(opponents, allowed, settings):
         log_odds = opponents.log_odds
-        return Status.NO_MATCH, Sentence("localization.risk_too_high", log_odds=log_odds, risk=risk, allowed=allowed)
+        return Status.NO_MATCH, Sentence(
+            "The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most {allowed:.2g} "
+            "is allowed.",
+            log_odds=log_odds,
+            risk=risk,
+            allowed=allowed,
+        )
     if rivals and risk_against(opponents, opponents.mirror, settings) <= MORE_LIKELY_WRONG:
-        return Status.AMBIGUOUS, Sentence("localization.rivals", count=rivals)
-    return Status.NO_MATCH, Sentence("localization.mirror_fits")
+        return Status.AMBIGUOUS, Sentence(
+            "{count} other place fits almost as well as the best one."
+            if rivals == 1
+            else "{count} other places fit almost as well as the best one.",
+            count=rivals,
+        )
+    return Status.NO_MATCH, Sentence("The mirrored image fits almost as well, so the pattern is too regular.")

@@ -19,7 +19,18 @@ from ..geometry.pose import (
 )
 from ..geometry.shared_errors import LANDMARKS, VIEW, MatchedPoints, refined_pose
 from ..landmarks.landmarks import Landmarks
-from ..localization import IMAGE_PARTS, LEAST_RISK, RISK, Localization, Matches, Method, Place, Prior, Status
+from ..localization import (
+    IMAGE_PARTS,
+    LEAST_RISK,
+    RISK,
+    Localization,
+    Matches,
+    Method,
+    Place,
+    Prior,
+    Status,
+    too_few_landmarks,
+)
 from ..sentences import Sentence
 from .decision import Opponents, may_be_a_fix, risk_against, risk_of_best, verdict
 from .hypotheses import MINIMUM_OBJECTS, SeenLandmarks, query_triangles
@@ -72,7 +83,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     if other is None:
         return replace(decided, reason=_remark(of_image, _agreement_of_map(index, best), query.diagonal, settings))
     places = decided.best, _place(index, other, other.pose)
-    told = Sentence("localization.one_side_elsewhere")
+    told = Sentence("Landmarks agree with the map on one side of the image only: it may show two places.")
     return replace(decided, status=Status.AMBIGUOUS, reason=told, confidence=None, alternatives=places)
 
 
@@ -172,7 +183,7 @@ def _decide(
     index, found, capped = verifier.index, searched.found, searched.capped
     count, settings = query.usable_count, index.settings
     if not found:
-        nothing = Sentence("localization.no_triangles")
+        nothing = Sentence("No place on the map has triangles like the image's.")
         return Localization(Status.NO_MATCH, Method.CONSTELLATION, count, nothing, search_capped=capped)
     best = found[0]
     pose, covariance = _refined(index, query, best, searched.errors)
@@ -214,9 +225,11 @@ def _flaw(
     index, settings = verifier.index, verifier.index.settings
     of_image = _agreement(query, best, settings)
     if empty_side(of_image, _agreement_of_map(index, best), query.diagonal, settings.decision) is not None:
-        return Status.AMBIGUOUS, Sentence("localization.one_side_elsewhere")
+        return Status.AMBIGUOUS, Sentence(
+            "Landmarks agree with the map on one side of the image only: it may show two places."
+        )
     if error_95 is None or error_95 > settings.decision.largest_error * query.diagonal * abs(best.pose.turn):
-        return Status.NO_MATCH, Sentence("localization.position_too_loose")
+        return Status.NO_MATCH, Sentence("The objects that agree with the map don't fix the position closely enough.")
     return None
 
 
@@ -262,15 +275,32 @@ def _remark(
     of_image: Agreement, of_map: Agreement, diagonal: float, settings: ConstellationSettings
 ) -> Sentence | None:
     """What a fix doesn't hold for: a side on which hardly any landmarks agree, though they show no other place."""
-    for code, seen in (("localization.one_side_unknown", of_image), ("localization.one_side_unseen", of_map)):
-        side = uneven_side(seen, diagonal, settings.decision)
-        if side is not None:
-            held = side.holds(seen.points)
-            right, up = side.direction.real, side.direction.imag
-            across, along = "right" if right > 0 else "left", "upper" if up > 0 else "lower"
-            part = IMAGE_PARTS[across if abs(right) >= abs(up) else along]
-            return Sentence(code, part=part, agree=int(seen.agree[held].sum()), count=int(held.sum()))
+    unknown, unseen = (_counts_of_side(seen, diagonal, settings) for seen in (of_image, of_map))
+    if unknown:
+        return Sentence(
+            "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, "
+            "or of another place. The fix holds for the rest.",
+            **unknown,
+        )
+    if unseen:
+        return Sentence(
+            "In the {part} of the image only {agree} of {count} landmarks of the map are seen: hidden, changed, or "
+            "another place. The fix holds for the rest.",
+            **unseen,
+        )
     return None
+
+
+def _counts_of_side(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> dict[str, object]:
+    """How many landmarks there are on the side on which hardly any agree, and how many do; empty without such a one."""
+    side = uneven_side(seen, diagonal, settings.decision)
+    if side is None:
+        return {}
+    held = side.holds(seen.points)
+    right, up = side.direction.real, side.direction.imag
+    across, along = "right" if right > 0 else "left", "upper" if up > 0 else "lower"
+    part = IMAGE_PARTS[across if abs(right) >= abs(up) else along]
+    return {"part": part, "agree": int(seen.agree[held].sum()), "count": int(held.sum())}
 
 
 def _place(index: ConstellationIndex, evidence: PoseEvidence, pose: Pose) -> Place:
@@ -321,7 +351,5 @@ def objects_needed(index: ConstellationIndex) -> int:
 
 
 def _too_few(count: int, index: ConstellationIndex, capped: bool) -> Localization:
-    shown = Sentence("localization.shows_whole_landmarks", count=count)
-    needed = Sentence("localization.more_needed", count=max(objects_needed(index) - count, 1))
-    reason = Sentence("localization.too_few_landmarks", shown=shown, needed=needed)
+    reason = too_few_landmarks(count, max(objects_needed(index) - count, 1), whole=True)
     return Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION, count, reason, search_capped=capped)

@@ -119,18 +119,43 @@ def decide(
         return Status.FIX, None
     alone = replace(peaks, runner_up=0.0, mirror=0.0)
     if risk_of(log_odds_over_chance(alone, settings)) > allowed_risk:
-        reason = Sentence("localization.agreement_too_low", score=score, risk=risk, allowed=allowed_risk)
+        reason = Sentence(
+            "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at "
+            "most {allowed:.2g} is allowed.",
+            score=score,
+            risk=risk,
+            allowed=allowed_risk,
+        )
         return Status.NO_MATCH, reason
     if peaks.mirror >= peaks.runner_up:
         mirror = peaks.mirror
-        reason = Sentence("localization.mirror_agrees", score=score, mirror=mirror, risk=risk, allowed=allowed_risk)
+        reason = Sentence(
+            "The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error "
+            "probability {risk:.2g}; at most {allowed:.2g} is allowed.",
+            score=score,
+            mirror=mirror,
+            risk=risk,
+            allowed=allowed_risk,
+        )
         return Status.NO_MATCH, reason
     over_chance = risk_of(log_odds_over_chance(replace(peaks, runner_up=0.0), settings))
     if over_chance > MORE_LIKELY_WRONG:
-        reason = Sentence("localization.agreement_too_low", score=score, risk=risk, allowed=allowed_risk)
+        reason = Sentence(
+            "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at "
+            "most {allowed:.2g} is allowed.",
+            score=score,
+            risk=risk,
+            allowed=allowed_risk,
+        )
         return Status.NO_MATCH, reason
     runner_up = peaks.runner_up
-    return Status.AMBIGUOUS, Sentence("localization.two_places_agree", score=score, runner_up=runner_up, risk=risk)
+    return Status.AMBIGUOUS, Sentence(
+        "Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} for the "
+        "better one. Set a prior position to choose between them.",
+        score=score,
+        runner_up=runner_up,
+        risk=risk,
+    )
 
 
 def exact_enough(
@@ -145,13 +170,23 @@ def exact_enough(
         settings: What is close enough.
     """
     if is_held:
-        return Status.AMBIGUOUS, Sentence("localization.map_ends")
+        return Status.AMBIGUOUS, Sentence(
+            "One place agrees, but more than half of the image lies beyond the map there, so that its position isn't "
+            "known."
+        )
     needed_m = settings.largest_error * diagonal_m
     if error_95_m <= needed_m:
         return Status.FIX, None
     if not np.isfinite(error_95_m):
-        return Status.AMBIGUOUS, Sentence("localization.direction_unknown")
-    return Status.AMBIGUOUS, Sentence("localization.error_too_large", error_95_m=error_95_m, needed_m=needed_m)
+        return Status.AMBIGUOUS, Sentence(
+            "One place agrees, but the image doesn't tell its position in all directions."
+        )
+    return Status.AMBIGUOUS, Sentence(
+        "One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs "
+        "{needed_m:.3g} m.",
+        error_95_m=error_95_m,
+        needed_m=needed_m,
+    )
 
 
 def position_error_95(

@@ -57,7 +57,13 @@ def disagreeing_part(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose
     if least.agreement >= settings.part_agreement * whole:
         return None
     part = IMAGE_PARTS[least.name]
-    return Sentence("localization.part_disagrees", part=part, agreement=least.agreement, whole=whole)
+    return Sentence(
+        "In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of "
+        "it): changed, mistaken, or another place. The fix holds for the rest.",
+        part=part,
+        agreement=least.agreement,
+        whole=whole,
+    )
 
 
 def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[float, list[Part]]:

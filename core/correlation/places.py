@@ -75,10 +75,16 @@ def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence 
     """Why the image can't be found on any map; None when it may."""
     labeled = float(coarse.known.mean())
     if labeled < LEAST_LABELED:
-        return Sentence("localization.too_few_labels", labeled=labeled, least=LEAST_LABELED)
+        return Sentence(
+            "Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.",
+            labeled=labeled,
+            least=LEAST_LABELED,
+        )
     energy = float(coarse.evidence.var(axis=(0, 1)).sum()) / pyramid.energy
     if energy < LEAST_ENERGY:
-        return Sentence("localization.hardly_one_class")
+        return Sentence(
+            "The image shows hardly more than one class; a larger footprint with several classes is needed."
+        )
     return None
 
 

@@ -74,7 +74,7 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     _check(labels_hw, prior)
     settings = pyramid.settings
     if not pyramid.space.channels:
-        return _no_match(Sentence("localization.too_few_classes"))
+        return _no_match(Sentence("The map has one class everywhere, so that no place differs from another."))
     image = image_evidence(np.ascontiguousarray(labels_hw), pyramid, shares)
     coarse = reduced_image(image, settings.coarse_edge)
     missing = missing_information(coarse, pyramid)
@@ -82,10 +82,12 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
         return _no_match(missing)
     spaces = search_spaces(image, pyramid, prior)
     if spaces is None:
-        return _no_match(Sentence("localization.too_little_ground"))
+        return _no_match(
+            Sentence("The image shows too little ground to search this whole map for it; give a prior position.")
+        )
     poses, chance = best_places(image, pyramid, spaces, settings.candidates)
     if not poses:
-        return _no_match(Sentence("localization.nothing_under_image"))
+        return _no_match(Sentence("No place of the map has labels under at least half of the image."))
     poses, peaks = _weighed(image, pyramid, spaces, poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
     decided = reduced_image(image, settings.decision_edge)
@@ -178,7 +180,7 @@ def _pose_of(place: Place, pyramid: MapPyramid) -> ScoredPose:
 def _check(labels_hw: np.ndarray, prior: Prior) -> None:
     """Raises what ``localize`` says."""
     if labels_hw.size == 0:
-        raise LabelMapError("labels.no_pixels")
+        raise LabelMapError("The image has no pixels.")
     sizes = prior.pixel_size_range
     if sizes is None or not 0 < sizes[0] <= sizes[1]:
         raise ValueError(f"Pixel sizes {sizes} are no range.")

@@ -59,13 +59,24 @@ class BuildSettings:
     def __post_init__(self) -> None:
         """Refuses values that can't be used."""
         if not all(0 <= length < _LONGEST for length in (self.window_size, self.stride)):
-            raise WindowError("database.lengths", window_size=self.window_size, stride=self.stride)
+            raise WindowError(
+                "The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, "
+                "above 0.",
+                window_size=self.window_size,
+                stride=self.stride,
+            )
         if not self.minimum_area > 0:
-            raise WindowError("database.minimum_area", minimum_area=self.minimum_area)
+            raise WindowError(
+                "The minimum area is {minimum_area:g} m²; it must be more than 0.", minimum_area=self.minimum_area
+            )
         if self.references_per_vector < MINIMUM_REFERENCES:
-            raise WindowError("database.vector_too_short", count=self.references_per_vector, least=MINIMUM_REFERENCES)
+            raise WindowError(
+                "A vector of {count} references is too short; use at least {least}.",
+                count=self.references_per_vector,
+                least=MINIMUM_REFERENCES,
+            )
         if not self.levels or not all(0 < level < _LONGEST for level in self.levels):
-            raise WindowError("database.levels")
+            raise WindowError("The levels must be positive multipliers of the window size, for example 1;2.")
         # One that is given twice counts once.
         object.__setattr__(self, "levels", tuple(dict.fromkeys(self.levels)))
 
@@ -207,7 +218,8 @@ def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: Bu
     """The map's landmarks; raises LabelMapError where it has none."""
     if objects is None or not len(objects):
         raise LabelMapError(
-            "database.no_landmark_on_map",
+            "The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference "
+            "classes or a smaller minimum area.",
             references=[c.name for c in table.references],
             minimum_area=settings.minimum_area,
         )

@@ -114,7 +114,12 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     # A newer version may have parameters that this one does not know, so its number is looked at first.
     version = checked(stored["format_version"], int, "format_version")
     if version > FORMAT_VERSION:
-        raise DatabaseError("database.newer_format", source=source, version=version, known=FORMAT_VERSION)
+        raise DatabaseError(
+            "{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.",
+            source=source,
+            version=version,
+            known=FORMAT_VERSION,
+        )
     values = {"block_hashes": (), "map_accuracy": MAP_ACCURACY, **stored}
     known: dict[str, Any] = {}
     for item in fields(BuildParameters):

@@ -108,7 +108,7 @@ class DatabaseUpdater:
             yield "Finding landmarks", 0.5 + 0.1 * share
         removed, added = landmarks.removed, landmarks.added
         if len(self._database.references) - len(removed) + len(added) == 0:
-            raise LabelMapError("database.no_landmark_left")
+            raise LabelMapError("The corrected map shows no landmark any more; choose another label map.")
         windows = _copied(self._database.windows)
         for share in self._describe(windows, places):
             yield "Describing windows", 0.6 + 0.2 * share
@@ -161,7 +161,11 @@ class DatabaseUpdater:
         for left, top, right, bottom in places:
             counts = count_labels(self._source.read(left, top, right - left, bottom - top))
             for value in set(np.flatnonzero(counts).tolist()) - known:
-                raise LabelMapError("database.value_without_class", value=value)
+                raise LabelMapError(
+                    "The label map has the value {value}, which the database's classes lack; correct it or build a "
+                    "new database.",
+                    value=value,
+                )
 
     # --- windows ---
 
@@ -232,15 +236,26 @@ def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: Refe
     parameters = database.parameters
     rows, columns = blocks_shape((parameters.map_height_px, parameters.map_width_px))
     if len(parameters.block_hashes) != rows * columns or database.references.bounds_px is None:
-        raise DatabaseError("database.before_block_hashes", plugin_version=parameters.plugin_version)
+        raise DatabaseError(
+            "The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so "
+            "what changed can't be told; build it anew once with “Build reference database”.",
+            plugin_version=parameters.plugin_version,
+        )
     pixel = parameters.pixel_size
     if abs(frame.pixel_size - pixel) > 1e-9 * pixel:
-        raise LabelMapError("database.other_pixel_size", pixel_size=frame.pixel_size, pixel=pixel)
+        raise LabelMapError(
+            "The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with "
+            "the database's pixel size or build a new database.",
+            pixel_size=frame.pixel_size,
+            pixel=pixel,
+        )
     size = parameters.map_width_px, parameters.map_height_px
     corner, stored = np.array(frame.origin), np.array(parameters.frame.origin)
     if (shape_hw[1], shape_hw[0]) != size or (np.abs(corner - stored) > 1e-6 * pixel).any():
         raise LabelMapError(
-            "database.other_grid",
+            "The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × "
+            "{known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or "
+            "build a new database.",
             width=shape_hw[1],
             height=shape_hw[0],
             x=corner[0],
@@ -272,7 +287,12 @@ class _Level:
         on_grid = (places % stride == 0).all(axis=1) & (places[:, ::-1] // stride < self._index.shape).all(axis=1)
         self._index[places[on_grid, 1] // stride, places[on_grid, 0] // stride] = index[on_grid]
         if len(index) != self._index.size or (self._index < 0).any():
-            raise DatabaseError("database.window_count", count=len(index), level=level, known=self._index.size)
+            raise DatabaseError(
+                "The database has {count} windows of level {level} where its grid has {known}; build it again.",
+                count=len(index),
+                level=level,
+                known=self._index.size,
+            )
 
     def index(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """(M,) indices in the database of the windows with these first pixels."""

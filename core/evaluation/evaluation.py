@@ -100,7 +100,15 @@ class TrialRanges:
             low, high = getattr(self, field.name)
             least, most = limits.get(field.name, (0.0, 100.0))
             if not least <= low <= high <= most:
-                raise ParameterError("assessment.range", setting=field.name, low=low, high=high, least=least, most=most)
+                raise ParameterError(
+                    "{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the "
+                    "smaller one first.",
+                    setting=field.name,
+                    low=low,
+                    high=high,
+                    least=least,
+                    most=most,
+                )
 
 
 @dataclass(frozen=True)
@@ -162,7 +170,11 @@ class Evaluation:
         self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), LARGEST_IMAGE_PX)
         self._windows = self._usable_windows(minimum_references)
         if not len(self._windows):
-            raise ParameterError("assessment.no_window_on_labels", minimum_references=minimum_references)
+            raise ParameterError(
+                "No window of the database lies on the label map and has {minimum_references} landmarks or more; "
+                "choose the label map of the same ground, or a smaller number of landmarks.",
+                minimum_references=minimum_references,
+            )
 
     @property
     def tried_windows(self) -> Rate:

@@ -37,7 +37,11 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
     """
     rows = _read_table(table_path) if table_path else {}
     if table_path and not any(stem_of(path) in rows for path in paths):
-        raise ParameterError("flight.cameras_of_other_images", path=table_path, image=os.path.basename(paths[0]))
+        raise ParameterError(
+            "{path} names none of the images, for example {image}; its column image holds their file names.",
+            path=table_path,
+            image=os.path.basename(paths[0]),
+        )
     timed = any(row.time_s is not None for row in rows.values())
     return [known_camera(rows.get(stem_of(path), Camera()), photo_camera(path), timed) for path in paths]
 
@@ -85,7 +89,12 @@ def completed(camera: Camera, told: Camera, with_attitude: bool) -> Camera:
 def check_cameras(columns: Columns) -> None:
     """Raises ParameterError for a header that is not that of a camera table."""
     if "image" not in columns.names or not set(columns.names) & set(COLUMNS[1:]):
-        raise ParameterError("flight.no_camera_table", path=columns.path, first=columns.first, columns=COLUMNS[1:])
+        raise ParameterError(
+            "{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.",
+            path=columns.path,
+            first=columns.first,
+            columns=COLUMNS[1:],
+        )
 
 
 def _read_table(path: str) -> dict[str, Camera]:
@@ -95,12 +104,16 @@ def _read_table(path: str) -> dict[str, Camera]:
     for row in rows_of(path, check_cameras):
         stem = image_of(row)
         if stem in found:
-            raise ParameterError("flight.image_named_twice", place=row.place, image=stem)
+            raise ParameterError(
+                "{place}: the image {image} is named a second time; give each image one line.",
+                place=row.place,
+                image=stem,
+            )
         found[stem] = row_camera(row, os.path.basename(path))
         text = row.texts.get("time", "")
         dated |= {_is_date(text)} if text else set()
     if len(dated) > 1:
-        raise ParameterError("flight.times_mixed", path=path)
+        raise ParameterError("{path} has times in seconds and times with dates; use one of them throughout.", path=path)
     return found
 
 
@@ -116,23 +129,27 @@ def row_camera(row: Row, source: str) -> Camera:
     """
     texts, place = {name: row.texts.get(name, "") for name in COLUMNS}, row.place
     if bool(texts["roll"]) != bool(texts["pitch"]):
-        raise ParameterError("flight.roll_without_pitch", place=place)
+        raise ParameterError("{place}: roll or pitch is empty; give both, or neither.", place=place)
     kinds = [kind for kind in LENSES if texts[kind]]
     if len(kinds) > 1:
-        raise ParameterError("flight.lens_twice", place=place, kinds=kinds)
+        raise ParameterError("{place}: {kinds} say the same thing twice; give one of them.", place=place, kinds=kinds)
     lens = Lens(kinds[0], _number(texts, kinds[0], place)) if kinds else None
     if lens and not 0 < lens.value < (180 if lens.kind == "field_of_view" else float("inf")):
-        raise ParameterError("flight.lens_impossible", place=place, kind=lens.kind, value=lens.value)
+        raise ParameterError(
+            "{place}: {kind} is {value:g}, which no camera has.", place=place, kind=lens.kind, value=lens.value
+        )
     attitude = None
     if texts["roll"]:
         try:
             attitude = Attitude(_number(texts, "roll", place), _number(texts, "pitch", place))
         except ParameterError as error:
-            raise ParameterError("labels.at_line", where=place, fault=error.sentence) from None
+            raise ParameterError("{where}: {fault}", where=place, fault=error.sentence) from None
     time_s = _seconds(texts["time"], place) if texts["time"] else None
     heading = _number(texts, "heading", place) % 360.0 if texts["heading"] else None
     if heading is not None and not isfinite(heading):
-        raise ParameterError("flight.not_a_number", place=place, name="heading", text=texts["heading"])
+        raise ParameterError(
+            "{place}: {name} is “{text}”, which is not a number.", place=place, name="heading", text=texts["heading"]
+        )
     return Camera(attitude, lens, source, time_s, height=_height(texts, place), heading_deg=heading)
 
 
@@ -141,7 +158,9 @@ def _height(texts: dict[str, str], place: Sentence) -> Height | None:
         return None
     meters = _number(texts, "height", place)
     if not 0 < meters < float("inf"):
-        raise ParameterError("flight.lens_impossible", place=place, kind="height", value=meters)
+        raise ParameterError(
+            "{place}: {kind} is {value:g}, which no camera has.", place=place, kind="height", value=meters
+        )
     return above_ground(meters)
 
 
@@ -149,7 +168,9 @@ def _number(texts: dict[str, str], name: str, place: Sentence) -> float:
     try:
         return float(texts[name])
     except ValueError:
-        raise ParameterError("flight.not_a_number", place=place, name=name, text=texts[name]) from None
+        raise ParameterError(
+            "{place}: {name} is “{text}”, which is not a number.", place=place, name=name, text=texts[name]
+        ) from None
 
 
 def _is_date(text: str) -> bool:
@@ -164,7 +185,11 @@ def _seconds(text: str, place: Sentence) -> float:
     except ValueError:
         seconds = float("nan")
     if not isfinite(seconds):
-        raise ParameterError("flight.no_time", place=place, text=text)
+        raise ParameterError(
+            "{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.",
+            place=place,
+            text=text,
+        )
     if moment is None:
         return seconds
     return (moment if moment.tzinfo else moment.replace(tzinfo=timezone.utc)).timestamp()

@@ -46,7 +46,7 @@ class GrowingTable:
         try:
             state = os.stat(self.path)
             if not stat.S_ISREG(state.st_mode):
-                raise ParameterError("flight.no_file", path=self.path)
+                raise ParameterError("{path} is no file; choose a table or a log.", path=self.path)
             if state.st_size < self._place:
                 self._columns, self._place, self._number, self._is_within_line = None, 0, 0, False
                 self.restarts += 1
@@ -63,7 +63,7 @@ class GrowingTable:
         except (OSError, ValueError) as error:
             # ValueError: a path with a null character.
             reason = getattr(error, "strerror", None) or str(error)
-            raise ParameterError("flight.unreadable", path=self.path, reason=reason) from None
+            raise ParameterError("{path} can't be read: {reason}.", path=self.path, reason=reason) from None
 
     def _taken(self, line: bytes) -> Iterator[Row | ParameterError]:
         """One line as a row; nothing of the header and of an empty line."""
@@ -72,12 +72,16 @@ class GrowingTable:
         if was_within or len(line) == LONGEST_LINE_BYTES:
             # One that never ends is told once, not held.
             if not was_within:
-                yield ParameterError("flight.line_too_long", path=self.path, most=LONGEST_LINE)
+                yield ParameterError(
+                    "{path} has a line of more than {most} characters; choose another file.",
+                    path=self.path,
+                    most=LONGEST_LINE,
+                )
             return
         try:
             text = line.decode("utf-8-sig" if self._columns is None else "utf-8").strip("\r\n")
         except UnicodeDecodeError:
-            yield ParameterError("flight.not_utf8", path=self.path)
+            yield ParameterError("{path} is not text in UTF-8; save it as CSV in UTF-8.", path=self.path)
             return
         if not text.strip():
             return

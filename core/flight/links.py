@@ -31,7 +31,9 @@ def links_by_image(links: Sequence[Link], count: int) -> dict[int, Link]:
     """
     for link in links:
         if link.second >= count:
-            raise ParameterError("flight.link_of_no_image", second=link.second, count=count)
+            raise ParameterError(
+                "A link leads to image {second}, but the flight has {count} images.", second=link.second, count=count
+            )
     known = {link.second: link for link in links if link.second == link.first + 1}
     for over in sorted((one for one in links if one.second == one.first + 2), key=lambda one: one.second):
         earlier, later = known.get(over.second - 1), known.get(over.second)

@@ -56,7 +56,7 @@ class FlightImage:
             ParameterError: They are no label image.
         """
         if self.labels_hw.ndim != 2 or not self.labels_hw.size:
-            raise ParameterError("flight.no_image", name=self.name)
+            raise ParameterError("{name} is no label image: it has no pixels, or several bands.", name=self.name)
 
     @property
     def size_wh(self) -> tuple[int, int]:

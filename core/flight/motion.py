@@ -78,15 +78,31 @@ class Link:
                 none.
         """
         if not 0 <= self.first < self.second:
-            raise ParameterError("flight.link_order", first=self.first, second=self.second)
+            raise ParameterError(
+                "A link leads from image {first} to image {second}; the second must come after the first.",
+                first=self.first,
+                second=self.second,
+            )
         numbers = np.array([*self.translation, self.turn, self.log_scale])
         known = np.array(self.covariance, np.float64)
         if not np.isfinite(numbers).all() or abs(self.log_scale) > MOST_LOG_SCALE:
-            raise ParameterError("flight.link_numbers", first=self.first, second=self.second)
+            raise ParameterError(
+                "The motion from image {first} to image {second} has numbers that are none.",
+                first=self.first,
+                second=self.second,
+            )
         if known.shape != (4, 4) or not np.isfinite(known).all():
-            raise ParameterError("flight.link_numbers", first=self.first, second=self.second)
+            raise ParameterError(
+                "The motion from image {first} to image {second} has numbers that are none.",
+                first=self.first,
+                second=self.second,
+            )
         if not np.allclose(known, known.T) or np.linalg.eigvalsh(known).min() < -1e-9 * max(np.trace(known), 1e-12):
-            raise ParameterError("flight.link_covariance", first=self.first, second=self.second)
+            raise ParameterError(
+                "The deviations of the motion from image {first} to image {second} are none.",
+                first=self.first,
+                second=self.second,
+            )
 
     @property
     def step(self) -> complex:

@@ -74,7 +74,11 @@ def read_odometry(path: str) -> tuple[OdometryRow, ...]:
     for row in rows_of(path, check_odometry):
         stem = image_of(row)
         if stem in named:
-            raise ParameterError("flight.image_named_twice", place=row.place, image=stem)
+            raise ParameterError(
+                "{place}: the image {image} is named a second time; give each image one line.",
+                place=row.place,
+                image=stem,
+            )
         named.add(stem)
         steps.append(step_of(row, is_first=not steps))
     return tuple(steps)

@@ -79,7 +79,11 @@ def photo_features(photo: np.ndarray, has_data_hw: np.ndarray | None = None, wid
         ImageError: It is no photo of 8 bits.
     """
     if photo.dtype != np.uint8 or photo.ndim not in (2, 3) or not photo.size or photo.shape[2:] not in ((), (3,)):
-        raise ImageError("flight.no_photo", shape=photo.shape, kind=photo.dtype)
+        raise ImageError(
+            "This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.",
+            shape=photo.shape,
+            kind=photo.dtype,
+        )
     gray = cv2.cvtColor(photo, cv2.COLOR_RGB2GRAY) if photo.ndim == 3 else photo
     return _features(gray.astype(np.uint8, copy=False), has_data_hw, width)
 
@@ -114,7 +118,11 @@ def label_features(labels_hw: np.ndarray, width: int | None = None) -> Features:
         ImageError: It is no label image.
     """
     if labels_hw.dtype != np.uint8 or labels_hw.ndim != 2 or not labels_hw.size:
-        raise ImageError("flight.no_photo", shape=labels_hw.shape, kind=labels_hw.dtype)
+        raise ImageError(
+            "This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.",
+            shape=labels_hw.shape,
+            kind=labels_hw.dtype,
+        )
     shades = (25 + 205 * (np.arange(256) * _GOLDEN % 1)).astype(np.uint8)
     is_boundary = np.zeros(labels_hw.shape, bool)
     is_boundary[:, 1:] |= labels_hw[:, 1:] != labels_hw[:, :-1]

@@ -79,10 +79,12 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
         numbers: Of the two images in their flight.
     """
     if min(len(first.points), len(second.points)) < LEAST_CORNERS:
-        return Motion(None, Sentence("flight.no_texture"))
+        return Motion(None, Sentence("One of the two images shows nothing that could be found in the other one."))
     proposed = _proposed(first, second)
     if proposed is None:
-        return Motion(None, Sentence("flight.no_common_motion"))
+        return Motion(
+            None, Sentence("Nothing in the two images tells a common motion; they may show different ground.")
+        )
     mapping: Mapping = partial(similarity, proposed)
     motion = Motion(None)
     for _ in range(ROUNDS):
@@ -91,7 +93,11 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
         found = fitted(at_second, at_first, AGREES_WITHIN_PX) if len(at_first) >= LEAST_AGREEING else None
         agreeing, cells = 0 if found is None else int(found.is_used.sum()), len(ground.corners)
         if found is None or agreeing < LEAST_AGREEING or evidence(agreeing, cells) < LEAST_EVIDENCE:
-            reason = Sentence("flight.overlap_disagrees", agreeing=agreeing, cells=cells)
+            reason = Sentence(
+                "Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.",
+                agreeing=agreeing,
+                cells=cells,
+            )
             return Motion(None, reason, ground.overlap, agreeing, cells)
         mapping = found.mapping
         motion = Motion(_link(first, second, found, agreeing / cells, numbers), None, ground.overlap, agreeing, cells)

@@ -29,7 +29,7 @@ def text_of(path: str) -> str:
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise ParameterError("flight.not_utf8", path=path) from None
+        raise ParameterError("{path} is not text in UTF-8; save it as CSV in UTF-8.", path=path) from None
 
 
 def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
@@ -46,16 +46,20 @@ def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
     try:
         state = os.stat(path)
         if not stat.S_ISREG(state.st_mode):
-            raise ParameterError("flight.no_file", path=path)
+            raise ParameterError("{path} is no file; choose a table or a log.", path=path)
         if state.st_size > most:
-            raise ParameterError("flight.file_too_large", path=path, most_mb=most // 1_000_000)
+            raise ParameterError(
+                "{path} is larger than {most_mb} MB, which no table or log that is read here is.",
+                path=path,
+                most_mb=most // 1_000_000,
+            )
         with open(path, "rb") as file:
             # No more than there is: a buffer of all that is asked for would be made first.
             return file.read(min(most if count is None else count, state.st_size))
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
         reason = getattr(error, "strerror", None) or str(error)
-        raise ParameterError("flight.unreadable", path=path, reason=reason) from None
+        raise ParameterError("{path} can't be read: {reason}.", path=path, reason=reason) from None
 
 
 @dataclass(frozen=True)
@@ -88,7 +92,9 @@ class Row:
         except ValueError:
             value = float("nan")
         if not isfinite(value):
-            raise ParameterError("flight.not_a_number", place=self.place, name=name, text=text[:40])
+            raise ParameterError(
+                "{place}: {name} is “{text}”, which is not a number.", place=self.place, name=name, text=text[:40]
+            )
         return value
 
     def within(self, name: str, least: float, most: float, default: float | None = None) -> float:
@@ -96,7 +102,12 @@ class Row:
         value = self.number(name, default)
         if not least <= value <= most:
             raise ParameterError(
-                "flight.out_of_range", place=self.place, name=name, value=value, least=least, most=most
+                "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.",
+                place=self.place,
+                name=name,
+                value=value,
+                least=least,
+                most=most,
             )
         return value
 
@@ -127,7 +138,12 @@ class Columns:
     def need(self, names: Sequence[str]) -> None:
         """Raises ParameterError where a column is missing."""
         if not set(names) <= set(self.names):
-            raise ParameterError("flight.no_such_table", path=self.path, first=self.first[:200], columns=tuple(names))
+            raise ParameterError(
+                "{path} begins with “{first}”, but its header needs the columns {columns}.",
+                path=self.path,
+                first=self.first[:200],
+                columns=tuple(names),
+            )
 
     def row(self, line: str, number: int) -> Row:
         """A row from its line.
@@ -140,13 +156,17 @@ class Columns:
             ParameterError: The line is none of a table.
         """
         if len(line) > LONGEST_LINE:
-            raise ParameterError("flight.line_too_long", path=self.path, most=LONGEST_LINE)
-        place = Sentence("labels.line", source=self.path, line=number)
+            raise ParameterError(
+                "{path} has a line of more than {most} characters; choose another file.",
+                path=self.path,
+                most=LONGEST_LINE,
+            )
+        place = Sentence("{source}, line {line}", source=self.path, line=number)
         try:
             cells = next(csv.reader([line], delimiter=self.separator, skipinitialspace=True), [])
         except csv.Error as error:
             # A null character, before Python 3.11.
-            raise ParameterError("flight.unreadable", path=place, reason=str(error)) from None
+            raise ParameterError("{path} can't be read: {reason}.", path=place, reason=str(error)) from None
         return Row({name: cell.strip() for name, cell in zip(self.names, cells)}, place)
 
 
@@ -166,7 +186,9 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
     """
     numbered = [(n, line) for n, line in enumerate(text_of(path).splitlines(), start=1) if line.strip()]
     if any(len(line) > LONGEST_LINE for _, line in numbered):
-        raise ParameterError("flight.line_too_long", path=path, most=LONGEST_LINE)
+        raise ParameterError(
+            "{path} has a line of more than {most} characters; choose another file.", path=path, most=LONGEST_LINE
+        )
     columns = Columns.of(path, numbered[0][1] if numbered else "")
     check(columns)
     for number, line in numbered[1:]:
@@ -182,5 +204,5 @@ def image_of(row: Row) -> str:
     """Name of the image of a row, without folders and extension; raises ParameterError where it names none."""
     stem = stem_of(row.texts.get("image", ""))
     if not stem:
-        raise ParameterError("flight.no_image_named", place=row.place)
+        raise ParameterError("{place}: no image is named; give each image one line.", place=row.place)
     return stem

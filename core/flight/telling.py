@@ -50,7 +50,16 @@ def told_pose(  # noqa: PLR0913 - an image, and what its track says
     known: PoseCovariance = covariance_of(estimate.pose_covariance, size, ())
     edge_m = float(np.sqrt(image.labels_hw.size)) * size
     if known.radius_95 is None or known.radius_95 > LOOSEST_POSE * edge_m:
-        return unplaced(image, number, Sentence("flight.too_loose", radius=known.radius_95, edge=edge_m))
+        return unplaced(
+            image,
+            number,
+            Sentence(
+                "The flight goes on, but where this image lies is known to {radius:.0f} m only, and it shows "
+                "{edge:.0f} m.",
+                radius=known.radius_95,
+                edge=edge_m,
+            ),
+        )
     risk = max(risk, LEAST_RISK, chance_off(estimate.pose_covariance, WRONG_SHARE * edge_m))
     own = of_own(image.own, localizer.pyramid)
     agrees = False

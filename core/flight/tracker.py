@@ -145,7 +145,11 @@ class FlightTracker:
             counts = checked_array(state, "counts", 4, above=-2)
             version, tracker._number, tracker.track, count = (int(value) for value in counts)
             if version != STATE_VERSION:
-                raise ParameterError("flight.state_version", version=version, known=STATE_VERSION)
+                raise ParameterError(
+                    "The saved state of the flight is of version {version}; this version reads {known}.",
+                    version=version,
+                    known=STATE_VERSION,
+                )
             tracker._risk, tracker._shared_m2 = checked_array(state, "numbers", 2, above=-1e-9).tolist()
             tracker._pool, tracker._mirror, tracker._rival = (
                 _saved_pool(state, name, settings) for name in ("pool", "mirror", "rival")
@@ -161,7 +165,7 @@ class FlightTracker:
                 remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
                 *tracker._past, tracker._latest = [unpacked(arrays, channels) for arrays in remembered]
         except (KeyError, ValueError, IndexError, OverflowError) as error:
-            raise ParameterError("flight.no_state") from error
+            raise ParameterError("The saved state of the flight can't be read.") from error
         return tracker
 
     @property
@@ -346,7 +350,12 @@ class FlightTracker:
         held, allowed = self._held, self.settings.allowed_risk
         risk = self._decided() if held is None else self._risk_now()
         if held is None or risk > allowed:
-            reason = Sentence("flight.undecided", risk=risk, allowed=allowed)
+            reason = Sentence(
+                "The flight so far does not tell where it is: the best track is wrong with a probability of "
+                "{risk:.2g}; at most {allowed:.2g} is allowed.",
+                risk=risk,
+                allowed=allowed,
+            )
             status = Status.AMBIGUOUS if len(self._pool) > 1 else Status.NO_MATCH
             return unplaced(image, self._number, reason, status)
         return told_pose(image, self._number, self.localizer, held, risk, self.track)

@@ -48,10 +48,15 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     """
     table = os.path.join(folder, TABLE)
     if not LEAST_STEP_S <= every_s <= MOST_STEP_S:
-        raise ParameterError("flight.frame_step", every=every_s, least=LEAST_STEP_S, most=MOST_STEP_S)
+        raise ParameterError(
+            "An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.",
+            every=every_s,
+            least=LEAST_STEP_S,
+            most=MOST_STEP_S,
+        )
     capture = _opened(video)
     if os.path.lexists(table):
-        raise ParameterError("flight.frame_exists", path=table)
+        raise ParameterError("{path} is there already; choose another folder.", path=table)
     stem = stem_of(video)
     count = capture.get(cv2.CAP_PROP_FRAME_COUNT)
     names: list[str] = []
@@ -75,21 +80,27 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     finally:
         capture.release()
     if not names:
-        raise ParameterError("flight.no_frames", path=video)
+        raise ParameterError("{path} has no frames that can be read.", path=video)
     _write(table, _table(names, times, log).encode("utf-8"))
 
 
 def _opened(video: str) -> cv2.VideoCapture:
     start = bytes_of(video, 1 << 50, 16)
     if not any(start[at : at + len(mark)] == mark for at, mark in _STARTS):
-        raise ParameterError("flight.no_video", path=video)
+        raise ParameterError(
+            "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
+        )
     path = os.path.abspath(video)
     # OpenCV ends the whole program over a name with bytes that are no text.
     if path.encode("utf-8", "replace").decode("utf-8") != path:
-        raise ParameterError("flight.no_video", path=video)
+        raise ParameterError(
+            "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
+        )
     capture = cv2.VideoCapture(path)
     if not capture.isOpened():
-        raise ParameterError("flight.no_video", path=video)
+        raise ParameterError(
+            "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
+        )
     return capture
 
 
@@ -99,16 +110,20 @@ def _write(path: str, data: bytes) -> None:
         os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
         file = open(path, "xb")  # noqa: SIM115  closed below
     except FileExistsError:
-        raise ParameterError("flight.frame_exists", path=path) from None
+        raise ParameterError("{path} is there already; choose another folder.", path=path) from None
     except OSError as error:
-        raise ParameterError("flight.frame_unwritable", path=path, reason=error.strerror or str(error)) from None
+        raise ParameterError(
+            "{path} can't be written: {reason}.", path=path, reason=error.strerror or str(error)
+        ) from None
     try:
         with file:
             file.write(data)
     except OSError as error:
         with contextlib.suppress(OSError):
             os.remove(path)
-        raise ParameterError("flight.frame_unwritable", path=path, reason=error.strerror or str(error)) from None
+        raise ParameterError(
+            "{path} can't be written: {reason}.", path=path, reason=error.strerror or str(error)
+        ) from None
 
 
 def _table(names: list[str], times: list[float], log: Telemetry | None) -> str:

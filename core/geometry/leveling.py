@@ -54,7 +54,11 @@ class Attitude:
         """Refuses angles of 90° and more."""
         for name, value in (("roll", self.roll_deg), ("pitch", self.pitch_deg)):
             if not abs(value) < 90:
-                raise ParameterError("geometry.attitude", name=name, value=value)
+                raise ParameterError(
+                    "A camera with a {name} of {value:g}° does not look at the ground; 0° is straight down.",
+                    name=name,
+                    value=value,
+                )
 
     @property
     def down(self) -> np.ndarray:
@@ -76,7 +80,9 @@ def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
     roll, pitch = np.radians((roll_deg, pitch_deg))
     right, top, axis = np.sin(roll) * np.cos(pitch), -np.cos(roll) * np.cos(pitch), -np.sin(pitch)
     if axis <= 0:
-        raise ParameterError("geometry.gimbal_pitch", pitch_deg=pitch_deg)
+        raise ParameterError(
+            "A gimbal pitch of {pitch_deg:g}° does not look at the ground; −90° is straight down.", pitch_deg=pitch_deg
+        )
     return Attitude(float(np.degrees(np.arctan2(-right, axis))), float(np.degrees(np.arcsin(-top))))
 
 
@@ -267,9 +273,13 @@ def leveling(
     """
     height, width = shape_hw
     if not 0 < focal_length_px <= LONGEST_FOCAL_LENGTH_PX:
-        raise ParameterError("geometry.focal_length", focal_length_px=focal_length_px, most=LONGEST_FOCAL_LENGTH_PX)
+        raise ParameterError(
+            "The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.",
+            focal_length_px=focal_length_px,
+            most=LONGEST_FOCAL_LENGTH_PX,
+        )
     if not height or not width:
-        raise LabelMapError("labels.no_pixels")
+        raise LabelMapError("The image has no pixels.")
     bent = None if lens is None else BentImage(lens, shape_hw, focal_length_px)
     rays = np.array([(x, y, focal_length_px) for x, y in _around(width / 2, height / 2)])
     around = rays
@@ -280,7 +290,8 @@ def leveling(
     steepest = float(np.degrees(np.arccos(np.clip(depths / np.linalg.norm(around, axis=1), -1, 1)).max()))
     if steepest > STEEPEST_VIEW_DEG:
         raise ParameterError(
-            "geometry.near_horizon",
+            "With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from "
+            "straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.",
             roll_deg=attitude.roll_deg,
             pitch_deg=attitude.pitch_deg,
             steepest=steepest,
@@ -294,7 +305,8 @@ def leveling(
     size = int(top - bottom), int(right - left)
     if max(*size, *shape_hw) > LONGEST_EDGE_PX:
         raise LabelMapError(
-            "geometry.leveled_too_large",
+            "The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may "
+            "have {most} at most; reduce it first.",
             width=width,
             height=height,
             level_width=size[1],

@@ -85,25 +85,44 @@ class LandCoverClass:
     def __post_init__(self) -> None:
         """Refuses values that no class can have."""
         if self.draw_order is not None and not math.isfinite(self.draw_order):
-            raise ClassTableError("labels.class_order_not_finite", name=shown(self.name))
+            raise ClassTableError(
+                "The class {name} has a draw_order that is no number; give one such as 3.", name=shown(self.name)
+            )
         if not 0 <= self.value <= MAXIMUM_VALUE:
             raise ClassTableError(
-                "labels.class_value_out_of_range", name=self.name, value=shown(self.value), most=MAXIMUM_VALUE
+                "Class “{name}” has the value {value}; class values go from 0 to {most}.",
+                name=self.name,
+                value=shown(self.value),
+                most=MAXIMUM_VALUE,
             )
         if len(self.name) > LONGEST_NAME:
-            raise ClassTableError("labels.class_name_too_long", value=self.value, most=LONGEST_NAME)
+            raise ClassTableError(
+                "The class {value} has a name of more than {most} characters; give it a shorter one.",
+                value=self.value,
+                most=LONGEST_NAME,
+            )
         if not self.name:
-            raise ClassTableError("labels.class_without_name", value=self.value)
+            raise ClassTableError("The class with value {value} has no name; give it one.", value=self.value)
         if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
-            raise ClassTableError("labels.class_color", name=self.name, color=self.color)
+            raise ClassTableError(
+                "Class “{name}” has the color “{color}”; write it as #rrggbb.", name=self.name, color=self.color
+            )
         if self.role not in ROLES:
             raise ClassTableError(
-                "labels.class_role", name=self.name, role=self.role, reference=REFERENCE, background=BACKGROUND
+                "Class “{name}” has the role “{role}”; it must be “{reference}” or “{background}”.",
+                name=self.name,
+                role=self.role,
+                reference=REFERENCE,
+                background=BACKGROUND,
             )
         if self.value == UNLABELED and self.role == REFERENCE:
-            raise ClassTableError("labels.class_unlabeled_reference", name=self.name)
+            raise ClassTableError(
+                "Class “{name}” has the value 0, which means unlabeled; it can't be a reference.", name=self.name
+            )
         if (self.hsv_min is None) != (self.hsv_max is None):
-            raise ClassTableError("labels.class_hsv_half", name=self.name)
+            raise ClassTableError(
+                "Class “{name}” has only one of hsv_min and hsv_max; give both or none.", name=self.name
+            )
 
     @property
     def is_reference(self) -> bool:
@@ -136,7 +155,9 @@ class ClassTable:
             keys = [str(getattr(c, column)) for c in self.classes]
             repeated = sorted({key for key in keys if keys.count(key) > 1})
             if repeated:
-                raise ClassTableError("labels.class_repeated", column=column, repeated=repeated)
+                raise ClassTableError(
+                    "The class table has the {column} {repeated} more than once.", column=column, repeated=repeated
+                )
 
     def __iter__(self) -> Iterator[LandCoverClass]:
         """By ascending value."""
@@ -213,7 +234,9 @@ class ClassTable:
         for text in names_or_values:
             found = self.find(text)
             if found is None:
-                raise ClassTableError("labels.no_such_class", text=text, classes=self.describe())
+                raise ClassTableError(
+                    "There is no class “{text}”; the classes are {classes}.", text=text, classes=self.describe()
+                )
             chosen.add(found.value)
         return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
@@ -224,7 +247,11 @@ class ClassTable:
             ClassTableError: It has no reference class.
         """
         if not self.references:
-            raise ClassTableError("labels.no_reference_class", classes=self.describe())
+            raise ClassTableError(
+                "No class is a reference class; choose at least one of {classes} as one, or give it the role "
+                "“reference” in the class table.",
+                classes=self.describe(),
+            )
         return self
 
     def describe(self) -> tuple[str, ...] | Sentence:
@@ -260,20 +287,30 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     if len(lines) < 2:
-        raise ClassTableError("labels.class_table_empty", source=source)
+        raise ClassTableError(
+            "{source} has no classes; it needs a header value,name,color,role and a line a class.", source=source
+        )
     separator = max(",;\t", key=lines[0].count)
     if max(map(len, lines)) > LONGEST_LINE:
-        raise ClassTableError("labels.class_table_line_too_long", source=source, most=LONGEST_LINE)
+        raise ClassTableError(
+            "{source} has a line of more than {most} characters, which no class table has; choose another file.",
+            source=source,
+            most=LONGEST_LINE,
+        )
     reader = csv.DictReader(lines, delimiter=separator, skipinitialspace=True)
     header = [(name or "").strip().lower() for name in reader.fieldnames or []]
     missing = [name for name in ("value", "name") if name not in header]
     if missing:
         raise ClassTableError(
-            "labels.class_table_lacks_column", source=source, missing=missing, header=lines[0].strip()
+            "{source} lacks the column {missing}; its header is “{header}”.",
+            source=source,
+            missing=missing,
+            header=lines[0].strip(),
         )
     reader.fieldnames = header
     found = [
-        _class_from_row(row, Sentence("labels.line", source=source, line=n)) for n, row in enumerate(reader, start=2)
+        _class_from_row(row, Sentence("{source}, line {line}", source=source, line=n))
+        for n, row in enumerate(reader, start=2)
     ]
     colorless = [one for one, has_color in found if not has_color]
     chosen = dict(zip(map(id, colorless), chosen_colors((one.value, one.name) for one in colorless)))
@@ -291,7 +328,12 @@ def class_table_from_names(names: Iterable[str]) -> ClassTable:
 def require_class_count(count: int) -> None:
     """Raises ClassTableError for more classes than a label map has values."""
     if count > MAXIMUM_VALUE:
-        raise ClassTableError("labels.too_many_classes", count=count, most=MAXIMUM_VALUE)
+        raise ClassTableError(
+            "There are {count} classes, but a label map holds {most}; choose another class field, or merge classes "
+            "with a class table.",
+            count=count,
+            most=MAXIMUM_VALUE,
+        )
 
 
 def class_table_from_values(values: Iterable[int]) -> ClassTable:
@@ -326,7 +368,7 @@ def shortened(items: Sequence[str], most: int = 12) -> tuple[str, ...] | Sentenc
     """The items as a value of a sentence; of many the first ``most``, and how many more there are."""
     if len(items) <= most:
         return tuple(items)
-    return Sentence("labels.and_more", shown=items[:most], count=len(items) - most)
+    return Sentence("{shown} and {count} more", shown=items[:most], count=len(items) - most)
 
 
 def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCoverClass, bool]:
@@ -337,11 +379,15 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCo
     try:
         value = int(cell["value"])
     except ValueError:
-        raise ClassTableError("labels.class_value_not_whole", where=where, text=cell["value"]) from None
+        raise ClassTableError(
+            "{where}: “{text}” is not a whole number for value.", where=where, text=cell["value"]
+        ) from None
     try:
         order = float(cell["draw_order"]) if cell.get("draw_order") else None
     except ValueError:
-        raise ClassTableError("labels.class_order_not_number", where=where, text=cell["draw_order"]) from None
+        raise ClassTableError(
+            "{where}: “{text}” is not a number for draw_order.", where=where, text=cell["draw_order"]
+        ) from None
     try:
         made = LandCoverClass(
             value=value,
@@ -353,7 +399,7 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCo
             hsv_max=_hsv(cell.get("hsv_max", ""), where),
         )
     except ClassTableError as error:
-        raise ClassTableError("labels.at_line", where=where, fault=error.sentence) from None
+        raise ClassTableError("{where}: {fault}", where=where, fault=error.sentence) from None
     return made, bool(cell.get("color"))
 
 
@@ -363,7 +409,9 @@ def _hsv(text: str, where: Sentence) -> Hsv | None:
     parts = text.split()
     limits = (180, 255, 255)
     if len(parts) != 3 or not all(p.isdecimal() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
-        raise ClassTableError("labels.class_hsv", where=where, text=text)
+        raise ClassTableError(
+            "{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).", where=where, text=text
+        )
     return int(parts[0]), int(parts[1]), int(parts[2])
 
 

@@ -27,7 +27,9 @@ def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
     """
     with_range = [(c.value, c.hsv_min, c.hsv_max) for c in table if c.hsv_min is not None and c.hsv_max is not None]
     if not with_range:
-        raise ClassTableError("labels.no_color_ranges")
+        raise ClassTableError(
+            "No class has hsv_min and hsv_max; add them to the class table or decode by nearest color."
+        )
     hsv = cv2.cvtColor(np.ascontiguousarray(image_bgr), cv2.COLOR_BGR2HSV)
     labels_hw = np.full(hsv.shape[:2], UNLABELED, np.uint8)
     for value, low, high in reversed(with_range):

@@ -86,7 +86,9 @@ class LabelComparison:
         counts[UNLABELED] = 0
         object.__setattr__(self, "counts", counts)
         if not self.pixels:
-            raise LabelMapError("labels.nothing_in_common")
+            raise LabelMapError(
+                "The maps have no pixel in common that the reference labels; choose maps of the same ground."
+            )
 
     @property
     def pixels(self) -> int:

@@ -18,6 +18,7 @@ from PIL.PngImagePlugin import PngImageFile
 from PIL.TiffImagePlugin import TiffImageFile
 
 from ..errors import ImageError, LabelMapError, SemRefError
+from ..sentences import Sentence
 from .class_table import ClassTable
 from .color_labels import decode_colors
 from .image_source import ArrayImage, Photo
@@ -75,17 +76,21 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         values = _jpeg_values(data, path, LabelMapError)
         return decode_colors(values, table) if values.ndim == 3 else values
     if not data.startswith((_PNG, *STARTS)):
-        raise LabelMapError("labels.unknown_image_format", path=path)
+        raise LabelMapError("{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.", path=path)
     image, raw_mode, tags = _decoded(data, path, LabelMapError)
     if image.mode in ("LA", "PA"):
-        raise LabelMapError("labels.two_bands", path=path)
+        raise LabelMapError("{path} has 2 bands; a label map has one: save it without transparency.", path=path)
     values = np.array(image, np.uint8 if image.mode == "1" else None)
     if values.ndim == 3:
         if _has_16_bits(raw_mode, tags):
-            raise LabelMapError("labels.color_not_8_bits", path=path, kind="uint16")
+            raise LabelMapError(
+                "{path} holds {kind} values; a color label image has 8 bits a band.", path=path, kind="uint16"
+            )
         return decode_colors(values[..., 2::-1], table)
     if values.dtype.kind not in "iu":
-        raise LabelMapError("labels.not_whole_numbers", path=path, kind=values.dtype)
+        raise LabelMapError(
+            "{path} holds {kind} values; a label map holds whole numbers from 0 to 255.", path=path, kind=values.dtype
+        )
     if raw_mode in _STRETCHED:
         values //= _STRETCHED[raw_mode]
     nodata = nodata_of(tags)
@@ -93,7 +98,9 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         values[values == nodata] = 0
     if values.min() < 0 or values.max() > 255:
         found = int(values.max() if values.max() > 255 else values.min())
-        raise LabelMapError("labels.value_out_of_range", path=path, found=found)
+        raise LabelMapError(
+            "{path} has the value {found}; a label map holds class values from 0 to 255.", path=path, found=found
+        )
     return values.astype(np.uint8)
 
 
@@ -116,7 +123,9 @@ def read_photo(path: str) -> Photo:
     values, nodata = np.array(image), nodata_of(tags)
     kind = "uint16" if _has_16_bits(raw_mode, tags) else values.dtype
     if kind != np.uint8:
-        raise ImageError("labels.photo_not_8_bits", path=path, kind=kind)
+        raise ImageError(
+            "{path} holds {kind} values; a photo has 8 bits a band: convert it first.", path=path, kind=kind
+        )
     bands = values if values.ndim == 3 else values[..., None]
     has_opacity = image.mode in ("LA", "PA", "RGBA")
     count = min(bands.shape[2] - has_opacity, 3)
@@ -146,10 +155,10 @@ def image_files(paths: list[str]) -> list[str]:
         try:
             names = sorted(os.listdir(path))
         except OSError as error:
-            raise LabelMapError("labels.image_unreadable", path=path, reason=error.strerror) from None
+            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=error.strerror) from None
         images = [os.path.join(path, name) for name in names if is_image_name(name)]
         if not images:
-            raise LabelMapError("labels.folder_without_images", path=path, endings=IMAGE_EXTENSIONS)
+            raise LabelMapError("The folder {path} holds no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
         found += images
     return found
 
@@ -171,7 +180,15 @@ def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> No
     named = next((name for name, (_, suffixes) in _KINDS.items() if suffix in suffixes), None)
     found = next((name for name, (starts, _) in _KINDS.items() if start.startswith(starts)), None)
     if named and found and named != found:
-        raise kind("labels.other_kind", path=path, found=found, named=named, suffix=_KINDS[found][1][0])
+        raise kind(
+            Sentence(
+                "{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.",
+                path=path,
+                found=found,
+                named=named,
+                suffix=_KINDS[found][1][0],
+            )
+        )
 
 
 def _read(path: str, kind: type[SemRefError]) -> bytes:
@@ -179,22 +196,31 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
         with open(path, "rb", opener=open_at_once) as file:
             state = os.fstat(file.fileno())
             if not stat.S_ISREG(state.st_mode):
-                raise kind("labels.no_regular_file", path=path)
+                raise kind(
+                    Sentence(
+                        "Image {path} is no regular file but a folder, pipe or device; choose an image file.", path=path
+                    )
+                )
             if state.st_size > MAXIMUM_IMAGE_BYTES:
                 raise kind(
-                    "labels.file_too_large",
-                    path=path,
-                    size_mb=state.st_size // 1_000_000,
-                    most_mb=MAXIMUM_IMAGE_BYTES // 1_000_000,
+                    Sentence(
+                        "Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to "
+                        "what one photo shows.",
+                        path=path,
+                        size_mb=state.st_size // 1_000_000,
+                        most_mb=MAXIMUM_IMAGE_BYTES // 1_000_000,
+                    )
                 )
             # No more than was there: a file that grows meanwhile is read again by whoever watches it.
             data = file.read(state.st_size)
     except IsADirectoryError:
-        raise kind("labels.no_regular_file", path=path) from None
+        raise kind(
+            Sentence("Image {path} is no regular file but a folder, pipe or device; choose an image file.", path=path)
+        ) from None
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
         reason = getattr(error, "strerror", None) or str(error)
-        raise kind("labels.image_unreadable", path=path, reason=reason) from None
+        raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=reason)) from None
     require_kind_of_name(path, data, kind)
     return data
 
@@ -222,14 +248,24 @@ def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Ima
         raw_mode = image.tile[0][3] if is_png else image.tile[0][3][0]
         tags = {} if is_png else {tag: value_of(image.tag_v2, tag) for tag in image.tag_v2}
     except Exception:  # Pillow has many for damaged files
-        raise kind("labels.image_not_decoded", path=path) from None
+        raise kind(
+            Sentence(
+                "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.",
+                path=path,
+            )
+        ) from None
     # Pieces of a TIFF may be left out or shared.
     _require_size((image.height, image.width), len(data) if is_png else None, path, kind)
     file.left = MOST_TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
     try:
         image.load()
     except Exception:  # as above
-        raise kind("labels.image_not_decoded", path=path) from None
+        raise kind(
+            Sentence(
+                "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.",
+                path=path,
+            )
+        ) from None
     turn = _UPRIGHT.get(tags.get(ORIENTATION, 1))
     return image if turn is None else image.transpose(turn), raw_mode, tags
 
@@ -243,9 +279,14 @@ def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
     try:
         values = cv2.imdecode(np.frombuffer(data, np.uint8), flags) if data else None
     except cv2.error as error:
-        raise kind("labels.image_unreadable", path=path, reason=error.err) from None
+        raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=error.err)) from None
     if values is None:
-        raise kind("labels.image_not_decoded", path=path)
+        raise kind(
+            Sentence(
+                "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.",
+                path=path,
+            )
+        )
     return values
 
 
@@ -254,11 +295,14 @@ def _require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, 
     height, width = shape_hw
     if height * width > MAXIMUM_IMAGE_PIXELS:
         raise kind(
-            "labels.image_too_large",
-            path=path,
-            width=width,
-            height=height,
-            most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
+            Sentence(
+                "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut "
+                "it to what one photo shows.",
+                path=path,
+                width=width,
+                height=height,
+                most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
+            )
         )
     if file_bytes is not None and height * width > _PIXELS_A_BYTE * file_bytes:
-        raise kind("labels.damaged", path=path)
+        raise kind(Sentence("{path} is damaged or cut short; copy it again.", path=path))

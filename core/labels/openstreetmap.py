@@ -99,13 +99,26 @@ def rules_from_csv(text: str, source: str) -> Rules:
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     if not 1 < len(lines) <= MOST_RULES + 1 or max(map(len, lines)) > LONGEST_LINE:
-        raise ParameterError("labels.rules_unreadable", source=source, most=MOST_RULES, longest=LONGEST_LINE)
+        raise ParameterError(
+            "{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at "
+            "most {longest} characters.",
+            source=source,
+            most=MOST_RULES,
+            longest=LONGEST_LINE,
+        )
     reader = csv.DictReader(lines, delimiter=max(",;\t", key=lines[0].count), skipinitialspace=True)
     reader.fieldnames = [(name or "").strip().lower() for name in reader.fieldnames or []]
     missing = [name for name in _COLUMNS if name not in reader.fieldnames]
     if missing:
-        raise ParameterError("labels.rules_lack_column", source=source, missing=missing, header=lines[0].strip())
-    return Rules(_rule(row, Sentence("labels.line", source=source, line=n)) for n, row in enumerate(reader, start=2))
+        raise ParameterError(
+            "{source} lacks the column {missing}; its header is “{header}”.",
+            source=source,
+            missing=missing,
+            header=lines[0].strip(),
+        )
+    return Rules(
+        _rule(row, Sentence("{source}, line {line}", source=source, line=n)) for n, row in enumerate(reader, start=2)
+    )
 
 
 def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
@@ -144,9 +157,13 @@ def _packed(text: object) -> dict[str, str]:
 def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
     key, value, name, priority = (str(row.get(column) or "").strip() for column in _COLUMNS)
     if not key or not value:
-        raise ParameterError("labels.rule_without_tag", where=where)
+        raise ParameterError("{where}: a rule needs a key and a value; * stands for any value.", where=where)
     if len(name) > LONGEST_NAME:
-        raise ParameterError("labels.rule_class_too_long", where=where, most=LONGEST_NAME)
+        raise ParameterError(
+            "{where}: the class has a name of more than {most} characters; give a shorter one.",
+            where=where,
+            most=LONGEST_NAME,
+        )
     if not re.fullmatch(r"-?[0-9]{1,6}", priority):
-        raise ParameterError("labels.rule_priority", where=where, text=priority)
+        raise ParameterError("{where}: “{text}” is not a whole number for priority.", where=where, text=priority)
     return Rule(key, value, name, int(priority))

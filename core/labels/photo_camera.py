@@ -69,7 +69,7 @@ def camera_of(tags: PhotoTags, name: str) -> Camera:
         try:
             attitude = _attitude(tags)
         except ParameterError as error:
-            problem = Sentence("labels.at_line", where=name, fault=error.sentence)
+            problem = Sentence("{where}: {fault}", where=name, fault=error.sentence)
     height, bent = _height(tags, attitude), _distortion(tags)
     lens = _lens(tags)
     if lens is None and bent is not None and tags.shape_hw is not None:

@@ -105,7 +105,13 @@ def plan_tiles(shape_hw: tuple[int, int], tile_size: int, stride: int, held_out:
     """
     height, width = shape_hw
     if min(shape_hw) < tile_size:
-        raise ParameterError("labels.smaller_than_tile", width=width, height=height, tile_size=tile_size)
+        raise ParameterError(
+            "The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or "
+            "choose a finer resolution or a smaller tile.",
+            width=width,
+            height=height,
+            tile_size=tile_size,
+        )
     tiles = []
     for row in range(0, height - tile_size + 1, stride):
         for column in range(0, width - tile_size + 1, stride):

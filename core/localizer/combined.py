@@ -37,7 +37,11 @@ def checked_by_areas(
     found = replace(found, risk=risk)
     if found.is_fix and risk > settings.allowed_risk:
         reason = Sentence(
-            "localization.areas_speak_against", agreement=agreement, risk=risk, allowed=settings.allowed_risk
+            "Landmarks match one place, but class areas there only by {agreement:.2f}: error probability {risk:.2g}; "
+            "at most {allowed:.2g} is allowed.",
+            agreement=agreement,
+            risk=risk,
+            allowed=settings.allowed_risk,
         )
         status = Status.NO_MATCH if risk > MORE_LIKELY_WRONG else Status.AMBIGUOUS
         places = () if found.best is None or status is Status.NO_MATCH else (found.best,)
@@ -182,7 +186,11 @@ def neither(
     return replace(
         objects,
         status=Status.AMBIGUOUS if areas.status is Status.AMBIGUOUS else objects.status,
-        reason=Sentence("localization.neither_road", constellation=objects.reason, correlation=areas.reason),
+        reason=Sentence(
+            "{constellation} Map correlation has no fix either: {correlation:clause}",
+            constellation=objects.reason,
+            correlation=areas.reason,
+        ),
         alternatives=objects.alternatives + others,
         peaks=areas.peaks,
     )
@@ -199,17 +207,17 @@ def saying_what_was_searched(
     found: Localization, reason: Sentence, sizes: tuple[float, float], prior: Prior
 ) -> Localization:
     """The result, its reason with the pixel sizes, headings and ground that were searched in vain."""
-    headings, ground = Sentence("localization.all_headings"), Sentence("localization.whole_map")
+    headings, ground = Sentence("all headings"), Sentence("the whole map")
     if prior.heading_deg is not None and prior.heading_range_deg < 180:
         spread, heading = prior.heading_range_deg, prior.heading_deg % 360
-        headings = Sentence("localization.headings_near", spread=spread, heading=heading)
+        headings = Sentence("headings within {spread:g}° of {heading:g}°", spread=spread, heading=heading)
     if prior.position is not None and prior.radius is not None:
         x, y = prior.position
-        ground = Sentence("localization.ground_near", radius=prior.radius, x=x, y=y)
+        ground = Sentence("the ground within {radius:g} of {x:.0f}, {y:.0f}", radius=prior.radius, x=x, y=y)
     return replace(
         found,
         reason=Sentence(
-            "localization.searched",
+            "{reason} Searched: {smallest:.3g}–{largest:.3g} map units a pixel, {headings}, {ground}.",
             reason=reason,
             smallest=sizes[0],
             largest=sizes[1],

@@ -23,7 +23,7 @@ from ..geometry.error_settings import UNBIASED, KnownBiases, SharedErrors
 from ..geometry.footprint import image_corners
 from ..labels.class_shares import ClassShares
 from ..landmarks.landmarks import Landmarks, extract_landmarks
-from ..localization import Localization, Matches, Method, Place, Prior, Status
+from ..localization import Localization, Matches, Method, Place, Prior, Status, too_few_landmarks
 from ..sentences import Sentence
 from ..windows.grid import centered_square
 from ..windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
@@ -74,7 +74,7 @@ def describe_image(
     """
     column, row, size = centered_square(labels_hw.shape)
     if size < 1:
-        raise LabelMapError("labels.no_pixels")
+        raise LabelMapError("The image has no pixels.")
     square = np.ascontiguousarray(labels_hw[row : row + size, column : column + size])
     objects = extract_landmarks(square, reference_values, area_fraction * size * size)
     vector = topology_vector(
@@ -133,13 +133,15 @@ class Localizer:
         self.check(Method.TOPOLOGY_VECTOR)
         count, nearest = self._nearest_windows(labels_hw, 1)
         if not nearest:
-            shown = Sentence("localization.shows_landmarks", count=count)
-            needed = Sentence("localization.more_needed", count=MINIMUM_REFERENCES - count)
-            reason = Sentence("localization.too_few_landmarks", shown=shown, needed=needed)
+            reason = too_few_landmarks(count, MINIMUM_REFERENCES - count)
             return Localization(Status.TOO_FEW_REFERENCES, Method.TOPOLOGY_VECTOR, count, reason)
         distance, index, count = nearest[0]
         if distance > DISTANCE_THRESHOLD:
-            reason = Sentence("localization.vector_too_far", distance=distance, threshold=DISTANCE_THRESHOLD)
+            reason = Sentence(
+                "The nearest window has distance {distance:.3f}, more than {threshold:g}.",
+                distance=distance,
+                threshold=DISTANCE_THRESHOLD,
+            )
             return Localization(Status.NO_MATCH, Method.TOPOLOGY_VECTOR, count, reason, distance=distance)
         windows = self._database.windows
         center = float(windows.centers[index, 0]), float(windows.centers[index, 1])
@@ -230,7 +232,7 @@ class Localizer:
         if self._pyramid is None:
             database = self._database
             if database.overview is None:
-                raise DatabaseError("database.read_without_overview")
+                raise DatabaseError("The database was read without its overview, which map correlation searches.")
             settings, frame = self.settings.correlation, database.parameters.overview_frame
             is_cached = database.source is not None and settings == CORRELATION
             self._pyramid = (cached_pyramid if is_cached else MapPyramid)(database.overview, frame, settings)
@@ -332,7 +334,11 @@ class Localizer:
             DatabaseError: It can't.
         """
         if method == Method.TOPOLOGY_VECTOR and not self._database.windows.described.any():
-            raise DatabaseError("database.no_described_window", least=MINIMUM_REFERENCES)
+            raise DatabaseError(
+                "No window of the database has the {least} landmarks a topology vector needs; build it with larger "
+                "windows, a smaller minimum area or more reference classes.",
+                least=MINIMUM_REFERENCES,
+            )
 
     def localize(  # noqa: PLR0913 - what is known of one image
         self,
@@ -410,5 +416,5 @@ def _shape(labels_hw: np.ndarray) -> tuple[int, int]:
         LabelMapError: The image has no pixels.
     """
     if not labels_hw.size:
-        raise LabelMapError("labels.no_pixels")
+        raise LabelMapError("The image has no pixels.")
     return labels_hw.shape[0], labels_hw.shape[1]

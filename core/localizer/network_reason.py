@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ..localization import Localization
+from ..localization import Localization, shown_landmarks
 from ..sentences import Sentence
-
-_COUNTED = "localization.shows_whole_landmarks", "localization.shows_landmarks"
 
 
 def name_network(found: Localization, trained_on: Sequence[str] | None, classes: Sequence[str]) -> Localization:
@@ -23,10 +21,10 @@ def name_network(found: Localization, trained_on: Sequence[str] | None, classes:
         return found
     reason = _counted_by_network(found.reason, tuple(classes))
     if trained_on:
-        ground = Sentence("localization.trained_on", places=tuple(trained_on))
+        ground = Sentence("The network was trained on: {places}.", places=tuple(trained_on))
         counts = reason != found.reason
         first, second = (reason, ground) if counts else (ground, reason)
-        reason = Sentence("localization.then", first=first, second=second)
+        reason = Sentence("{first} {second}", first=first, second=second)
     return replace(found, reason=reason)
 
 
@@ -36,6 +34,13 @@ def _counted_by_network(sentence: Sentence, classes: tuple[str, ...]) -> Sentenc
         name: _counted_by_network(value, classes) if isinstance(value, Sentence) else value
         for name, value in sentence.values
     }
-    if sentence.code in _COUNTED:
-        return Sentence("localization.network_found", count=values["count"], classes=classes)
-    return Sentence(sentence.code, **values)
+    count = values.get("count")
+    if isinstance(count, int) and sentence in (shown_landmarks(count), shown_landmarks(count, whole=True)):
+        return Sentence(
+            "The network found {count} landmark ({classes})"
+            if count == 1
+            else "The network found {count} landmarks ({classes})",
+            count=count,
+            classes=classes,
+        )
+    return Sentence(sentence.template, **values)

@@ -57,17 +57,17 @@ def error_probability(confidence: float) -> Sentence:
     """
     times = 1 / max(1 - confidence, LEAST_RISK)
     if times >= TESTED:
-        return Sentence("localization.below_one_in", count=TESTED)
-    return Sentence("localization.one_in", count=float(f"{times:.1e}"))
+        return Sentence("below 1 in {count:,.0f}", count=TESTED)
+    return Sentence("1 in {count:,.0f}", count=float(f"{times:.1e}"))
 
 
 CAUSES = {
-    LANDMARKS: Sentence("localization.cause_landmarks"),
-    AREAS: Sentence("localization.cause_areas"),
-    MAP: Sentence("localization.cause_map"),
-    VIEW: Sentence("localization.cause_view"),
-    CLASSES: Sentence("localization.cause_classes"),
-    PIXELS: Sentence("localization.cause_pixels"),
+    LANDMARKS: Sentence("noise of single landmarks"),
+    AREAS: Sentence("errors of areas"),
+    MAP: Sentence("accuracy of the map"),
+    VIEW: Sentence("lens and tilt"),
+    CLASSES: Sentence("shifts of whole classes"),
+    PIXELS: Sentence("size of the pixels"),
 }
 TOLD_SHARE = 0.2
 """Parts of a radius that are less than this share of the largest one are not told."""
@@ -79,8 +79,8 @@ def radius_parts(known: PoseCovariance) -> Sentence | None:
         return None
     least = TOLD_SHARE * known.parts[0][1]
     parts = [(CAUSES[cause], radius) for cause, radius in known.parts if radius >= least]
-    told = (Sentence("localization.part_of_radius", cause=cause, radius=radius) for cause, radius in parts)
-    return Sentence("localization.radius_of", parts=tuple(told))
+    told = (Sentence("{cause} {radius:.2g} m", cause=cause, radius=radius) for cause, radius in parts)
+    return Sentence("What makes the 95 % radius: {parts}.", parts=tuple(told))
 
 
 def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:

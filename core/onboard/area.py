@@ -48,7 +48,7 @@ def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
     references, windows = database.references, database.windows
     kept = _in(mask, references.positions, database.parameters)
     if not kept.any():
-        raise DatabaseError("onboard.no_landmark_in_area")
+        raise DatabaseError("No landmark lies in the area; choose another area or a larger distance around it.")
     centered = _in(mask, windows.centers, database.parameters)
     overview = database.overview
     return replace(

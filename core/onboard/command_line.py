@@ -102,17 +102,26 @@ def _check_values(options: argparse.Namespace) -> None:
     """Refuses values of options that are out of range, before any work; raises ParameterError."""
     threads, near = getattr(options, "threads", 1), getattr(options, "near", None)
     if not 1 <= threads <= MOST_THREADS:
-        raise ParameterError("onboard.threads", threads=threads, most=MOST_THREADS)
+        raise ParameterError("--threads is {threads}; it must be from 1 to {most}.", threads=threads, most=MOST_THREADS)
     if near and not all(math.isfinite(value) and abs(value) <= FARTHEST for value in near):
-        raise ParameterError("onboard.near", near=" ".join(f"{value:g}" for value in near), most=FARTHEST)
+        raise ParameterError(
+            "--near is {near}; it must be three numbers up to {most:g}.",
+            near=" ".join(f"{value:g}" for value in near),
+            most=FARTHEST,
+        )
     risk = getattr(options, "risk", RISK)
     if not LEAST_RISK <= risk <= MOST_RISK:
-        raise ParameterError("onboard.risk", risk=risk, least=LEAST_RISK, most=MOST_RISK)
+        raise ParameterError(
+            "--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.",
+            risk=risk,
+            least=LEAST_RISK,
+            most=MOST_RISK,
+        )
     sun = getattr(options, "sun", None)
     if sun is not None and not 0 <= sun <= 360:
-        raise ParameterError("onboard.sun", sun=sun)
+        raise ParameterError("--sun is {sun:g}; it must be a direction from 0 to 360 degrees.", sun=sun)
     if near and not near[2] > 0:
-        raise ParameterError("onboard.near_radius", radius=near[2])
+        raise ParameterError("The radius of --near is {radius:g}; it must be more than 0 map units.", radius=near[2])
     for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
         if is_udp(where):
             udp_port(str(where))
@@ -128,20 +137,34 @@ def _check_apart(options: argparse.Namespace) -> None:
     for where in (getattr(options, name, None) for name in ("state", "fixes", "gga")):
         for path in read:
             if where and path and os.path.exists(where) and os.path.exists(path) and os.path.samefile(where, path):
-                raise ParameterError("onboard.unwritable", where=where, reason="it is read as well")
+                raise ParameterError(
+                    "{where} can't be written: {reason}; choose another place.",
+                    where=where,
+                    reason="it is read as well",
+                )
 
 
 def _check_mavlink(options: argparse.Namespace) -> None:
     """Refuses what can't be said to an autopilot; raises ParameterError."""
     check_place(options.mavlink)
     if not 1 <= options.mavlink_system <= MOST_SYSTEMS:
-        raise ParameterError("onboard.mavlink_system", system=options.mavlink_system, most=MOST_SYSTEMS)
+        raise ParameterError(
+            "--mavlink-system is {system}; it must be from 1 to {most}.",
+            system=options.mavlink_system,
+            most=MOST_SYSTEMS,
+        )
     if options.mavlink_origin is not None:
         latitude, longitude = options.mavlink_origin
         if not (abs(latitude) <= 90 and abs(longitude) <= 180):
-            raise ParameterError("onboard.mavlink_origin", latitude=latitude, longitude=longitude)
+            raise ParameterError(
+                "--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.",
+                latitude=latitude,
+                longitude=longitude,
+            )
     if not abs(options.camera_yaw) <= 360:
-        raise ParameterError("onboard.camera_yaw", yaw=options.camera_yaw)
+        raise ParameterError(
+            "--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.", yaw=options.camera_yaw
+        )
 
 
 def _write(text: str) -> None:
@@ -150,7 +173,9 @@ def _write(text: str) -> None:
     try:
         print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
     except OSError as error:
-        raise ParameterError("onboard.unwritable", where="stdout", reason=error.strerror) from None
+        raise ParameterError(
+            "{where} can't be written: {reason}; choose another place.", where="stdout", reason=error.strerror
+        ) from None
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -311,7 +336,9 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> FinderSet
     localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk), options.sun)
     localizer.check(method)
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
-        raise DatabaseError("onboard.no_overview", database=options.database)
+        raise DatabaseError(
+            "{database} has no overview, which map correlation searches; export it with one.", database=options.database
+        )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
     say(
@@ -359,25 +386,31 @@ def _line(found: dict[str, Any]) -> str:
 
 def _watch(options: argparse.Namespace) -> int:
     if not os.path.isdir(options.folder):
-        raise ParameterError("onboard.no_folder", folder=options.folder)
+        raise ParameterError("There is no folder {folder}; create it or watch another one.", folder=options.folder)
     onboard = read_onboard(options.database, key_file=options.require_signature)
     is_restart = _is_restart(options)
     find: FinderSettings = _finding(options, onboard)
     after = None
     if options.state and not options.flight:
-        raise ParameterError("onboard.state_without_flight")
+        raise ParameterError("Only of a flight is a state kept: add --flight, or leave --state out.")
     if options.odometry and not options.flight:
-        raise ParameterError("onboard.odometry_without_flight")
+        raise ParameterError("Only of a flight is motion told: add --flight, or leave --odometry out.")
     if options.flight:
         if not find.pipeline.localizer.has_overview:
-            raise DatabaseError("onboard.no_overview_for_flights", database=options.database)
+            raise DatabaseError(
+                "{database} has no overview, by which tracks are told apart; export it with one.",
+                database=options.database,
+            )
         settings = replace(FLIGHT, allowed_risk=options.risk)
         odometry = opened_odometry(options.odometry, options.once, not is_restart)
         state = StateFile.at(options.state, options.require_signature) if options.state else None
         find = FlightFinding(**vars(find), state=state, settings=settings, odometry=odometry)
         after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
-        raise DatabaseError("onboard.no_lon_lat", database=options.database)
+        raise DatabaseError(
+            "{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.",
+            database=options.database,
+        )
     statuses, lost = watch(
         options.folder, options.once, find, options.fixes, options.gga, _mavlink_sink(options, onboard), after
     )

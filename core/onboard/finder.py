@@ -119,4 +119,4 @@ def time_of(path: str) -> datetime:
     except (OSError, OverflowError, ValueError) as error:
         # A file system may hold years that no calendar has.
         reason = getattr(error, "strerror", None) or str(error)
-        raise ParameterError("labels.image_unreadable", path=path, reason=reason) from None
+        raise ParameterError("Image {path} can't be read: {reason}.", path=path, reason=reason) from None

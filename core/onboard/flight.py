@@ -187,12 +187,16 @@ class FlightFinding(FinderSettings):
             first_s, taken_s = (_time(value) for value in header["times_s"])
             newest = None if header["newest"] is None else export_date(header["newest"])
         except (KeyError, TypeError, ValueError, IndexError, RecursionError, AttributeError) as error:
-            raise ParameterError("onboard.no_flight_state", path=state.path) from error
+            raise ParameterError(
+                "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=state.path
+            ) from error
         if not is_ours:
-            raise ParameterError("onboard.no_flight_state", path=state.path)
+            raise ParameterError(
+                "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=state.path
+            )
         self._compare_dates(newest)
         if known_hash != self.onboard.content_hash:
-            raise ParameterError("onboard.state_of_other_database", path=state.path)
+            raise ParameterError("{path} is the state of a flight in another database.", path=state.path)
         prefix = "tracker_"
         saved = {name[len(prefix) :]: value for name, value in arrays.items() if name.startswith(prefix)}
         memory, tracker = self.memory, FlightTracker.from_state(self.pipeline.localizer, saved, self.settings)

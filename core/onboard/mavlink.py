@@ -254,13 +254,20 @@ def _split(where: str) -> tuple[str, str, int]:
             first.encode("idna")
         except UnicodeError:
             # What can't be the name of a host is no error of the system when it is sent to.
-            raise ParameterError("onboard.no_mavlink_place", where=where) from None
+            raise ParameterError(
+                "“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or "
+                "serial:DEVICE:BAUD.",
+                where=where,
+            ) from None
         return kind, first or LOOPBACK, int(last)
     if kind == SERIAL and first and last.isdecimal() and 0 < len(last) <= 8:
         return kind, first, int(last)
     if kind == SERIAL and last and not last.isdecimal():
         return kind, where[len(kind) :], BAUD
-    raise ParameterError("onboard.no_mavlink_place", where=where)
+    raise ParameterError(
+        "“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.",
+        where=where,
+    )
 
 
 def _opened(where: str) -> _Line:
@@ -271,11 +278,17 @@ def _opened(where: str) -> _Line:
         try:
             from serial import Serial
         except ImportError:
-            raise ParameterError("onboard.package_missing", package="pyserial", option="--mavlink serial:") from None
+            raise ParameterError(
+                "{option} needs the Python package {package}; install it: pip install {package}.",
+                package="pyserial",
+                option="--mavlink serial:",
+            ) from None
         return Serial(name, number, write_timeout=1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise ParameterError("onboard.unwritable", where=where, reason=reason) from None
+        raise ParameterError(
+            "{where} can't be written: {reason}; choose another place.", where=where, reason=reason
+        ) from None
 
 
 def _dialect() -> Any:  # noqa: ANN401 - a module without types
@@ -283,5 +296,9 @@ def _dialect() -> Any:  # noqa: ANN401 - a module without types
     try:
         from pymavlink.dialects.v20 import ardupilotmega
     except ImportError:
-        raise ParameterError("onboard.package_missing", package="pymavlink", option="--mavlink") from None
+        raise ParameterError(
+            "{option} needs the Python package {package}; install it: pip install {package}.",
+            package="pymavlink",
+            option="--mavlink",
+        ) from None
     return ardupilotmega

@@ -65,13 +65,15 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
     """
     key = read_key(key_file) if key_file else None
     if not os.path.isfile(path):
-        raise DatabaseError("onboard.no_file", path=path)
+        raise DatabaseError(
+            "There is no file {path}; export one with “Export for onboard use” or choose another.", path=path
+        )
     try:
         with zipfile.ZipFile(path) as archive:
             files = _unpacked(archive, path)
     except UNREADABLE as error:
         if isinstance(error, OSError) and error.errno is not None:
-            raise DatabaseError("onboard.unreadable", path=path, reason=error.strerror) from None
+            raise DatabaseError("{path} can't be read: {reason}.", path=path, reason=error.strerror) from None
         raise _damaged(path, error) from None
     try:
         members = {name: _array(name, data) for name, data in files.items()}
@@ -94,16 +96,32 @@ def _require_signature(
 ) -> None:
     """Raises DatabaseError unless the file is signed with the key."""
     if SIGNATURE not in members:
-        raise DatabaseError("onboard.unsigned", path=path, key=key_file)
+        raise DatabaseError(
+            "{path} is not signed; export it with the key {key}, or leave the key out.", path=path, key=key_file
+        )
     if not is_signed_with(files, members[SIGNATURE].tobytes(), key):
-        raise DatabaseError("onboard.wrong_signature", path=path, key=key_file)
+        raise DatabaseError(
+            "{path} was not signed with the key {key}, or was changed since; fetch it again from where it was "
+            "exported.",
+            path=path,
+            key=key_file,
+        )
 
 
 def _damaged(path: str, reason: BaseException) -> DatabaseError:
     text = str(reason).rstrip(".")
     if isinstance(reason, KeyError):
-        return DatabaseError("onboard.lacks", path=path, name=text)
-    return DatabaseError("onboard.damaged", path=path, reason=text)
+        return DatabaseError(
+            "{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or "
+            "export it again.",
+            path=path,
+            name=text,
+        )
+    return DatabaseError(
+        "{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.",
+        path=path,
+        reason=text,
+    )
 
 
 def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
@@ -112,7 +130,9 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
     infos = {info.filename: info for info in archive.infolist()}
     names = {f"{name}.npy" for name in KINDS}
     if f"{HASH}.npy" not in infos or f"{HEADER}.npy" not in infos:
-        raise DatabaseError("onboard.foreign", path=path)
+        raise DatabaseError(
+            "{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.", path=path
+        )
     if len(archive.infolist()) != len(infos) or not set(infos) <= names:
         raise zipfile.BadZipFile("it holds something that does not belong there")
     total = sum(info.file_size for info in infos.values())
@@ -173,7 +193,13 @@ def _check_version(header: Mapping[str, Any], path: str) -> None:
     if version < 1:
         raise ValueError(f"its version is {version}")
     if version > ONBOARD_VERSION:
-        raise DatabaseError("onboard.newer_format", path=path, version=version, known=ONBOARD_VERSION)
+        raise DatabaseError(
+            "{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's "
+            "core folder on this computer.",
+            path=path,
+            version=version,
+            known=ONBOARD_VERSION,
+        )
 
 
 def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_overview: bool) -> OnboardDatabase:

@@ -26,9 +26,15 @@ def read_key(path: str) -> bytes:
         with open(path, "rb") as file:
             key = file.read(LONGEST_KEY + 1)
     except OSError as error:
-        raise ParameterError("onboard.key_unreadable", path=path, reason=error.strerror) from None
+        raise ParameterError("The key {path} can't be read: {reason}.", path=path, reason=error.strerror) from None
     if not SHORTEST_KEY <= len(key) <= LONGEST_KEY:
-        raise ParameterError("onboard.key_length", path=path, size=len(key), least=SHORTEST_KEY, most=LONGEST_KEY)
+        raise ParameterError(
+            "The key {path} has {size} bytes; a key has {least} to {most} random ones.",
+            path=path,
+            size=len(key),
+            least=SHORTEST_KEY,
+            most=LONGEST_KEY,
+        )
     return key
 
 

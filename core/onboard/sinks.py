@@ -72,7 +72,9 @@ class _File(Sink):
             self._file = open(where, "ab", buffering=0)  # noqa: SIM115  closed by close
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or str(error)
-            raise ParameterError("onboard.unwritable", where=where, reason=reason) from None
+            raise ParameterError(
+                "{where} can't be written: {reason}; choose another place.", where=where, reason=reason
+            ) from None
         self._before = b"\n" if _ends_within_a_line(where) else b""
 
     def _take(self, line: str) -> None:
@@ -141,5 +143,7 @@ def udp_port(where: str) -> int:
     """The number in ``udp:PORT``; raises ParameterError when there is none from 1 to 65535."""
     text = where[len(_UDP) :]
     if not text.isdecimal() or len(text) > 5 or not 0 < int(text) < 65_536:
-        raise ParameterError("onboard.no_udp_port", where=where)
+        raise ParameterError(
+            "“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.", where=where
+        )
     return int(text)

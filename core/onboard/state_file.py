@@ -69,15 +69,24 @@ class StateFile:
         """
         folder = os.path.dirname(path) or "."
         if not os.path.isdir(folder):
-            raise ParameterError("onboard.no_state_folder", path=path, folder=folder)
+            raise ParameterError(
+                "The folder {folder} of --state {path} does not exist; create it or choose another one.",
+                path=path,
+                folder=folder,
+            )
         # Replacing a device or a pipe would remove it.
         if os.path.exists(path) and not os.path.isfile(path):
-            raise ParameterError("onboard.state_no_file", path=path)
+            raise ParameterError("--state {path} is not a regular file; choose another name.", path=path)
         if os.path.exists(path) and not _looks_like_a_state(path):
-            raise ParameterError("onboard.state_of_another_kind", path=path)
+            raise ParameterError(
+                "--state {path} is a file of another kind, which would be replaced; choose another name.", path=path
+            )
         key = read_key(key_file) if key_file else user_secret()
         if key is None:
-            raise ParameterError("onboard.no_private_folder")
+            raise ParameterError(
+                "There is no private folder for the secret that --state is authenticated with; set up a home folder "
+                "for this user, or add --require-signature."
+            )
         return cls(path, key)
 
     def write(self, arrays: dict[str, np.ndarray]) -> None:
@@ -112,15 +121,23 @@ class StateFile:
         with open(self.path, "rb", opener=open_at_once) as file:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode) or status.st_size > MOST_STATE_BYTES:
-                raise ParameterError("onboard.no_flight_state", path=self.path)
+                raise ParameterError(
+                    "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path
+                )
             data = file.read(status.st_size)
         data, code = data[:-_CODE_BYTES], data[-_CODE_BYTES:]
         if not hmac.compare_digest(self.code(data), code):
-            raise ParameterError("onboard.state_not_ours", path=self.path)
+            raise ParameterError(
+                "{path} was not written with the key of this flight (--require-signature, otherwise the secret of "
+                "this user), or was changed since.",
+                path=self.path,
+            )
         try:
             return number_arrays(io.BytesIO(data), MOST_STATE_BYTES)
         except UNREADABLE as error:
-            raise ParameterError("onboard.no_flight_state", path=self.path) from error
+            raise ParameterError(
+                "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path
+            ) from error
 
     def code(self, data: bytes) -> bytes:
         """Return the code that authenticates the bytes of a state.

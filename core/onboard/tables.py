@@ -94,7 +94,11 @@ class TableOfImages(Generic[Told]):
                 raise row
             image = image_of(row)
             if image in self._numbers:
-                raise ParameterError("flight.image_named_twice", place=row.place, image=image)
+                raise ParameterError(
+                    "{place}: the image {image} is named a second time; give each image one line.",
+                    place=row.place,
+                    image=image,
+                )
             told = self._read(row, self._is_cut)
         except ParameterError as error:
             if is_strict:

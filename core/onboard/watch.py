@@ -91,7 +91,11 @@ def arriving(folder: str, once: bool, after: tuple[int, str] | None = None) -> I
             now = _images_in(folder)
         except OSError as error:
             if once:
-                raise ParameterError("onboard.folder_gone", folder=folder, reason=error.strerror) from None
+                raise ParameterError(
+                    "The folder {folder} can't be looked into ({reason}); start again when it can.",
+                    folder=folder,
+                    reason=error.strerror,
+                ) from None
             if not gone:
                 say(logging.ERROR, "folder_gone", folder=folder, reason=error.strerror)
             gone, before = True, {}

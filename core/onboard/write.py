@@ -58,9 +58,12 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
     parameters = database.parameters
     precision = PRECISION_PX * parameters.pixel_size if precision is None else precision
     if not (math.isfinite(precision) and precision > 0):
-        raise DatabaseError("onboard.precision", precision=precision)
+        raise DatabaseError("The precision is {precision:g}; it must be more than 0 map units.", precision=precision)
     if parameters.class_table_hash != database.class_table.digest():
-        raise DatabaseError("onboard.class_table_changed", source=database.source or Sentence("onboard.the_database"))
+        raise DatabaseError(
+            "The class table of {source} was changed after it was built; build it again.",
+            source=database.source or Sentence("the database"),
+        )
     members, quantization = _quantized(database, precision)
     header = {
         "format": FORMAT,
@@ -77,7 +80,11 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
     text = json.dumps(header, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
     members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
     if len(members[HEADER]) > MAXIMUM_HEADER_BYTES:
-        raise DatabaseError("onboard.header_too_long", size=len(members[HEADER]), most=MAXIMUM_HEADER_BYTES)
+        raise DatabaseError(
+            "The header would have {size} bytes, more than {most}.",
+            size=len(members[HEADER]),
+            most=MAXIMUM_HEADER_BYTES,
+        )
     files = {name: _npy(array) for name, array in members.items()}
     members[HASH] = np.frombuffer(digest(files), np.uint8)
     if key is not None:
@@ -90,15 +97,18 @@ def _quantized(database: ReferenceDatabase, precision: float) -> tuple[dict[str,
     """Arrays by name, and the numbers that the header needs to undo them."""
     windows, references = database.windows, database.references
     if not len(references):
-        raise DatabaseError("onboard.nothing_to_export")
+        raise DatabaseError("There is no landmark to export; choose another database or a larger area.")
     columns, rows = windows.first_pixels.T
     origin = references.positions.min(axis=0)
     step = 2 * precision
     steps = np.rint((references.positions - origin) / step)
     if steps.max() > np.iinfo(np.uint32).max:
-        raise DatabaseError("onboard.precision_too_fine", precision=precision)
+        raise DatabaseError(
+            "The precision of {precision:g} map units is too fine for the map; choose a larger one.",
+            precision=precision,
+        )
     if not (references.areas_m2 > 0).all():
-        raise DatabaseError("onboard.landmark_without_area")
+        raise DatabaseError("A landmark has no area; build the database again.")
     logs = np.log(references.areas_m2)
     area_step = max(float(logs.max() - logs.min()), 1e-9) / AREA_STEPS
     members = {
@@ -129,7 +139,7 @@ def _window_sizes_px(database: ReferenceDatabase) -> list:
     sizes = [windows.sizes[windows.levels == n + 1] for n in range(len(parameters.levels))]
     whole = [np.unique(np.rint(s / parameters.pixel_size)).astype(int).tolist() for s in sizes]
     if any(len(s) > 1 for s in whole) or not np.isin(windows.levels, np.arange(1, len(whole) + 1)).all():
-        raise DatabaseError("onboard.window_sizes")
+        raise DatabaseError("The windows' sizes are not those of their levels; build the database again.")
     return [s[0] if s else 0 for s in whole]
 
 

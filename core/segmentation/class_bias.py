@@ -88,4 +88,12 @@ def _read_one(entry: object) -> ClassBias:
 
 
 def _refused(texts: Mapping[str, str], source: str) -> ModelError:
-    return ModelError("segmentation.class_bias", source=source, text=texts[KEY][:LONGEST_NAME], key=KEY, most=LARGEST_M)
+    return ModelError(
+        '{source} has “{text}” as {key}; it must be JSON like {{"building": {{"east": 0.1, "spread": 0.3}}}} with '
+        "names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or "
+        "remove it.",
+        source=source,
+        text=texts[KEY][:LONGEST_NAME],
+        key=KEY,
+        most=LARGEST_M,
+    )

@@ -64,7 +64,13 @@ class ModelClasses:
         own = {name.casefold() for name in self.names}
         missing = [c.name for c in table.references if c.name.casefold() not in own]
         if missing:
-            raise ModelError("segmentation.lacks_reference_class", source=source, missing=missing, names=self.names)
+            raise ModelError(
+                "{source} does not know the database's class {missing}, only {names}; take a model that was trained "
+                "on the database's classes.",
+                source=source,
+                missing=missing,
+                names=self.names,
+            )
         found = {c.name.casefold(): c.value for c in table}
         return tuple(found.get(name.casefold(), UNLABELED) for name in self.names)
 
@@ -96,11 +102,19 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
     for key, text in texts.items():
         if key in _KEYS and len(text) > LONGEST_METADATA:
             raise ModelError(
-                "segmentation.metadata_too_long", source=source, key=key, count=len(text), most=LONGEST_METADATA
+                "{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.",
+                source=source,
+                key=key,
+                count=len(text),
+                most=LONGEST_METADATA,
             )
     kind = _literal(texts.get("model_type", "Segmentor"))
     if str(kind).casefold() != "segmentor":
-        raise ModelError("segmentation.not_a_segmentor", source=source, kind=kind)
+        raise ModelError(
+            "{source} is a model of type {kind} (metadata key model_type); choose a Segmentor.",
+            source=source,
+            kind=kind,
+        )
     resolution_cm = _number(texts, "resolution", source, 0.001, 1e6)
     tile_size = _number(texts, "tile_size" if "tile_size" in texts else "tiles_size", source, 1, 16384)
     overlap = _number(texts, "tiles_overlap", source, 0, 100 * MAXIMUM_OVERLAP)
@@ -136,7 +150,11 @@ def read_classes(texts: Mapping[str, str], channels: int, source: str, given: Cl
     is_named = names is not None
     if names is None:
         if given is None:
-            raise ModelError("segmentation.no_class_names", source=source)
+            raise ModelError(
+                "{source} does not name its classes (metadata key class_names); give a class table in the order of "
+                "the network’s outputs, or choose a model that names them.",
+                source=source,
+            )
         names = [c.name for c in given if c.value != UNLABELED]
     if len(names) == channels - 1 and (channels == 2 or not is_named):
         names = [BACKGROUND_NAMES[0], *names]
@@ -144,10 +162,20 @@ def read_classes(texts: Mapping[str, str], channels: int, source: str, given: Cl
         listed = names[:12]
         if is_named:
             raise ModelError(
-                "segmentation.names_in_model", source=source, channels=channels, count=len(names), names=listed
+                "{source} tells {channels} classes apart, but there are {count} class names in its metadata "
+                "(class_names): {names}; take the names it was trained with.",
+                source=source,
+                channels=channels,
+                count=len(names),
+                names=listed,
             )
         raise ModelError(
-            "segmentation.names_in_table", source=source, channels=channels, count=len(names), names=listed
+            "{source} tells {channels} classes apart, but there are {count} class names in the class table: {names}; "
+            "take the names it was trained with.",
+            source=source,
+            channels=channels,
+            count=len(names),
+            names=listed,
         )
     values, table = _classes(texts, names, source, given)
     return ModelClasses(tuple(names), values, table)
@@ -173,14 +201,18 @@ def _classes(
         found = [LandCoverClass(*row) for row in zip(values, names, colors, roles) if row[0] != UNLABELED]
         return tuple(values), ClassTable(tuple(found))
     except ClassTableError as error:
-        raise ModelError("labels.at_line", where=source, fault=error.sentence) from None
+        raise ModelError("{where}: {fault}", where=source, fault=error.sentence) from None
 
 
 def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> tuple[tuple[int, ...], ClassTable]:
     known = {c.name.casefold(): c.value for c in given}
     missing = [n for n in names if n.casefold() not in known and n.casefold() not in BACKGROUND_NAMES]
     if missing:
-        raise ModelError("segmentation.table_lacks_class", missing=missing, source=source)
+        raise ModelError(
+            "The class table lacks the class {missing} of {source}; add it, or give no class table.",
+            missing=missing,
+            source=source,
+        )
     values = tuple(known.get(name.casefold(), UNLABELED) for name in names)
     return values, ClassTable(tuple(c for c in given if c.value in values and c.value != UNLABELED))
 
@@ -195,13 +227,22 @@ def _by_channel(texts: Mapping[str, str], key: str, source: str, count: int | No
             by_number = {}
         found = [by_number[n] for n in sorted(by_number)] if sorted(by_number) == list(range(len(found))) else None
     if not isinstance(found, list) or not found or (count is not None and len(found) != count):
-        raise ModelError("segmentation.not_by_channel", source=source, text=texts[key][:LONGEST_NAME], key=key)
+        raise ModelError(
+            '{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.',
+            source=source,
+            text=texts[key][:LONGEST_NAME],
+            key=key,
+        )
     return found
 
 
 def _class_value(value: object, source: str) -> int:
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= MAXIMUM_VALUE:
-        raise ModelError("segmentation.class_value", source=source, value=value)
+        raise ModelError(
+            "{source} has {value} in class_values; class values are whole numbers from 0 to 255.",
+            source=source,
+            value=value,
+        )
     return value
 
 
@@ -211,7 +252,7 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
     found = _literal(texts[key])
     if isinstance(found, bool) or not isinstance(found, (int, float)) or not least <= found <= most:
         raise ModelError(
-            "segmentation.number_out_of_range",
+            "{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.",
             source=source,
             text=texts[key][:LONGEST_NAME],
             key=key,
@@ -230,8 +271,18 @@ def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> t
         if numbers and (key != "standardization_std" or min(found) > 0):
             return tuple(float(v) for v in found)
     if key == "standardization_std":
-        raise ModelError("segmentation.three_positive_numbers", source=source, text=texts[key][:LONGEST_NAME], key=key)
-    raise ModelError("segmentation.three_numbers", source=source, text=texts[key][:LONGEST_NAME], key=key)
+        raise ModelError(
+            "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.",
+            source=source,
+            text=texts[key][:LONGEST_NAME],
+            key=key,
+        )
+    raise ModelError(
+        "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.",
+        source=source,
+        text=texts[key][:LONGEST_NAME],
+        key=key,
+    )
 
 
 def _literal(text: str) -> Any:  # noqa: ANN401 - as in JSON

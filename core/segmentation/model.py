@@ -56,7 +56,12 @@ class SegmentationModel:
         texts, outputs = self._start(threads, device)
         header = header_of(path)
         if header is not None and header.aligns_corners:
-            self.notes.append(Sentence("segmentation.aligned_corners"))
+            self.notes.append(
+                Sentence(
+                    "The network enlarges with aligned corners: what lies off the middle of a tile is shown up to "
+                    "some pixels farther off, and photos are taken for up to 1 % larger than they are."
+                )
+            )
         names = named_channels(texts, path)
         single = outputs.ndim == 3 or outputs.shape[1] == 1
         self._gives_numbers = single and (outputs.dtype.kind in "iu" or (names is not None and len(names) > 2))
@@ -93,11 +98,22 @@ class SegmentationModel:
             found = self._open(devices[-1], threads)
         other = self.device.title
         self.fallbacks = [
-            Sentence("segmentation.device_failed", device=device.title, reason=reason, other=other)
+            Sentence(
+                "{device} could not be started ({reason}); the network runs on {other}.",
+                device=device.title,
+                reason=reason,
+                other=other,
+            )
             for device, reason in reasons.items()
         ]
         if chosen is not None and chosen not in devices:
-            missing = Sentence("segmentation.device_missing", device=chosen.title, package=chosen.package, other=other)
+            missing = Sentence(
+                "{device} was asked for, but this onnxruntime does not have it: it comes with the Python package "
+                "{package}; the network runs on {other}.",
+                device=chosen.title,
+                package=chosen.package,
+                other=other,
+            )
             self.fallbacks.append(missing)
         return found
 
@@ -112,7 +128,9 @@ class SegmentationModel:
             self.settings = read_settings(texts, self.path)
             self._read_input()
         except UnicodeDecodeError:
-            raise ModelError("segmentation.not_text", path=self.path) from None
+            raise ModelError(
+                "{path} has names or metadata that are no text in UTF-8; export the network again.", path=self.path
+            ) from None
         mean, std = (np.array(v, np.float32) for v in (self.settings.mean, self.settings.std))
         # (pixel / 255 - mean) / std of each of the 256 pixel values, for each band.
         self._standardized = ((np.arange(256, dtype=np.float32) / 255)[None] - mean[:, None]) / std[:, None]
@@ -132,7 +150,11 @@ class SegmentationModel:
         found = outputs.astype(np.float32, copy=False)
         # Checked on the sum: any NaN or infinity is in it.
         if not np.isfinite(found.sum()):
-            raise ModelError("segmentation.not_numbers", path=self.path)
+            raise ModelError(
+                "{path} gives values that are not numbers (NaN or infinite); it is damaged, or its "
+                "standardization_mean and standardization_std are not those it was trained with.",
+                path=self.path,
+            )
         if self._gives_probability:
             found = found.reshape(len(images), 1, *self.tile_hw)
             return np.concatenate([np.full_like(found, self.settings.threshold), found], axis=1)
@@ -152,37 +174,66 @@ class SegmentationModel:
         numbers = outputs.reshape(len(outputs), 1, *self.tile_hw)
         count = len(self.classes.names)
         if not ((numbers >= 0) & (numbers < count)).all():
-            raise ModelError("segmentation.unknown_class_number", path=self.path, number=numbers.max(), count=count)
+            raise ModelError(
+                "{path} gives the class number {number:g}, but it names {count} classes; take the names it was "
+                "trained with.",
+                path=self.path,
+                number=numbers.max(),
+                count=count,
+            )
         return (numbers == np.arange(count).reshape(1, count, 1, 1)).astype(np.float32)
 
     def _read_input(self) -> None:
         inputs = self._session.get_inputs()
         if len(inputs) != 1 or len(self._session.get_outputs()) != 1:
             raise ModelError(
-                "segmentation.inputs_outputs",
+                "{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.",
                 path=self.path,
                 inputs=len(inputs),
                 outputs=len(self._session.get_outputs()),
             )
         shape = inputs[0].shape
         if len(shape) != 4 or shape[1] not in (_BANDS, None) and isinstance(shape[1], int):
-            raise ModelError("segmentation.input_shape", path=self.path, shape=_shape_text(shape))
+            raise ModelError(
+                "{path} takes input of the shape {shape}; it must be 1 × 3 × height × width (red, green, blue).",
+                path=self.path,
+                shape=_shape_text(shape),
+            )
         if inputs[0].type not in _FLOATS:
-            raise ModelError("segmentation.input_type", path=self.path, kind=inputs[0].type)
+            raise ModelError(
+                "{path} takes {kind} values; a segmentation network takes floats.", path=self.path, kind=inputs[0].type
+            )
         self._name, self._type = inputs[0].name, _FLOATS[inputs[0].type]
         stated = self.settings.tile_size_px
         fixed = [size if isinstance(size, int) else stated or DEFAULT_TILE_SIZE_PX for size in shape[2:]]
         self.tile_hw = fixed[0], fixed[1]
         if stated is not None and (stated, stated) != self.tile_hw:
-            self.notes.append(Sentence("segmentation.other_tile_size", stated=stated, width=fixed[1], height=fixed[0]))
+            self.notes.append(
+                Sentence(
+                    "tile_size in the model's metadata is {stated}, but the network takes {width} × {height} pixels: "
+                    "these are used.",
+                    stated=stated,
+                    width=fixed[1],
+                    height=fixed[0],
+                )
+            )
         if not all(0 < size <= LARGEST_TILE_PX for size in fixed):
             raise ModelError(
-                "segmentation.tile_too_large", path=self.path, width=fixed[1], height=fixed[0], most=LARGEST_TILE_PX
+                "{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × "
+                "{most}: export it with a smaller or free size.",
+                path=self.path,
+                width=fixed[1],
+                height=fixed[0],
+                most=LARGEST_TILE_PX,
             )
         fixed_batch = isinstance(shape[0], int)
         self.tiles_at_once = 1 if fixed_batch or self.device is CPU else TILES_AT_ONCE
         if fixed_batch and shape[0] != 1:
-            raise ModelError("segmentation.batch_size", path=self.path, count=shape[0])
+            raise ModelError(
+                "{path} takes {count} images at once; export it for one (or any number).",
+                path=self.path,
+                count=shape[0],
+            )
 
     def _probe(self) -> np.ndarray:
         """What the network gives for a black image; its stated shape may be silent on the number of classes."""
@@ -190,7 +241,8 @@ class SegmentationModel:
         outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
         if outputs.ndim not in (3, 4) or outputs.shape != (1, *outputs.shape[1:-2], height, width):
             raise ModelError(
-                "segmentation.output_shape",
+                "{path} gives the shape {shape} for an image of {width} × {height} pixels; it must be 1 × classes × "
+                "{height} × {width}.",
                 path=self.path,
                 shape=_shape_text(outputs.shape),
                 width=width,
@@ -212,11 +264,17 @@ class SegmentationModel:
         except failures_of_a_run() as error:
             height, width = self.tile_hw
             raise ModelError(
-                "segmentation.run_failed", path=self.path, width=width, height=height, reason=reason_of(error)
+                "{path} fails on an image of {width} × {height} pixels: {reason}.",
+                path=self.path,
+                width=width,
+                height=height,
+                reason=reason_of(error),
             ) from error
         if not isinstance(found, np.ndarray) or found.dtype.kind not in "fiub":
             kind = found.dtype.name if isinstance(found, np.ndarray) else type(found).__name__
-            raise ModelError("segmentation.output_kind", path=self.path, kind=kind)
+            raise ModelError(
+                "{path} gives {kind}; a segmentation network gives one array of numbers.", path=self.path, kind=kind
+            )
         return found
 
 

@@ -94,17 +94,20 @@ def read_card(path: str) -> ModelCard:
     """The card of an ONNX file; of one that can't be used it says why not."""
     # A pipe would be waited for without end.
     if not os.path.isfile(path):
-        return ModelCard(path, Sentence("segmentation.no_model_file", path=path))
+        return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
     try:
         # Of files of hundreds of megabytes only what is looked at is read; an empty one is refused.
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             texts = None if read_header(data) is None else read_metadata(data)
     except OSError:
-        return ModelCard(path, Sentence("segmentation.no_model_file", path=path))
+        return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
     except ValueError:
         texts = None
     if texts is None:
-        return ModelCard(path, Sentence("segmentation.no_onnx", path=path))
+        return ModelCard(
+            path,
+            Sentence("{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.", path=path),
+        )
     return card_of_texts(texts, path)
 
 

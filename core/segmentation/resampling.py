@@ -43,7 +43,10 @@ def at_resolution(
     height, width = image.shape_hw
     width, height = (round(size * edge / resolution_m) for size, edge in zip(pixel_size_m, (width, height)))
     if min(width, height) < 1:
-        raise ImageError("segmentation.resolution_too_coarse", resolution_cm=100 * resolution_m)
+        raise ImageError(
+            "At {resolution_cm:g} cm a pixel nothing is left of the image; choose a smaller resolution.",
+            resolution_cm=100 * resolution_m,
+        )
     return ResampledImage(image, (height, width))
 
 

@@ -30,7 +30,11 @@ def _onnxruntime() -> ModuleType:
     try:
         import onnxruntime
     except ImportError as error:
-        raise ModelError("segmentation.no_onnxruntime", reason=str(error)) from None
+        raise ModelError(
+            "Segmentation needs the Python package onnxruntime ({reason}); install it for QGIS's Python, for example "
+            "with “python3 -m pip install onnxruntime”.",
+            reason=str(error),
+        ) from None
     return onnxruntime
 
 
@@ -77,7 +81,7 @@ def open_session(path: str, threads: int, provider: str) -> InferenceSession:
     """
     onnxruntime = _onnxruntime()
     if not os.path.isfile(path):
-        raise ModelError("segmentation.no_model_file", path=path)
+        raise ModelError("{path} does not exist; choose a model file (.onnx).", path=path)
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = threads
     # A thread that spins while it waits takes the core from reading and blending.
@@ -97,14 +101,19 @@ def open_session(path: str, threads: int, provider: str) -> InferenceSession:
         raise ModelError(_why_not_opened(path, error, onnxruntime.__version__)) from error
     session.disable_fallback()
     if session.get_providers()[:1] != [provider]:
-        raise ModelError("segmentation.not_run", path=path, version=onnxruntime.__version__, reason=_left_out(said))
+        raise ModelError(
+            "{path} can't be run by onnxruntime {version}: {reason}.",
+            path=path,
+            version=onnxruntime.__version__,
+            reason=_left_out(said),
+        )
     return session
 
 
 def _left_out(said: str) -> str | Sentence:
     """Why a provider was left out, as far as that is known."""
     lines = [line for line in said.splitlines() if line.startswith("Failed to load")]
-    return reason_of(lines[0]) if lines else Sentence("segmentation.device_left_out")
+    return reason_of(lines[0]) if lines else Sentence("its driver or its libraries could not be loaded")
 
 
 def _load_libraries(onnxruntime: ModuleType) -> str:
@@ -120,17 +129,40 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
     """One sentence for why onnxruntime refused a file; by what is in the file, for messages change with releases."""
     header = header_of(path)
     if header is None:
-        return Sentence("segmentation.no_onnx", path=path)
+        return Sentence(
+            "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.", path=path
+        )
     known = _newest_known(header.ir_version, lambda ir_version: smallest_model(ir_version, _OPSET_OF_ALL))
     if known < header.ir_version:
-        return Sentence("segmentation.newer_ir", path=path, found=header.ir_version, version=version, known=known)
+        return Sentence(
+            "{path} is in ONNX format {found} (IR version), but onnxruntime {version} reads up to {known}; install a "
+            "newer onnxruntime or export the model with an older ir_version.",
+            path=path,
+            found=header.ir_version,
+            version=version,
+            known=known,
+        )
     known = _newest_known(header.opset, lambda opset: smallest_model(_IR_VERSION_OF_ALL, opset))
     if known < header.opset:
-        return Sentence("segmentation.newer_opset", path=path, found=header.opset, version=version, known=known)
+        return Sentence(
+            "{path} uses ONNX operators of version {found} (opset), but onnxruntime {version} knows up to {known}; "
+            "install a newer onnxruntime or export the model with an older opset.",
+            path=path,
+            found=header.opset,
+            version=version,
+            known=known,
+        )
     missing = header.missing_weights(path)
     if missing:
-        return Sentence("segmentation.weights_missing", path=path, reason=missing)
-    return Sentence("segmentation.not_run", path=path, version=version, reason=reason_of(error))
+        return Sentence(
+            "{path} keeps its weights in another file that is missing or cut short; put it beside the model under its "
+            "old name ({reason}).",
+            path=path,
+            reason=missing,
+        )
+    return Sentence(
+        "{path} can't be run by onnxruntime {version}: {reason}.", path=path, version=version, reason=reason_of(error)
+    )
 
 
 def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:

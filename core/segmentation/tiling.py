@@ -115,7 +115,13 @@ def tiles_of(model: SegmentationModel, shape_hw: tuple[int, int], overlap: float
     """All tiles of an image of that (height, width); raises ImageError for one of a few pixels."""
     height, width = shape_hw
     if min(height, width) < MINIMUM_EDGE_PX:
-        raise ImageError("segmentation.image_too_small", width=width, height=height, least=MINIMUM_EDGE_PX)
+        raise ImageError(
+            "An image of {width} × {height} pixels shows too little to be segmented; it needs {least} pixels each way "
+            "at the model's resolution.",
+            width=width,
+            height=height,
+            least=MINIMUM_EDGE_PX,
+        )
     columns, rows = (tile_starts(length, tile, overlap) for length, tile in zip((width, height), model.tile_hw[::-1]))
     return Tiles(tuple(columns), tuple(rows), (0, 0, width, height))
 

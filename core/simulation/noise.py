@@ -91,7 +91,12 @@ class LabelNoise:
             most = 1.0 if field.name in _SHARES else math.inf
             is_bounded = value is None or value < math.inf or field.name == "missed_below"
             if not is_bounded or value is not None and not 0 <= value <= most:
-                raise ParameterError("simulation.noise", name=field.name, value=value, most=most)
+                raise ParameterError(
+                    "Noise: {name} is {value:g}; give a number from 0 to {most:g}.",
+                    name=field.name,
+                    value=value,
+                    most=most,
+                )
 
     def in_pixels(self, pixel_size: float) -> LabelNoise:
         """The same noise, its lengths and areas in pixels of ``pixel_size`` map units."""

@@ -31,11 +31,26 @@ class WindowGrid:
 
     def __post_init__(self) -> None:
         if self.size < 1 or self.stride < 1:
-            raise WindowError("windows.below_one_pixel", size=self.size, stride=self.stride)
+            raise WindowError(
+                "Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.",
+                size=self.size,
+                stride=self.stride,
+            )
         if self.stride > self.size:
-            raise WindowError("windows.stride_above_size", stride=self.stride, size=self.size)
+            raise WindowError(
+                "The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would "
+                "be missed; make the stride at most the window size.",
+                stride=self.stride,
+                size=self.size,
+            )
         if self.size > min(self.width, self.height):
-            raise WindowError("windows.larger_than_map", size=self.size, width=self.width, height=self.height)
+            raise WindowError(
+                "The window ({size} px) is larger than the map ({width} × {height} px); choose a smaller window or a "
+                "larger map.",
+                size=self.size,
+                width=self.width,
+                height=self.height,
+            )
 
     @property
     def columns(self) -> np.ndarray:

@@ -127,7 +127,7 @@ class AssessDatabase(AssessAlgorithm):
         spacing = values.optional_number(self.SPACING, min(footprints) / 2)
         cells = cancelable(ground_cells, database, spacing, feedback=feedback)
         if not len(cells):
-            raise ParameterError("assessment.nothing", path=database.source)
+            raise ParameterError("{path} has neither labels nor landmarks; build it again.", path=database.source)
         localizer = self.indexed(database, feedback)
         count = values.integer(self.TRIALS)
         assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]

@@ -209,7 +209,9 @@ class AssessRoute(AssessAlgorithm):
         try:
             source = values.source(self.ROUTE)
         except ParameterError as error:
-            raise ParameterError("algorithms.no_route_layer", value=value) from error
+            raise ParameterError(
+                "ROUTE is {value}, which is neither a line layer nor a GPX, KML, .plan or .waypoints file.", value=value
+            ) from error
         self._route = route_of_source(source)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
@@ -223,7 +225,7 @@ class AssessRoute(AssessAlgorithm):
         points = route_points(lines_in(self._route, crs, values.transform_context), spacing)
         inside = _inside(database.parameters.extent, points.places)
         if not inside.any():
-            raise ParameterError("algorithms.route_outside_map")
+            raise ParameterError("ROUTE lies outside the database’s map; choose another route or database.")
         below = self._picture_below(values, points, crs, feedback) if outputs.wants(self.REPORT) else b""
         assessment = self.assessment(values, database, self.indexed(database, feedback), footprint, feedback)
         count = values.integer(self.TRIALS)

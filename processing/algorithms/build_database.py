@@ -153,7 +153,12 @@ class BuildDatabase(SemRefAlgorithm):
     def check(self, values: Values) -> None:
         size, stride = values.number(self.WINDOW_SIZE), values.number(self.STRIDE)
         if stride > size:
-            raise ParameterError("algorithms.stride_above_size", stride=stride, size=size)
+            raise ParameterError(
+                "The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be "
+                "missed; make the stride at most the window size.",
+                stride=stride,
+                size=size,
+            )
         require_scheduler(values)
 
     def read_layers(self, values: Values) -> None:
@@ -242,7 +247,7 @@ class BuildDatabase(SemRefAlgorithm):
         try:
             return (table.with_references(chosen) if chosen else table).require_references()
         except ClassTableError as error:
-            raise ParameterError("labels.at_line", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
+            raise ParameterError("{where}: {fault}", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
 
     def _settings(self, values: Values) -> BuildSettings:
         from ...core.database.build import BuildSettings

@@ -103,7 +103,9 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
         rules = read_rules(values.file(self.RULES) or str(RULES_PATH))
         other = values.text(self.OTHER_CLASS).strip()
         if len(other) > LONGEST_NAME:
-            raise ParameterError("labels.name_too_long", key=self.OTHER_CLASS, most=LONGEST_NAME)
+            raise ParameterError(
+                "{key} has more than {most} characters; give a shorter name.", key=self.OTHER_CLASS, most=LONGEST_NAME
+            )
         counts: Counter[str] = Counter()
         left_out = 0
         names = (*rules.classes, other) if other and other not in rules.classes else rules.classes
@@ -119,7 +121,12 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
                 sink.add(geometry, row)
         if not counts:
             columns = self._source.fields().names()
-            raise ParameterError("algorithms.no_openstreetmap_class", source=self._source.sourceName(), columns=columns)
+            raise ParameterError(
+                "No polygon of “{source}” has a tag that the rules know; its columns are {columns}. Choose a layer "
+                "with OpenStreetMap's tags, other RULES, or an OTHER_CLASS.",
+                source=self._source.sourceName(),
+                columns=columns,
+            )
         for name, count in counts.most_common():
             feedback.pushInfo(tr("{name}: {count} polygons").format(name=name, count=count))
         feedback.pushInfo(tr("Left out, without a class or an area: {count}").format(count=left_out))
@@ -141,7 +148,11 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
                 yield polygons_of(feature.geometry()), dict(zip(names, feature.attributes()))
         if failures:
             source, reason = self._source.sourceName(), failures[0]
-            raise ParameterError("algorithms.openstreetmap_unreadable", source=source, reason=reason)
+            raise ParameterError(
+                "“{source}” can't be read to its end: {reason}. Copy or download it again.",
+                source=source,
+                reason=reason,
+            )
 
 
 def row_of(columns: dict[str, object], rules: Rules, other: str) -> dict[str, object] | None:

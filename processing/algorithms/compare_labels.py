@@ -136,7 +136,7 @@ class CompareLabels(SemRefAlgorithm):
 
         require_one_crs(*self._layers)
         if outputs.wants(self.MODEL_OUTPUT) and not values.file(self.MODEL):
-            raise ParameterError("algorithms.no_model_to_copy")
+            raise ParameterError("MODEL_OUTPUT is a copy of the model; give the network as MODEL.")
         paths = [layer.path for layer in self._layers]
         pair = LabelMapPair(*paths)
         match = self._match(pair, feedback)

@@ -164,7 +164,7 @@ class DescribeImage(SemRefAlgorithm):
         if table is None:
             table = stored_class_table(open_raster(self._layer.path), self._layer.path)
         if table is None:
-            raise ParameterError("algorithms.no_class_table")
+            raise ParameterError("Give DATABASE or CLASS_TABLE: the label image brings no class table of its own.")
         chosen = values.parts(self.REFERENCE_CLASSES)
         table = (table.with_references(chosen) if chosen else table).require_references()
         area = values.number(self.MINIMUM_AREA)

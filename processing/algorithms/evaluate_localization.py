@@ -280,7 +280,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         """Chosen methods with their titles, the one that the outputs are about first."""
         chosen = values.choices(self.METHODS)
         if not chosen:
-            raise ParameterError("algorithms.no_methods")
+            raise ParameterError("METHODS is empty; choose at least one method.")
         # The published method is what the others are compared with.
         return {method: worded(method.title) for method in ORDER if method.number in chosen}
 
@@ -317,7 +317,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
         if self._layer.crs != crs:
             raise LabelMapError(
-                "storage.map_in_other_crs",
+                "{path} is in {crs} and the database in {database_crs}; warp the label map to the database’s CRS.",
                 path=self._layer.path,
                 crs=describe_crs(self._layer.crs),
                 database_crs=describe_crs(crs),

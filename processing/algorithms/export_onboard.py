@@ -153,7 +153,9 @@ class ExportOnboard(SemRefAlgorithm):
         if not os.path.isfile(output):
             return
         if not is_onboard_file(output):
-            raise ParameterError("algorithms.not_replaced", output=output)
+            raise ParameterError(
+                "{output} exists and is no onboard file; remove it or choose another name.", output=output
+            )
         feedback.pushWarning(tr("{output} is replaced.").format(output=output))
 
     def _clipped(

@@ -14,13 +14,14 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
 )
 
-from ...core.errors import ImageError, SemRefError
+from ...core.errors import ImageError, SemRefError, UnwritableError
 from ...core.sentences import legible
 from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.localized_image import unique_names
 from ..framework.parameters import with_help
 from ..translation import tr
+from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
@@ -130,12 +131,13 @@ class GeoreferenceImages(SemRefAlgorithm):
                             writer, file_of(image.path), image, target, points.get(image.path, []), feedback=feedback
                         )
                         written += 1
+                    except UnwritableError:
+                        # One bad image must not stop the others; a full disk does.
+                        check_canceled(feedback)
+                        raise
                     except SemRefError as error:
                         check_canceled(feedback)
-                        # One bad image must not stop the others; a full disk does.
-                        if error.sentence.code in _NO_ROOM:
-                            raise
-                        refusal = self.worded(error)
+                        refusal = worded(error)
                 if refusal:
                     feedback.pushWarning(tr("{image}: left out. {reason}").format(image=name, reason=refusal))
                 feedback.setProgress(100 * (n + 1) / len(found))
@@ -159,7 +161,11 @@ class GeoreferenceImages(SemRefAlgorithm):
             # A temporary layer is of this session: its images were chosen by the user.
             found = chosen.get(os.path.basename(path)) or (path if folder is None else named_file(path, [folder]))
             if not found:
-                raise ImageError("algorithms.image_elsewhere", path=path)
+                raise ImageError(
+                    "The positions name {path}, which is not in their own folder; select the image, or its folder, as "
+                    "Images.",
+                    path=path,
+                )
             return found
 
         return file_of
@@ -176,10 +182,6 @@ def _why_not(image: PositionRow) -> str:
     return ""
 
 
-_NO_ROOM = ("storage.unwritable", "storage.not_whole")
-"""Errors of the place that is written to, and not of an image."""
-
-
 class _Writer:
     """Writes one image in one of the formats; raises SemRefError."""
 
@@ -192,7 +194,7 @@ class _Writer:
         from ...storage.rasters import open_raster, require_whole_raster
 
         if not os.path.isfile(file):
-            raise ImageError("algorithms.image_moved", path=file)
+            raise ImageError("There is no image {path}; give IMAGES, the folder where it lies now.", path=file)
         raster = open_raster(file)
         corners = image.corners((raster.RasterYSize, raster.RasterXSize))
         if self._kind == GEOTIFF:

@@ -158,7 +158,7 @@ class LocalizeFlight(LocalizeAlgorithm):
     def check(self, values: Values) -> None:
         priors.scales(values, self.method(values))
         if not values.files(self.IMAGES):
-            raise ParameterError("algorithms.no_images")
+            raise ParameterError("IMAGES is empty; choose at least one image, a folder with images, or a LAYER.")
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any]:
         from ...core.localizer.localizer import Localizer
@@ -221,7 +221,12 @@ class LocalizeFlight(LocalizeAlgorithm):
         table = values.file(self.ODOMETRY)
         steps = read_odometry(table)
         if len(paths) > 1 and not odometry_links(steps, paths):
-            raise ParameterError("algorithms.odometry_of_other_images", path=table, image=os.path.basename(paths[0]))
+            raise ParameterError(
+                "{path} tells no motion between two of these images, such as {image}; give the ODOMETRY of this "
+                "flight.",
+                path=table,
+                image=os.path.basename(paths[0]),
+            )
         return steps
 
     def _log(self, values: Values, feedback: QgsProcessingFeedback) -> Telemetry | None:

@@ -147,11 +147,14 @@ class LocalizeImages(LocalizeAlgorithm):
     def check(self, values: Values) -> None:
         priors.scales(values, self.method(values))
         if not values.has(self.LAYER) and not values.files(self.IMAGES):
-            raise ParameterError("algorithms.no_images")
+            raise ParameterError("IMAGES is empty; choose at least one image, a folder with images, or a LAYER.")
         parts = [key for key in (self.EXTENT, self.MASK) if values.has(key)]
         if parts and not values.has(self.LAYER):
             # They would change nothing, and who gave them took the result for that of a part.
-            raise ParameterError("algorithms.part_of_no_layer", keys=", ".join(parts))
+            raise ParameterError(
+                "LAYER is empty, so {keys} can't be a part of it; choose a LAYER, or leave {keys} out.",
+                keys=", ".join(parts),
+            )
         require_scheduler(values, (self.LAYER, self.LABELS))
 
     def read_layers(self, values: Values) -> None:

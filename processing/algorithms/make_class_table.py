@@ -85,7 +85,7 @@ class MakeClassTable(AnnotationAlgorithm):
         try:
             table = table.with_references(chosen) if chosen else table
         except ClassTableError as error:
-            raise ParameterError("labels.at_line", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
+            raise ParameterError("{where}: {fault}", where=self.REFERENCE_CLASSES, fault=error.sentence) from None
         outputs.text(self.OUTPUT, table.to_csv())
         _say(table, feedback)
         return {self.CLASS_COUNT: len(table)}

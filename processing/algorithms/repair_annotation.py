@@ -99,7 +99,9 @@ class RepairAnnotation(AnnotationAlgorithm):
         repair = AnnotationRepair(reading.features, settings)
         follow(interruptible(repair.steps(), feedback), feedback, READ, REPAIRED)
         if not repair.polygons:
-            raise ParameterError("algorithms.nothing_to_repair", source=self._source.name)
+            raise ParameterError(
+                "“{source}” has no polygon with area and class; there is nothing to repair.", source=self._source.name
+            )
         # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         renderer = repaired_renderer(lookup, self._source)

@@ -212,7 +212,7 @@ class TrainModel(AnnotationAlgorithm):
         from ..packages.training_environment import training_python
 
         if values.has(self.INPUT) == values.has(self.LABELS):
-            raise ParameterError("algorithms.annotation_or_labels")
+            raise ParameterError("Give either an annotation layer (INPUT) or a label map (LABELS).")
         super().check(values)
         training_python(values.file(self.PYTHON))
 
@@ -225,7 +225,7 @@ class TrainModel(AnnotationAlgorithm):
         self._area = drawn_area(values.source(self.MASK))
         self._photo = PhotoSource(values, self.IMAGE, self.EXTENT, self._area) if needs_drawing(image) else None
         if self._photo is not None and not values.has(self.RESOLUTION):
-            raise ImageError("exchange.resolution_needed", layer=image.name())
+            raise ImageError("“{layer}” can be drawn at any resolution; give RESOLUTION.", layer=image.name())
         self._image = values.image(self.IMAGE) if self._photo is None else named_layer(image)
         self._image_extent, self._labels = image.extent(), None
         if values.has(self.INPUT):
@@ -331,7 +331,12 @@ class TrainModel(AnnotationAlgorithm):
         try:
             result = json.loads((run.folder / RESULT).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
-            raise TrainingError("training.ended", python=python, reason=error) from None
+            raise TrainingError(
+                "The training ended without a word ({reason}); see whether the memory is used up, or choose another "
+                "Python than {python}.",
+                python=python,
+                reason=error,
+            ) from None
         remember_speed(job.encoder, result)
         examples = [path.read_bytes() for path in sorted((run.folder / EXAMPLES).glob("*.png"))]
         return TrainingReport(os.path.basename(values.target(self.OUTPUT)), result, job.ground, examples)

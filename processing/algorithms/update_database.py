@@ -117,7 +117,10 @@ class UpdateDatabase(SemRefAlgorithm):
         crs = QgsCoordinateReferenceSystem.fromWkt(stored)
         if wkt_for_gdal(self._layer.crs) != stored and self._layer.crs != crs:
             raise LabelMapError(
-                "algorithms.labels_in_other_crs", crs=describe_crs(self._layer.crs), database_crs=describe_crs(crs)
+                "The label map is in {crs}, the database in {database_crs}; rasterize to the database's CRS or build "
+                "a new database.",
+                crs=describe_crs(self._layer.crs),
+                database_crs=describe_crs(crs),
             )
 
     def _check_classes(self, table: ClassTable, labels: GdalLabels) -> None:
@@ -127,7 +130,12 @@ class UpdateDatabase(SemRefAlgorithm):
         found = stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset)
         differing = {(c.value, c.name) for c in found} ^ {(c.value, c.name) for c in table}
         for value, name in sorted(differing if found else ()):
-            raise ClassTableError("algorithms.other_classes", value=value, name=name)
+            raise ClassTableError(
+                "The label map and the database don't have the same classes ({value} {name} is in one of them only); "
+                "rasterize with the database's class table or build a new database.",
+                value=value,
+                name=name,
+            )
 
     def _areas(
         self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
@@ -144,11 +152,16 @@ class UpdateDatabase(SemRefAlgorithm):
                     box = transform.transformBoundingBox(part.boundingBox())
                 except QgsCsException:
                     raise ParameterError(
-                        "algorithms.changed_area_crs", key=self.CHANGED, feature=feature.id()
+                        "{key}: the area of feature {feature} can't be brought to the label map's CRS; check the "
+                        "layer's CRS.",
+                        key=self.CHANGED,
+                        feature=feature.id(),
                     ) from None
                 areas.append(_pixels_around(box, frame))
         if not areas:
-            raise ParameterError("algorithms.changed_without_polygon", key=self.CHANGED)
+            raise ParameterError(
+                "{key} has no polygon; leave it out to find the changes by comparing.", key=self.CHANGED
+            )
         return areas
 
     def _say_result(

@@ -118,15 +118,20 @@ def annotation_source(
     ``class_of_all``: the class of every feature; the class field is not used then.
     """
     if layer is None or not layer.isValid():
-        raise AnnotationError("exchange.no_vector_layer")
+        raise AnnotationError("INPUT is not a vector layer that can be read; choose a polygon layer.")
     if layer.geometryType() != POLYGON_GEOMETRY:
         kind = QgsWkbTypes.displayString(layer.wkbType())
-        raise AnnotationError("exchange.no_polygons", layer=layer.name(), kind=kind)
+        raise AnnotationError(
+            "“{layer}” holds {kind} geometry; an annotation layer holds polygons.", layer=layer.name(), kind=kind
+        )
     fields = layer.fields()
     class_index = -1 if class_of_all else _field_index(layer, class_field, "CLASS_FIELD")
     priority_index = _field_index(layer, priority_field, "PRIORITY_FIELD") if priority_field else -1
     if priority_index >= 0 and not fields.at(priority_index).isNumeric():
-        raise AnnotationError("exchange.priority_not_numbers", priority_field=priority_field)
+        raise AnnotationError(
+            "The priority field “{priority_field}” does not hold numbers; choose one that does.",
+            priority_field=priority_field,
+        )
     request = QgsFeatureRequest()
     request.setSubsetOfAttributes([i for i in (class_index, priority_index) if i >= 0])
     count, extent = layer.featureCount(), _extent(layer)
@@ -158,14 +163,22 @@ def _extent(layer: QgsVectorLayer) -> QgsRectangle:
     try:
         return layer.extent()
     except Exception:
-        raise AnnotationError("exchange.no_extent", layer=layer.name()) from None
+        raise AnnotationError(
+            "{layer} has places that are no numbers; remove the features that have them.", layer=layer.name()
+        ) from None
 
 
 def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:
     index = layer.fields().lookupField(name)
     if index < 0:
         names = [field.name() for field in layer.fields()]
-        raise AnnotationError("exchange.no_field", key=key, layer=layer.name(), name=name, names=names)
+        raise AnnotationError(
+            "{key}: “{layer}” has no field “{name}”; its fields are {names}.",
+            key=key,
+            layer=layer.name(),
+            name=name,
+            names=names,
+        )
     return index
 
 
@@ -192,7 +205,7 @@ def class_lookup(source: AnnotationSource, given: ClassTable | None, canceled: C
         return ClassLookup(given)
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
-        raise AnnotationError("labels.no_class_filled", source=source.name)
+        raise AnnotationError("“{source}” has no feature with a class; fill its class field first.", source=source.name)
     return lookup_of(found, source.class_is_number)
 
 
@@ -202,7 +215,7 @@ def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[
     texts = [raw_text(value) for value in _distinct_values(source, canceled)]
     texts += [text for text in styles if text not in texts]
     if not texts and not canceled():
-        raise AnnotationError("labels.no_class_filled", source=source.name)
+        raise AnnotationError("“{source}” has no feature with a class; fill its class field first.", source=source.name)
     is_value = source.class_is_number and all(text.isdigit() and 1 <= int(text) <= 255 for text in texts)
     return [FoundClass(t, *styles.get(t, (t, "")), int(t) if is_value else None) for t in texts]
 

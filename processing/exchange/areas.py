@@ -19,6 +19,7 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QTransform
 
 from ...core.errors import ParameterError
+from ...core.sentences import Sentence
 from ...storage.area_mask import AreaMask
 from .reference_systems import describe_crs
 
@@ -70,11 +71,23 @@ def area_rings(
     Raises ParameterError when nothing does.
     """
     # Repaired first, as a crossing outline would be buffered wrongly.
-    moved = [part.buffer(distance, _SEGMENTS) for part in _moved(area, crs, transform_context, "exchange.clip_crs")]
+    moved = [
+        part.buffer(distance, _SEGMENTS)
+        for part in _moved(
+            area,
+            crs,
+            transform_context,
+            Sentence("CLIP does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(area.crs)),
+        )
+    ]
     whole = QgsGeometry.unaryUnion(moved).intersection(QgsGeometry.fromRect(QgsRectangle(*extent)))
     rings = [ring for polygon in _polygons(whole) for ring in polygon]
     if not rings:
-        raise ParameterError("exchange.clip_outside", distance=distance)
+        raise ParameterError(
+            "The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and "
+            "points a larger DISTANCE than {distance:g}.",
+            distance=distance,
+        )
     return [np.array([(point.x(), point.y()) for point in ring]) for ring in rings]
 
 
@@ -83,7 +96,7 @@ def area_extent(
 ) -> QgsRectangle:
     """The box around an area in another CRS. Raises ParameterError."""
     box = QgsRectangle()
-    for geometry in _moved(area, crs, context, "exchange.mask_crs"):
+    for geometry in _moved(area, crs, context, _mask_refusal(area)):
         box.combineExtentWith(geometry.boundingBox())
     return box
 
@@ -113,19 +126,23 @@ def area_mask(
     height, width = shape_hw
     image = QgsRectangle(0, -height, width, 0)
     polygons = []
-    for geometry in _moved(area, crs, context, "exchange.mask_crs"):
+    for geometry in _moved(area, crs, context, _mask_refusal(area)):
         geometry.transform(upwards)
         parts = (part for part in geometry.asGeometryCollection() if part.area() > 0)
         polygons += [part.asWkb().data() for part in parts if part.boundingBox().intersects(image)]
     if not polygons:
-        raise ParameterError("exchange.mask_outside")
+        raise ParameterError("No polygon of MASK lies on the image; choose another layer, or leave MASK out.")
     return AreaMask(polygons)
 
 
+def _mask_refusal(area: DrawnArea) -> Sentence:
+    return Sentence("MASK does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(area.crs))
+
+
 def _moved(
-    area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext, refusal: str
+    area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext, refusal: Sentence
 ) -> list[QgsGeometry]:
-    """An area's geometries in another CRS, repaired; without arcs. Raises ParameterError by the code ``refusal``."""
+    """An area's geometries in another CRS, repaired; without arcs. Raises ParameterError with ``refusal``."""
     to_map = QgsCoordinateTransform(area.crs, crs, context)
     moved = []
     for given in area.geometries:
@@ -134,7 +151,7 @@ def _moved(
         try:
             geometry.transform(to_map)
         except QgsCsException:
-            raise ParameterError(refusal, crs=describe_crs(area.crs)) from None
+            raise ParameterError(refusal) from None
         moved.append(geometry.makeValid())
     return moved
 

@@ -65,7 +65,9 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     if references is None:
         added.insert(0, QgsVectorLayer(_table_source(path, REFERENCES), tr("Landmarks"), "ogr"))
     if not all(layer.isValid() for layer in added):
-        raise DatabaseError("exchange.no_database_layers", path=path)
+        raise DatabaseError(
+            "{path} is not a SemRef reference database; choose one made by “Build reference database”.", path=path
+        )
     # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
     from .class_styles import apply_overview_style
 

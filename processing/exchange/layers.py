@@ -9,6 +9,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPalettedRasterRenderer, Q
 from ...core.errors import ImageError, LabelMapError, SemRefError
 from ...core.geometry.frame import MapFrame
 from ...core.labels.class_table import LandCoverClass
+from ...core.sentences import Sentence
 from ...storage.map_frames import require_map_grid
 from ...storage.rasters import GdalLabels, RasterFile
 from ..compat import is_metric, wkt_for_gdal
@@ -31,19 +32,27 @@ class RasterLayer:
 
 def label_map_layer(layer: QgsRasterLayer | None, name: str) -> RasterLayer:
     """Takes what is needed out of a layer. Raises LabelMapError."""
-    return _taken(layer, LabelMapError("exchange.no_label_map", key=name))
+    return _taken(layer, LabelMapError("{key} is not a raster that can be read; choose a label map.", key=name))
 
 
 def image_layer(layer: QgsRasterLayer | None, name: str) -> RasterLayer:
     """Takes what is needed out of a layer. Raises ImageError."""
-    return _taken(layer, ImageError("exchange.no_image", key=name))
+    return _taken(
+        layer, ImageError("{key} is not a raster that can be read; choose a photo or an orthophoto.", key=name)
+    )
 
 
 def _taken(layer: QgsRasterLayer | None, unreadable: SemRefError) -> RasterLayer:
     if layer is None or not layer.isValid():
         raise unreadable
     if layer.providerType() != "gdal":
-        raise type(unreadable)("exchange.not_a_file", layer=layer.name(), provider=layer.providerType())
+        raise type(unreadable)(
+            Sentence(
+                "“{layer}” comes from {provider}; save it as GeoTIFF first.",
+                layer=layer.name(),
+                provider=layer.providerType(),
+            )
+        )
     return RasterLayer(layer.source(), layer.crs(), _styled_classes(layer))
 
 
@@ -67,16 +76,24 @@ def require_one_crs(reference: RasterLayer, predicted: RasterLayer) -> None:
     """Raises LabelMapError for two maps in different CRS; a map without one is taken to have the other's."""
     if reference.crs.isValid() and predicted.crs.isValid() and reference.crs != predicted.crs:
         raise LabelMapError(
-            "exchange.two_crs", crs=describe_crs(reference.crs), predicted_crs=describe_crs(predicted.crs)
+            "REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.",
+            crs=describe_crs(reference.crs),
+            predicted_crs=describe_crs(predicted.crs),
         )
 
 
 def map_frame(labels: GdalLabels, layer: RasterLayer) -> MapFrame:
     """CRS and geotransform of a label map; raises LabelMapError unless metric, north up, with square pixels."""
     if not layer.crs.isValid():
-        raise LabelMapError("exchange.no_crs", path=layer.path)
+        raise LabelMapError(
+            "{path} has no coordinate reference system; assign a metric one to the layer.", path=layer.path
+        )
     if not is_metric(layer.crs):
-        raise LabelMapError("storage.not_in_meters", path=layer.path, crs=describe_crs(layer.crs))
+        raise LabelMapError(
+            "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.",
+            path=layer.path,
+            crs=describe_crs(layer.crs),
+        )
     transform = labels.dataset.GetGeoTransform(can_return_null=True)
     require_map_grid(transform, layer.path)
     return MapFrame(wkt_for_gdal(layer.crs), tuple(transform), labels.shape_hw)

@@ -92,7 +92,13 @@ def read_positions(
     _require(source, NEEDED, key)
     if source.sourceCrs().isGeographic() or not source.sourceCrs().isValid():
         name = source.sourceCrs().authid() or source.sourceCrs().description()
-        raise ParameterError("exchange.positions_in_degrees", key=key, source=source.sourceName(), crs=name)
+        raise ParameterError(
+            "{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” "
+            "wrote them, in the database’s CRS.",
+            key=key,
+            source=source.sourceName(),
+            crs=name,
+        )
     grounds = {}
     if footprints is not None:
         _require(footprints, ("image",), footprints_key)
@@ -143,13 +149,25 @@ def _require(source: QgsProcessingFeatureSource, names: tuple[str, ...], key: st
     lacking = [name for name in names if source.fields().lookupField(name) < 0]
     if lacking:
         missing = ", ".join(lacking)
-        raise ParameterError("exchange.no_positions", key=key, source=source.sourceName(), missing=missing)
+        raise ParameterError(
+            "{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.",
+            key=key,
+            source=source.sourceName(),
+            missing=missing,
+        )
 
 
 def _require_same_crs(source: QgsProcessingFeatureSource, other: QgsProcessingFeatureSource, key: str) -> None:
     if source.sourceCrs() != other.sourceCrs():
         one, two = source.sourceCrs().authid(), other.sourceCrs().authid()
-        raise ParameterError("exchange.other_run", key=key, source=source.sourceName(), crs=one, positions_crs=two)
+        raise ParameterError(
+            "{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of "
+            "“Localize images”.",
+            key=key,
+            source=source.sourceName(),
+            crs=one,
+            positions_crs=two,
+        )
 
 
 def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> PositionRow:

@@ -33,7 +33,7 @@ def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
     """The CRS that a database is in. Raises DatabaseError for one that can't be read."""
     crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
     if not crs.isValid():
-        raise DatabaseError("exchange.no_readable_crs", path=database.source)
+        raise DatabaseError("{path} has no readable parameter crs; build it again.", path=database.source)
     return crs
 
 
@@ -48,10 +48,15 @@ def metric_crs(
     Raises ParameterError when ``target`` is not metric or ``source`` is unknown.
     """
     if not source.isValid():
-        raise ParameterError("exchange.annotation_without_crs")
+        raise ParameterError(
+            "The annotation layer has no coordinate reference system; set one in the layer's properties."
+        )
     if target.isValid():
         if not is_metric(target):
-            raise ParameterError("exchange.target_not_in_meters", crs=describe_crs(target))
+            raise ParameterError(
+                "{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.",
+                crs=describe_crs(target),
+            )
         return target
     return source if is_metric(source) else utm_zone(source, extent, transform_context)
 
@@ -68,7 +73,10 @@ def utm_zone(
     except QgsCsException:
         fits = False
     if not fits:
-        raise ParameterError("exchange.extent_outside_crs", crs=describe_crs(crs))
+        raise ParameterError(
+            "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.",
+            crs=describe_crs(crs),
+        )
     if latitude > 84:
         code = _UPS_NORTH
     elif latitude < -80:

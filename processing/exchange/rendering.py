@@ -107,12 +107,21 @@ def plan_drawing(
     except QgsCsException:
         ground = QgsRectangle()
     if ground.isEmpty() or not ground.isFinite():
-        raise ImageError("exchange.extent_not_drawn", layer=layer.name(), crs=describe_crs(extent_crs))
+        raise ImageError(
+            "The extent for “{layer}” does not fit its CRS {crs}; choose another one.",
+            layer=layer.name(),
+            crs=describe_crs(extent_crs),
+        )
     width, height = (max(1, ceil(side / pixel_size_m)) for side in (ground.width(), ground.height()))
     if width * height > MOST_PIXELS:
         most = MOST_PIXELS // 1_000_000
         raise ImageError(
-            "exchange.drawing_too_large", layer=layer.name(), width=width, height=height, most_million=most
+            "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; "
+            "choose a smaller EXTENT, or get the image as a file from whoever offers it.",
+            layer=layer.name(),
+            width=width,
+            height=height,
+            most_million=most,
         )
     transform = ground.xMinimum(), pixel_size_m, 0.0, ground.yMaximum(), 0.0, -pixel_size_m
     return Drawing(layer, crs, MapFrame(wkt_for_gdal(crs), transform, (height, width)))
@@ -150,17 +159,28 @@ def draw(
             picture.write(column, row, pixels_hw4)
             yield "Drawing the layer", n / len(places)
     if problems:
-        raise ImageError("exchange.not_drawn", layer=name, reason=problems[0])
+        raise ImageError("“{layer}” can’t be drawn: {reason}.", layer=name, reason=problems[0])
     if not anything:
-        raise ImageError("exchange.nothing_drawn", layer=name)
+        raise ImageError(
+            "Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.",
+            layer=name,
+        )
 
 
 def _require_plain_answers(layer: str, downloads: Downloads) -> None:
     """Raise ImageError where a server sent what is not taken."""
     if downloads.is_too_large:
-        raise ImageError("exchange.answer_too_large", layer=layer, most_mb=MOST_ANSWER_BYTES // 1_000_000)
+        raise ImageError(
+            "The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.",
+            layer=layer,
+            most_mb=MOST_ANSWER_BYTES // 1_000_000,
+        )
     if downloads.refused:
-        raise ImageError("exchange.redirected_elsewhere", layer=layer, address=downloads.refused)
+        raise ImageError(
+            "The server of “{layer}” redirects to {address}; SemRef reads tiles over http and https only.",
+            layer=layer,
+            address=downloads.refused,
+        )
 
 
 def styled_copy(layer: QgsMapLayer) -> QgsMapLayer:
@@ -202,7 +222,7 @@ def map_picture(
         image, problems = _draw_piece(settings, canceled, downloads, layers[-1].name())
         _require_plain_answers(layers[-1].name(), downloads)
     if problems:
-        raise ImageError("exchange.not_drawn", layer=layers[-1].name(), reason=problems[0])
+        raise ImageError("“{layer}” can’t be drawn: {reason}.", layer=layers[-1].name(), reason=problems[0])
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     image.save(buffer, "JPG", 85)
@@ -245,7 +265,12 @@ def _draw_piece(
         loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
     timer.stop()
     if time.monotonic() > end and not canceled():
-        raise ImageError("exchange.drawing_too_slow", layer=layer, most_s=int(LONGEST_S))
+        raise ImageError(
+            "The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another "
+            "layer.",
+            layer=layer,
+            most_s=int(LONGEST_S),
+        )
     return job.renderedImage(), [error.message for error in job.errors()]
 
 

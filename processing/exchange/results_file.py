@@ -33,7 +33,7 @@ def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:
             context = QgsCoordinateTransformContext()
             code, reason, *_ = QgsVectorFileWriter.writeAsVectorFormatV3(layer, temporary, context, options)
             if code != QgsVectorFileWriter.NoError:
-                raise ParameterError("storage.unwritable", path=path, reason=reason.rstrip("."))
+                raise ParameterError("{path} can't be written: {reason}.", path=path, reason=reason.rstrip("."))
             action = QgsVectorFileWriter.CreateOrOverwriteLayer
             _keep_style(f"{temporary}|layername={table}", layer)
         leave_wal(temporary)
@@ -52,5 +52,5 @@ def open_results(path: str) -> tuple[QgsVectorLayer | None, ...]:
     layers = [QgsVectorLayer(f"{path}|layername={table}", table, "ogr") for table in TABLES]
     found = tuple(layer if layer.isValid() else None for layer in layers)
     if found[0] is None or found[0].fields().lookupField("status") < 0:
-        raise ParameterError("exchange.no_results", path=path)
+        raise ParameterError("{path} holds no results of “Localize images”; localize the images again.", path=path)
     return found

@@ -54,7 +54,7 @@ def lines_in(
 ) -> list[np.ndarray]:
     """The route's lines in another CRS. Raises ParameterError when they can't be there."""
     if not route.crs.isValid():
-        raise ParameterError("exchange.route_without_crs")
+        raise ParameterError("ROUTE has no CRS; set its layer's CRS.")
     transform = QgsCoordinateTransform(route.crs, crs, transform_context)
     moved = []
     try:
@@ -62,14 +62,18 @@ def lines_in(
             points = [transform.transform(QgsPointXY(x, y)) for x, y in line.tolist()]
             moved.append(np.array([(point.x(), point.y()) for point in points]))
     except QgsCsException:
-        raise ParameterError("exchange.route_outside_crs", crs=describe_crs(route.crs)) from None
+        raise ParameterError(
+            "ROUTE does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(route.crs)
+        ) from None
     if not all(np.isfinite(line).all() for line in moved):
-        raise ParameterError("exchange.route_outside_crs", crs=describe_crs(route.crs))
+        raise ParameterError("ROUTE does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(route.crs))
     return moved
 
 
 def _checked(route: Route, name: str) -> Route:
     lines = tuple(line for line in route.lines if len(line) > 1)
     if not lines:
-        raise ParameterError("exchange.no_route", name=name)
+        raise ParameterError(
+            "{name} has no route: no line, and fewer than two waypoints; choose another one.", name=name
+        )
     return Route(lines, route.crs, route.name)

@@ -52,7 +52,12 @@ def require_common_ground(
     except QgsCsException:
         moved = QgsRectangle()
     if moved.isEmpty() or not moved.intersects(image.extent()):
-        raise ParameterError("exchange.no_common_ground", image=image.name(), labels=name)
+        raise ParameterError(
+            "{image} and {labels} show different ground; choose an image and labels of the same place, and check "
+            "their CRS and the extent.",
+            image=image.name(),
+            labels=name,
+        )
 
 
 def classes_on(
@@ -98,7 +103,11 @@ def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -
     """
     labeled = [entry.name for entry in table if entry.value and counts[entry.value]]
     if len(labeled) == 1:
-        raise TrainingError("training.one_class", name=labeled[0])
+        raise TrainingError(
+            "Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to "
+            "tell apart. Label another class, or let ground without a label be a class of its own.",
+            name=labeled[0],
+        )
 
 
 def named_layer(layer: QgsRasterLayer) -> RasterLayer:
@@ -157,7 +166,7 @@ class TrainingGround:
         if self.area is None:
             return None
         if not is_placed(image):
-            raise ParameterError("exchange.mask_without_place")
+            raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
         frame = frame_of(image)
         return area_mask(self.area, self.crs, frame.geotransform, frame.shape_hw, self.context)
 
@@ -169,7 +178,12 @@ class TrainingGround:
         for part in parts:
             shared = shared.intersect(part)
         if shared.isEmpty():
-            raise ParameterError("exchange.no_common_ground", image=self.name, labels=self.labels)
+            raise ParameterError(
+                "{image} and {labels} show different ground; choose an image and labels of the same place, and check "
+                "their CRS and the extent.",
+                image=self.name,
+                labels=self.labels,
+            )
         return shared.xMinimum(), shared.yMinimum(), shared.xMaximum(), shared.yMaximum()
 
     def _parts(self) -> list[Placed]:
@@ -183,7 +197,10 @@ class TrainingGround:
         try:
             return QgsCoordinateTransform(own, crs, self.context).transformBoundingBox(rectangle)
         except QgsCsException:
-            raise ParameterError("exchange.extent_outside_crs", crs=describe_crs(own)) from None
+            raise ParameterError(
+                "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.",
+                crs=describe_crs(own),
+            ) from None
 
     def told(self, image: RasterFile) -> dict:
         """What the model's metadata tell of the ground it was trained on."""

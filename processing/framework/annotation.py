@@ -51,7 +51,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
     def check(self, values: Values) -> None:
         if values.has(self.INPUT) and not (values.text(self.CLASS_FIELD) or values.text(self.CLASS).strip()):
-            raise ParameterError("algorithms.no_class_field")
+            raise ParameterError("Choose the class field of the polygons, or enter the one class that all of them are.")
 
     def read_layers(self, values: Values) -> None:
         from ..exchange.annotation import annotation_source
@@ -130,7 +130,9 @@ class AnnotationAlgorithm(SemRefAlgorithm):
             (feedback.pushWarning if warns else feedback.pushInfo)(sentence)
         require_known_classes(counts.unknown, source.name, lookup.table)
         if not polygons:
-            raise ParameterError("storage.nothing_to_rasterize", source=source.name)
+            raise ParameterError(
+                "“{source}” has no polygon with area and class; there is nothing to rasterize.", source=source.name
+            )
         return polygons, lookup.table
 
     def require_known_classes(self, reading: AnnotationReading, lookup: ClassLookup) -> None:

@@ -96,10 +96,6 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         """
         raise NotImplementedError
 
-    def worded(self, error: SemRefError) -> str:
-        """What an error says in the user's language, with this algorithm's keys where they help."""
-        return worded(error, [parameter.name() for parameter in self.parameterDefinitions()])
-
     # --- QgsProcessingAlgorithm ---
 
     def createInstance(self) -> SemRefAlgorithm:
@@ -177,7 +173,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             require_outputs_apart(self, values, self.MAY_REPLACE)
             self.check(values)
         except SemRefError as error:
-            return False, self.worded(error)
+            return False, worded(error)
         return True, ""
 
     def prepareAlgorithm(
@@ -208,7 +204,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
                 outputs.commit()
             return {**outputs.results, **(numbers or {})}
         except SemRefError as error:
-            raise QgsProcessingException(self.worded(error)) from error
+            raise QgsProcessingException(worded(error)) from error
         except Canceled as error:
             raise QgsProcessingException(error.said()) from error
         except OSError as error:

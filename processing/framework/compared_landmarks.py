@@ -137,19 +137,31 @@ def model_with_biases(path: str, shifts: MeasuredShifts, sun_deg: float | None) 
     from ...core.segmentation.onnx_file import read_header, read_metadata, with_metadata
 
     if shifts.unit != METER:
-        raise ParameterError("algorithms.bias_without_meters")
+        raise ParameterError(
+            "The maps have no metric CRS, so the bias of classes is not known in meters; give maps that have one, or "
+            "leave MODEL_OUTPUT empty."
+        )
     data = _content(path)
     header = read_header(data)
     if header is None:
-        raise ModelError("segmentation.no_onnx", path=path)
+        raise ModelError(
+            "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again.", path=path
+        )
     if header.weight_files:
-        raise ModelError("segmentation.weights_apart", path=path)
+        raise ModelError(
+            "{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.",
+            path=path,
+        )
     texts = read_metadata(data)
     names = named_channels(texts, path)
     known = None if names is None else {name.casefold() for name in names}
     rows = [row for row in shifts.rows if known is None or row.name.casefold() in known]
     if not rows:
-        raise ParameterError("algorithms.no_bias", path=path)
+        raise ParameterError(
+            "No class of {path} has enough landmarks in both maps to tell its bias; give a larger area, or leave "
+            "MODEL_OUTPUT empty.",
+            path=path,
+        )
     biases = read_class_bias(texts, names, path)
     for row in rows:
         bias = ClassBias(0, *row.along, spread=row.spread)
@@ -162,7 +174,7 @@ def _content(path: str) -> bytes:
         with open(path, "rb") as file:
             return file.read()
     except OSError:
-        raise ModelError("segmentation.no_model_file", path=path) from None
+        raise ModelError("{path} does not exist; choose a model file (.onnx).", path=path) from None
 
 
 def _row(shift: ClassShift, name: str, transform: tuple, has_ground: bool) -> ShiftRow:

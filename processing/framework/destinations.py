@@ -130,19 +130,28 @@ def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may
         if not wanted.path:
             continue
         if _LAYER_OF_FILE.search(wanted.path):
-            raise ParameterError("framework.layer_as_output", output=definition.description(), path=wanted.path)
+            raise ParameterError(
+                "“{output}” is {path}, which names a layer of a file; choose a file, or add a layer by “Save to "
+                "GeoPackage”.",
+                output=definition.description(),
+                path=wanted.path,
+            )
         for read in inputs:
             allowed = may_replace.get(definition.name()) == read.key or _adds_a_layer(wanted, read)
             if not allowed and _same(wanted.path, read.path):
                 raise ParameterError(
-                    "framework.output_is_input", output=definition.description(), input=read.title, path=wanted.path
+                    "“{output}” is the same file as “{input}”, {path}, which would be lost; choose another place for "
+                    "“{output}”.",
+                    output=definition.description(),
+                    input=read.title,
+                    path=wanted.path,
                 )
         for other, place in seen:
             if _same(wanted.path, place.path) and (
                 wanted.text == place.text or not (wanted.is_table and place.is_table)
             ):
                 raise ParameterError(
-                    "framework.same_output",
+                    "“{output}” and “{other}” are the same file, {path}; choose two files.",
                     output=definition.description(),
                     other=other.description(),
                     path=wanted.path,

@@ -15,7 +15,7 @@ from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 from ...core.sentences import Sentence
 from .base import check_canceled
 
-FAILED = {"code": str, "values": dict}
+FAILED = {"template": str, "values": dict}
 """Values of the event “failed” of any process."""
 
 _LOOKED_EVERY_MS, _KILLED_WITHIN_MS = 200, 5000
@@ -111,13 +111,14 @@ class EventProcess:
         return found if is_whole else None
 
 
-def failure(event: dict, code: str) -> Sentence:
-    """What an event “failed” says; where this SemRef has no such sentence, that of ``code`` with it as the reason."""
-    said = Sentence(event["code"], **event["values"])
+def failure(event: dict) -> Sentence:
+    """What an event “failed” says."""
+    said = Sentence(event["template"], **event["values"])
     try:
         str(said)
     except (KeyError, IndexError, AttributeError, ValueError, TypeError):
-        return Sentence(code, reason=event["code"])
+        # A library that prints such an event, too.
+        return Sentence("{reason}", reason=event["template"])
     return said
 
 

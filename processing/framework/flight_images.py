@@ -90,7 +90,11 @@ def with_log(
     names, times_s = [stem_of(path) for path in paths], [camera.time_s for camera in cameras]
     told = log_cameras(log, names, times_s)
     if all(one == NoCamera() for one in told) and not log_links(log, names, times_s):
-        raise ParameterError("algorithms.log_of_other_images", image=os.path.basename(paths[0]))
+        raise ParameterError(
+            "The LOG tells nothing of these images, such as {image}: neither by name nor at the times that they were "
+            "taken; give the log of this flight, or a camera table with times.",
+            image=os.path.basename(paths[0]),
+        )
     return [completed(camera, one, with_attitude) for camera, one in zip(cameras, told)]
 
 

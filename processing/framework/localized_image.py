@@ -176,7 +176,9 @@ def with_jumps(
         np.array([result.confidence or 0.0 for result in results]),
         speed,
     )
-    reason = Sentence("localization.jump", speed=speed)
+    reason = Sentence(
+        "It can’t be reached at {speed:g} map units per second from the fixes before and after it.", speed=speed
+    )
     checked = list(localized)
     for n, jumped in zip(timed, flags.tolist()):
         checked[n] = replace(checked[n], jump=jumped)

@@ -192,7 +192,7 @@ class LocalizeAlgorithm(SemRefAlgorithm):
 
         paths = image_files(values.files(self.IMAGES))
         if needed and not paths:
-            raise ParameterError("algorithms.no_images")
+            raise ParameterError("IMAGES is empty; choose at least one image, a folder with images, or a LAYER.")
         if not values.file(self.MODEL) and any(map(is_photo, paths)):
             feedback.pushWarning(
                 tr("These are photos: choose a model.") + " " + tr("Otherwise colors are taken for classes.")

@@ -112,7 +112,9 @@ class Outputs:
         temporary = self._batch.file(target, *self._values.replaces(key))
         yield temporary
         if not os.path.isfile(temporary):
-            raise ParameterError("framework.not_written", name=target)
+            raise ParameterError(
+                "{name} can't be written; choose another place, or see whether the disk is full.", name=target
+            )
         self.results[key] = target
 
     @contextmanager
@@ -125,7 +127,9 @@ class Outputs:
         with self.file(key) as temporary:
             yield temporary
             if not keep_in_database(temporary, self._note(key)):
-                raise ParameterError("framework.not_written", name=key)
+                raise ParameterError(
+                    "{name} can't be written; choose another place, or see whether the disk is full.", name=key
+                )
         if self._values.switch(parameters.OPEN_OUTPUT):
             self._opened.append(key)
 
@@ -218,7 +222,7 @@ def _require_unchanged(path: str, before: bytes) -> None:
     """Raises ParameterError where others have written to a database since its copy was made."""
     require_closed(path)
     if content_digest(path) != before:
-        raise ParameterError("storage.database_changed", path=path)
+        raise ParameterError("{path} was changed by another program meanwhile; try again.", path=path)
 
 
 def _moved_back(written: str, wanted: Destination) -> str:
@@ -304,7 +308,9 @@ class FeatureSink:
 
     def failure(self) -> ParameterError:
         """That it can't be written."""
-        return ParameterError("framework.not_written", name=self._name)
+        return ParameterError(
+            "{name} can't be written; choose another place, or see whether the disk is full.", name=self._name
+        )
 
 
 def _fields(schema: Sequence[tuple[str, str]]) -> QgsFields:

@@ -62,7 +62,10 @@ class PhotoSource:
         self._layer: QgsRasterLayer | None = None
         if needs_drawing(layer):
             if not values.has(extent_key) and area is None:
-                raise ImageError("exchange.extent_needed", layer=layer.name())
+                raise ImageError(
+                    "“{layer}” has no edges of its own to go by; give EXTENT, the ground that is wanted of it.",
+                    layer=layer.name(),
+                )
             self._layer = drawable(layer)
         else:
             self._file = image_layer(layer, key)
@@ -88,7 +91,7 @@ class PhotoSource:
     def path(self) -> str:
         """The file of a layer that needs no drawing; raises ParameterError for others, which workers can't draw."""
         if self._file is None:
-            raise ParameterError("framework.drawn_layer")
+            raise ParameterError("QGIS draws this layer, workers can't; choose a raster file, or leave SCHEDULER out.")
         return self._file.path
 
     def file(self, resolution_m: float, feedback: QgsProcessingFeedback) -> str:
@@ -121,7 +124,7 @@ class PhotoSource:
 
         file = GdalImage(path)
         if file.geotransform is None:
-            raise ParameterError("exchange.mask_without_place")
+            raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
         mask = area_mask(self._area, crs, file.geotransform, file.shape_hw, self._values.transform_context)
         keep_only(path, mask)
 
@@ -132,7 +135,7 @@ class PhotoSource:
         from ..exchange.rendering import draw, plan_drawing
 
         if resolution_m is None:
-            raise ImageError("exchange.resolution_needed", layer=self._layer.name())
+            raise ImageError("“{layer}” can be drawn at any resolution; give RESOLUTION.", layer=self._layer.name())
         context = self._values.transform_context
         extent, crs = self._wanted_extent()
         drawing = plan_drawing(self._layer, extent, crs, resolution_m, context)
@@ -164,7 +167,7 @@ class PhotoSource:
         if self._area is None:
             return image
         if geotransform is None:
-            raise ParameterError("exchange.mask_without_place")
+            raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
         context = self._values.transform_context
         return MaskedImage(image, area_mask(self._area, photo.crs, geotransform, image.shape_hw, context))
 
@@ -182,8 +185,11 @@ class PhotoSource:
         is_extent = self._values.has(self._extent_key)
         if transform is None or transform[2] or transform[4] or not crs.isValid():
             if not is_extent:
-                raise ParameterError("exchange.mask_without_place")
-            raise ImageError("exchange.extent_without_place", image=name)
+                raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
+            raise ImageError(
+                "“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.",
+                image=name,
+            )
         if is_extent:
             wanted = self._values.extent(self._extent_key, crs)
         else:
@@ -197,8 +203,8 @@ class PhotoSource:
         (left, right), (top, bottom) = _within(columns, width), _within(rows, height)
         if right <= left or bottom <= top:
             if not is_extent:
-                raise ParameterError("exchange.mask_outside")
-            raise ImageError("exchange.extent_outside_image", image=name)
+                raise ParameterError("No polygon of MASK lies on the image; choose another layer, or leave MASK out.")
+            raise ImageError("EXTENT does not touch “{image}”; choose a part of it.", image=name)
         return left, top, right - left, bottom - top
 
 
@@ -234,7 +240,11 @@ def draw_for_model(
     if card.fault is not None:
         raise ModelError(card.fault)
     if card.resolution_m is None:
-        raise ImageError("exchange.resolution_unknown", layer=layer.name(), model=model_path)
+        raise ImageError(
+            "“{layer}” can be drawn at any resolution, and {model} does not say its own; choose a model that does.",
+            layer=layer.name(),
+            model=model_path,
+        )
     drawing = plan_drawing(layer, extent, crs, card.resolution_m, context)
     path = QgsProcessingUtils.generateTempFilename(f"{_stem(layer.name())}.tif")
     for _ in draw(drawing, path, context, canceled):

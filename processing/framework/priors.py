@@ -101,7 +101,11 @@ def scales(values: Values, method: Method) -> tuple[float, float] | None:
     smallest = values.optional_number(SCALE_MINIMUM, smallest)
     largest = values.optional_number(SCALE_MAXIMUM, largest)
     if smallest > largest:
-        raise ParameterError("algorithms.scales", smallest=smallest, largest=largest)
+        raise ParameterError(
+            "The smallest scale ({smallest:g}) is above the largest ({largest:g}); give both, the smaller first.",
+            smallest=smallest,
+            largest=largest,
+        )
     return smallest, largest
 
 

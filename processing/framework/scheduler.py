@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProcessingFeedback, QgsProcessingParameterDefinition, QgsProcessingParameterString
 from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
-from ...cluster import sentences
 from ...core.errors import ParameterError, SemRefError
 from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
@@ -28,8 +27,7 @@ from .values import Values
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
 
-__all__ = ["SCHEDULER", "Workers", "counted", "require_scheduler", "scheduler", "sentences", "workers"]
-"""The sentences are imported for who words what the process reports."""
+__all__ = ["SCHEDULER", "Workers", "counted", "require_scheduler", "scheduler", "workers"]
 
 SCHEDULER = "SCHEDULER"
 
@@ -75,7 +73,9 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
         return
     given = [key for key in others if values.has(key)]
     if given:
-        raise ParameterError("framework.not_scheduled", keys=", ".join(given))
+        raise ParameterError(
+            "{keys} can't be used together with SCHEDULER; leave them or SCHEDULER out.", keys=", ".join(given)
+        )
     _workers(values.text(SCHEDULER))
     is_local = _LOCAL.fullmatch(values.text(SCHEDULER).strip())
     require([DASK, CRYPTOGRAPHY] if is_local else [DASK])
@@ -169,12 +169,18 @@ class Workers:
             if event["event"] == "info":
                 self._feedback.pushInfo(event["text"])
             elif event["event"] == "failed":
-                raise SemRefError(failure(event, "cluster.ended"))
+                raise SemRefError(failure(event))
             elif event["event"] == "broke":
-                raise SemRefError("cluster.ended", reason=event["reason"].rstrip("."))
+                raise SemRefError(
+                    "The process that does the work ended ({reason}); start it again.",
+                    reason=event["reason"].rstrip("."),
+                )
             else:
                 return event
-        raise SemRefError("cluster.ended", reason=self.reports.reason or self._process.errorString())
+        raise SemRefError(
+            "The process that does the work ended ({reason}); start it again.",
+            reason=self.reports.reason or self._process.errorString(),
+        )
 
     def close(self) -> None:
         """End the process: it clears up what it began, and who asked waits less than a second."""
@@ -208,7 +214,7 @@ def workers(
         Path(order).write_text(json.dumps(content), encoding="utf-8")
         process.start(_python(), [str(_PROGRAM), order])
         if not process.waitForStarted():
-            raise SemRefError("cluster.not_started", reason=process.errorString())
+            raise SemRefError("Workers can't be started here ({reason}).", reason=process.errorString())
         with closing(Workers(process, folder, feedback)) as run:
             run.wait()
             require_unchanged(files)
@@ -233,7 +239,12 @@ def _workers(text: str) -> dict[str, Any]:
     if local and int(local[1]):
         return {"scheduler": None, "local": int(local[1])}
     if not _REMOTE.fullmatch(text):
-        raise ParameterError("framework.scheduler", key=SCHEDULER, text=text)
+        raise ParameterError(
+            "{key} is “{text}”; give local: and a number of processes, such as local:4, or the address of a "
+            "scheduler, such as tcp://10.0.0.5:8786.",
+            key=SCHEDULER,
+            text=text,
+        )
     return {"scheduler": text, "local": None}
 
 

@@ -37,7 +37,7 @@ def require_training(python: str, feedback: QgsProcessingFeedback) -> dict:
     for event in training_events(python, [], feedback):
         answer = event if event["event"] == "ready" else answer
     if not answer:
-        raise TrainingError("training.no_trainer", python=python)
+        raise TrainingError("{python} is no Python that can train; choose another one.", python=python)
     return answer
 
 
@@ -55,7 +55,11 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     process.setProcessEnvironment(environment)
     process.start(python, [str(PROGRAM), *arguments])
     if not process.waitForStarted():
-        raise TrainingError("training.not_started", python=python, reason=process.errorString())
+        raise TrainingError(
+            "{python} can't be started ({reason}); choose another Python to train with.",
+            python=python,
+            reason=process.errorString(),
+        )
     reports = EventProcess(process, _EVENTS)
     try:
         with closing(reports.read(feedback)) as events:
@@ -65,15 +69,23 @@ def training_events(python: str, arguments: list[str], feedback: QgsProcessingFe
     finally:
         reports.end()
     if process.exitStatus() == QProcess.ExitStatus.CrashExit or process.exitCode() != 0:
-        raise TrainingError("training.ended", python=python, reason=reports.reason or process.errorString())
+        raise TrainingError(
+            "The training ended without a word ({reason}); see whether the memory is used up, or choose another "
+            "Python than {python}.",
+            python=python,
+            reason=reports.reason or process.errorString(),
+        )
 
 
 def _require_no_failure(event: dict, feedback: QgsProcessingFeedback) -> None:
     if event["event"] == "failed":
-        raise TrainingError(failure(event, "training.broke"))
+        raise TrainingError(failure(event))
     if event["event"] == "broke":
         feedback.pushDebugInfo(event["text"])
-        raise TrainingError("training.broke", reason=event["reason"].rstrip("."))
+        raise TrainingError(
+            "An error stopped the training: {reason}; please report what stands in the log.",
+            reason=event["reason"].rstrip("."),
+        )
 
 
 class TrainingTeller:

@@ -70,7 +70,9 @@ class TrainingRun:
         """
         self._model = path = Path(model).absolute()
         if path in _RUNNING:
-            raise ParameterError("algorithms.training_runs", path=path)
+            raise ParameterError(
+                "{path} is being trained already; wait for that training, cancel it, or choose another file.", path=path
+            )
         self._setting = _SETTING + hashlib.sha256(os.fsencode(path)).hexdigest()
         self._prefix = f"{path.stem}.training-"
         name, _, self._secret = QgsSettings().value(self._setting, "", type=str).rpartition(" ")
@@ -143,7 +145,12 @@ class TrainingRun:
             differing = [JOB]
         if differing:
             settings = tuple(_KEYS.get(name, name) for name in differing)
-            raise ParameterError("algorithms.other_training", folder=self.folder, settings=settings)
+            raise ParameterError(
+                "{folder} holds a canceled training with another {settings}; give the same again, choose another "
+                "OUTPUT, or turn RESUME off to begin anew.",
+                folder=self.folder,
+                settings=settings,
+            )
         return earlier
 
     def clear(self) -> None:

@@ -23,7 +23,6 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.labels.class_table import split_list
-from ...core.sentences import legible
 from ...core.values import LONGEST_NAME
 from .destinations import Destination, destination_of, with_destination
 
@@ -69,7 +68,9 @@ class Values:
         for key, value in self._parameters.items():
             for part in value if isinstance(value, (list, tuple)) else (value,):
                 if isinstance(part, str) and "\0" in part:
-                    raise ParameterError("algorithms.no_text", key=key, text=part)
+                    raise ParameterError(
+                        "{key} is “{text}”: a path or text has no character of value 0; remove it.", key=key, text=part
+                    )
 
     def _read(self, kind: str, key: str, *more: Any) -> Any:
         return getattr(self._algorithm, f"parameterAs{kind}")(self._parameters, key, self.context, *more)
@@ -84,7 +85,7 @@ class Values:
         """
         given = self.raw(key)
         if isinstance(given, str) and given and not _NUMBER.fullmatch(given.strip()):
-            raise ParameterError("algorithms.no_number", key=key, number=given)
+            raise ParameterError("{key} is {number}, which is no number; give one.", key=key, number=given)
         return _finite(self._read("Double", key), key)
 
     def optional_number(self, key: str, default: float | None = None) -> float | None:
@@ -125,7 +126,9 @@ class Values:
         try:
             return [float(part.replace(",", ".")) for part in self.parts(key)]
         except ValueError:
-            raise ParameterError("algorithms.no_list_of_numbers", key=key, text=self.text(key)[:LONGEST_NAME]) from None
+            raise ParameterError(
+                "{key}: “{text}” is not a list of numbers such as 1;2.", key=key, text=self.text(key)[:LONGEST_NAME]
+            ) from None
 
     # --- places ---
 
@@ -212,7 +215,7 @@ class Values:
             layer = {key: f"{path}|layername={layer_of_file}"}
             source = self._algorithm.parameterAsSource(layer, key, self.context) or source
         if source is None and self.has(key):
-            raise ParameterError(legible(self._algorithm.invalidSourceError(self._parameters, key)))
+            raise ParameterError("{reason}", reason=self._algorithm.invalidSourceError(self._parameters, key))
         return source
 
     # --- where outputs go: for ``Outputs`` ---
@@ -255,5 +258,5 @@ class Values:
 
 def _finite(number: float, key: str) -> float:
     if not math.isfinite(number):
-        raise ParameterError("algorithms.no_number", key=key, number=str(number))
+        raise ParameterError("{key} is {number}, which is no number; give one.", key=key, number=str(number))
     return number

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ...core.errors import DatabaseError
+from ...core.errors import DatabaseInUseError
 
 LOOKED_AT = 5
 """Images whose colors are counted, at most, where their names do not say that they are photos."""
@@ -78,10 +79,6 @@ def require_database(path: str) -> None:
     """
     from ...storage.database.connection import snapshot
 
-    try:
-        with snapshot(path):
-            pass
-    except DatabaseError as error:
-        # Another program will be done with it soon.
-        if error.sentence.code != "storage.database_in_use":
-            raise
+    # Another program will be done with it soon.
+    with contextlib.suppress(DatabaseInUseError), snapshot(path):
+        pass

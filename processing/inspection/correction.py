@@ -49,7 +49,12 @@ def rasterize_parameters(
     crs, extent = database_crs(database), QgsRectangle(*database.parameters.extent)
     for ground in grounds:
         if not _meets(ground, extent, crs, context):
-            raise ParameterError("inspection.elsewhere", layer=ground.name, name=os.path.basename(path))
+            raise ParameterError(
+                "“{layer}” lies outside the map of {name}; choose the annotation and the places that belong to this "
+                "database.",
+                layer=ground.name,
+                name=os.path.basename(path),
+            )
     os.makedirs(folder, exist_ok=True)
     classes = Path(folder) / CLASSES_FILE
     classes.write_text(database.class_table.to_csv(), encoding="utf-8")

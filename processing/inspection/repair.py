@@ -68,7 +68,10 @@ def apply_repair(
         ParameterError: The layer can't be edited.
     """
     if not layer.isEditable() and not layer.startEditing():
-        raise ParameterError("inspection.not_editable", layer=layer.name())
+        raise ParameterError(
+            "The layer {layer} can't be edited; save it as a GeoPackage and choose that as the annotation.",
+            layer=layer.name(),
+        )
     kept = {change["feature_id"] for change in changes.getFeatures() if change["kind"] in _LEFT_AS_THEY_ARE}
     layer.beginEditCommand(title)
     counts = _apply(layer, _pieces(layer, repaired, context), kept)

@@ -239,7 +239,10 @@ def remove_components() -> None:
     try:
         shutil.rmtree(root)
     except OSError as error:
-        raise ComponentError("packages.not_removed", name=error.filename or root) from error
+        raise ComponentError(
+            "{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.",
+            name=error.filename or root,
+        ) from error
     sys.path[:] = [entry for entry in sys.path if not entry.startswith(str(root))]
     importlib.invalidate_caches()
 
@@ -254,9 +257,13 @@ def require(packages: Iterable[Package]) -> None:
         return
     if qgis.utils.iface is not None:
         # Short, and without the < of a command: QGIS shows it as HTML. The options have the command as well.
-        raise ComponentError("packages.needed_in_window", packages=", ".join(package.title for package in lacking))
+        raise ComponentError(
+            "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef.",
+            packages=", ".join(package.title for package in lacking),
+        )
     raise ComponentError(
-        "packages.needed",
+        "SemRef needs the Python package {packages}. Install it under Settings ▸ Options ▸ SemRef, or by typing "
+        "{commands}.",
         packages=", ".join(package.pip_name for package in lacking),
         commands=f"“{install_command(lacking)}”",
     )

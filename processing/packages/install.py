@@ -77,7 +77,7 @@ def installing(packages: list[Package], wheels: str = "") -> Commands:
             reasons.append(error.sentence)
     if reasons:
         raise ComponentError(
-            functools.reduce(lambda first, second: Sentence("localization.then", first=first, second=second), reasons)
+            functools.reduce(lambda first, second: Sentence("{first} {second}", first=first, second=second), reasons)
         )
 
 
@@ -112,9 +112,13 @@ def _find_python(packages: list[Package]) -> Generator[Command, Answer, str]:
             return path
         without_pip = without_pip or path
     if without_pip:
-        raise ComponentError("packages.no_pip", python=without_pip, how_to_get_pip=how_to_get_pip())
+        raise ComponentError(
+            "{python}, the Python of QGIS, has no pip; {how_to_get_pip}.",
+            python=without_pip,
+            how_to_get_pip=how_to_get_pip(),
+        )
     raise ComponentError(
-        "packages.no_python",
+        "No Python {version} like QGIS’s was found (looked for {paths}); use “{command}” instead.",
         version=f"{version[0]}.{version[1]}",
         paths=", ".join(candidates),
         command=install_command(packages),
@@ -158,15 +162,25 @@ def _install_one(python: str, package: Package, wheels: str) -> Commands:
     if found and not is_own(package):
         # Elsewhere it comes before SemRef's on Python's path.
         if is_too_old(package):
-            raise ComponentError("packages.older_one", path=found)
-        raise ComponentError("packages.another_first", path=found, package=package.pip_name)
+            raise ComponentError(
+                "{path} is an older version than SemRef can use, and QGIS finds it first; update or remove it.",
+                path=found,
+            )
+        raise ComponentError(
+            "QGIS finds {path} first, which SemRef did not install; replace it by {package} where it came from.",
+            path=found,
+            package=package.pip_name,
+        )
     try:
         with folder_written_beside(str(package.folder), replaces=True) as folder:
             yield from _fill(python, package, folder, wheels)
     except OSError as error:
         name = error.filename or package.folder
         raise ComponentError(
-            "packages.not_installed", package=package.pip_name, reason=error.strerror, name=name
+            "{package} can’t be installed: {reason}: {name}.",
+            package=package.pip_name,
+            reason=error.strerror,
+            name=name,
         ) from error
 
 
@@ -199,7 +213,10 @@ def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})
     if check.status != 0:
         raise ComponentError(
-            "packages.unusable", package=requirement, numpy=np.__version__, reason=last_line(check.output)
+            "{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.",
+            package=requirement,
+            numpy=np.__version__,
+            reason=last_line(check.output),
         )
 
 
@@ -262,22 +279,39 @@ def why_pip_failed(requirement: str, output: str, wheels: str) -> Sentence:
     """One sentence for the user from what pip printed."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     if "SOCKS support" in output:
-        return Sentence("packages.socks_proxy")
+        return Sentence("pip can’t use the SOCKS proxy of QGIS’s network settings; set an HTTP proxy there or none.")
     if "ProxyError" in output or "Proxy Authentication Required" in output:
-        return Sentence("packages.proxy")
+        return Sentence("The proxy can’t be used; check it under Settings ▸ Options ▸ Network, or install from wheels.")
     if "CERTIFICATE_VERIFY_FAILED" in output:
-        return Sentence("packages.certificate")
+        return Sentence(
+            "The package index’s certificate is not trusted; ask your network’s administrator how pip is set up here, "
+            "or install from a folder of wheels."
+        )
     if "DO NOT MATCH THE HASHES" in output or "--require-hashes mode" in output:
-        return Sentence("packages.other_wheel", package=requirement)
+        return Sentence(
+            "The package index gave another file for {package} than the one that SemRef was tested with; nothing was "
+            "installed. Use the public index, or install from a folder of wheels that you trust.",
+            package=requirement,
+        )
     if "No space left" in output or "Errno 28" in output:
-        return Sentence("packages.disk_full", folder=components_folder())
+        return Sentence("The disk is full: {folder} needs about 500 MB.", folder=components_folder())
     if _NETWORK_TROUBLE.search(output):
-        return Sentence("packages.no_network")
+        return Sentence(
+            "The package index can’t be reached; check the network and Settings ▸ Options ▸ Network, or install from "
+            "a folder of wheels."
+        )
     if "No matching distribution" in output and wheels:
-        return Sentence("packages.no_wheel", folder=wheels, package=requirement, python=python)
+        return Sentence(
+            "{folder} has no wheel of {package} for Python {python} on this system.",
+            folder=wheels,
+            package=requirement,
+            python=python,
+        )
     if "No matching distribution" in output:
-        return Sentence("packages.not_in_index", package=requirement, python=python)
-    return Sentence("packages.pip_failed", package=requirement, reason=last_error(output))
+        return Sentence(
+            "The package index has no {package} for Python {python} on this system.", package=requirement, python=python
+        )
+    return Sentence("pip could not install {package}: {reason}.", package=requirement, reason=last_error(output))
 
 
 def last_error(output: str) -> str:

@@ -49,10 +49,15 @@ def training_python(asked: str = "") -> str:
     python = asked or QgsSettings().value(PYTHON_SETTING, "", type=str)
     if python:
         if not shutil.which(python):
-            raise ComponentError("packages.no_such_python", python=python)
+            raise ComponentError(
+                "{python} is no program; choose the Python that trains, or leave it out.", python=python
+            )
         return python
     if not is_environment_ready():
-        raise ComponentError("packages.no_training_python")
+        raise ComponentError(
+            "Training needs a Python of its own with torch: have SemRef make one under Settings ▸ Options ▸ SemRef "
+            "(about 1.5 GB, more with support for graphics cards), or name one in PYTHON."
+        )
     return str(environment_python(environment_folder()))
 
 
@@ -65,7 +70,10 @@ def remove_environment() -> None:
         (folder / _MARK).unlink(missing_ok=True)
         shutil.rmtree(folder)
     except OSError as error:
-        raise ComponentError("packages.not_removed", name=error.filename or folder) from error
+        raise ComponentError(
+            "{name} can’t be removed, probably because it is in use; restart QGIS and remove it again.",
+            name=error.filename or folder,
+        ) from error
 
 
 # --- making one ---
@@ -90,13 +98,21 @@ def making_environment(wheels: str = "", without_graphics_card: bool = False) ->
         made = yield Command(title, base, ["-m", "venv", str(folder)], str(folder.parent), _APART)
         python = str(environment_python(folder))
         if made.status != 0 or not os.path.isfile(python):
-            raise ComponentError("packages.no_venv", python=base, reason=last_line(made.output))
+            raise ComponentError(
+                "{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere "
+                "name another Python with torch.",
+                python=base,
+                reason=last_line(made.output),
+            )
         for arguments in _pip_runs(wheels, without_graphics_card):
             yield from _install(python, folder, arguments)
         title = tr("Checking torch…")
         answer = yield Command(title, python, [str(REQUIREMENTS.parent)], str(folder), _APART)
         if answer.status != 0:
-            raise ComponentError("packages.training_unusable", reason=last_line(answer.output))
+            raise ComponentError(
+                "torch was installed, but can’t be used: {reason}; it was removed again.",
+                reason=last_line(answer.output),
+            )
         (folder / _MARK).write_text(answer.output, encoding="utf-8")
 
 
@@ -130,7 +146,12 @@ def _base_python() -> Generator[Command, Answer, str]:
         if answer.status == 0:
             return path
         tried = path, last_line(answer.output)
-    raise ComponentError("packages.no_venv", python=tried[0] or ", ".join(candidates), reason=tried[1] or "venv")
+    raise ComponentError(
+        "{python} can’t make an environment ({reason}); on Debian and Ubuntu install python3-venv, elsewhere name "
+        "another Python with torch.",
+        python=tried[0] or ", ".join(candidates),
+        reason=tried[1] or "venv",
+    )
 
 
 def _pip_runs(wheels: str, without_graphics_card: bool) -> list[list[str]]:
@@ -153,4 +174,6 @@ def _install(python: str, folder: Path, arguments: list[str]) -> Commands:
     pip = yield Command(title, python, ["-m", "pip", "install", *options, *arguments], str(folder), variables)
     shutil.rmtree(temporary, ignore_errors=True)
     if pip.status != 0:
-        raise ComponentError("packages.no_training_wheels", reason=last_error(pip.output))
+        raise ComponentError(
+            "The environment for training could not be filled: {reason}.", reason=last_error(pip.output)
+        )

@@ -41,18 +41,36 @@ def read_network(path: str) -> dict[str, float]:
     try:
         text = bytes_of(path, _MOST_BYTES, _HEAD_BYTES).decode("utf-8", errors="replace")
     except ParameterError:
-        raise ParameterError("algorithms.no_comparison", path=path) from None
+        raise ParameterError(
+            "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
+            "page as COMPARISON.",
+            path=path,
+        ) from None
     line = _LINE.search(text)
     try:
         content = json.loads(unescape(line[1]) if line else "")
         landmarks = int(content.pop(LANDMARKS))
         numbers = {str(key): float(number) for key, number in content.items() if number is not None}
     except (ValueError, TypeError, AttributeError, KeyError, RecursionError, OverflowError):
-        raise ParameterError("algorithms.no_comparison", path=path) from None
+        raise ParameterError(
+            "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
+            "page as COMPARISON.",
+            path=path,
+        ) from None
     if not all(0 <= number < math.inf for number in numbers.values()):
-        raise ParameterError("algorithms.no_comparison", path=path)
+        raise ParameterError(
+            "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
+            "page as COMPARISON.",
+            path=path,
+        )
     if landmarks < LEAST_LANDMARKS:
-        raise ParameterError("algorithms.few_compared", path=path, count=landmarks, least=LEAST_LANDMARKS)
+        raise ParameterError(
+            "{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger "
+            "area, or leave COMPARISON empty.",
+            path=path,
+            count=landmarks,
+            least=LEAST_LANDMARKS,
+        )
     return numbers
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from osgeo import gdal
 
-from ...core.errors import DatabaseError
+from ...core.errors import DatabaseError, DatabaseInUseError
 from ..sqlite_copy import WAIT_S
 from . import schema
 
@@ -64,9 +64,13 @@ def snapshot(path: str) -> Iterator[Snapshot]:
     except sqlite3.OperationalError as error:
         # Python tells SQLite's codes from 3.11 on only.
         if "locked" in str(error):
-            raise DatabaseError("storage.database_in_use", path=path) from None
+            raise DatabaseInUseError("{path} is being written by another program; try again.", path=path) from None
         if "readonly" in str(error) or "unable to open" in str(error):
-            raise DatabaseError("storage.database_unfinished", path=path) from None
+            raise DatabaseError(
+                "{path} was left half written by another program and can't be mended where it lies; copy it with the "
+                "file {path}-journal or {path}-wal to a place where you may write.",
+                path=path,
+            ) from None
         raise damaged(path, error) from None
     except OSError as error:
         raise damaged(path, error.strerror or error) from None
@@ -94,14 +98,18 @@ _LONGEST_REASON = 200
 def no_database(path: str) -> DatabaseError:
     """The error for a path without a file, or for none."""
     if not path.strip():
-        return DatabaseError("storage.no_database_named")
-    return DatabaseError("storage.no_database", path=path)
+        return DatabaseError("No database is named; build one or choose a file.")
+    return DatabaseError("There is no database {path}; build one or choose another file.", path=path)
 
 
 def damaged(path: str, reason: object) -> DatabaseError:
     """The error for a database whose content can't be what SemRef wrote."""
     text = " ".join(str(reason).split()).rstrip(".") or type(reason).__name__
-    return DatabaseError("storage.database_damaged", path=path, reason=text[:_LONGEST_REASON])
+    return DatabaseError(
+        "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
+        path=path,
+        reason=text[:_LONGEST_REASON],
+    )
 
 
 def state(path: str) -> tuple:
@@ -117,7 +125,7 @@ def require_unchanged_since(path: str, then: tuple) -> None:
     except OSError:
         is_same = False
     if not is_same:
-        raise DatabaseChangedError("storage.database_changed", path=path)
+        raise DatabaseChangedError("{path} was changed by another program meanwhile; try again.", path=path)
 
 
 def open_table(path: str, table: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset | None:
@@ -131,7 +139,9 @@ def _connected(path: str) -> Snapshot:
     with open(path, "rb") as file:
         header = file.read(100).ljust(100, b"\0")
     if not header.startswith(b"SQLite format 3\0"):
-        raise DatabaseError("storage.no_geopackage", path=path)
+        raise DatabaseError(
+            "{path} is not a GeoPackage; choose a database made by “Build reference database”.", path=path
+        )
     # SQLite notices missing pages only when it comes to them.
     page_size, read_version, pages = struct.unpack_from(">16xHxB8xI", header)
     if os.path.getsize(path) < pages * (page_size if page_size > 1 else 65536):
@@ -158,7 +168,12 @@ def _require_our_tables(connection: sqlite3.Connection, path: str) -> None:
     plain = {name for name, sql in rows if sql and not sql.lstrip().upper().startswith("CREATE VIRTUAL")}
     missing = [name for name in _COLUMNS if name not in plain]
     if missing:
-        raise DatabaseError("storage.foreign_database", path=path, missing=missing)
+        raise DatabaseError(
+            "{path} is not a SemRef reference database (it lacks {missing}); choose one made by “Build reference "
+            "database”.",
+            path=path,
+            missing=missing,
+        )
     for table in (*_COLUMNS, schema.BOUNDS, schema.OVERVIEW):
         columns = connection.execute("SELECT name, hidden FROM pragma_table_xinfo(?)", (table,)).fetchall()
         if any(hidden for _, hidden in columns):

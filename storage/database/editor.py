@@ -57,7 +57,7 @@ class DatabaseEditor:
                 os.fsync(file.fileno())
             yield "Writing the database", 1.0
         except (RuntimeError, sqlite3.Error) as error:
-            raise DatabaseError("storage.database_unwritable", reason=gdal_failure(error)) from None
+            raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
 
     def _edit(self) -> Iterator[float]:
         dataset = _opened(self._path, gdal.OF_VECTOR)
@@ -126,10 +126,10 @@ class DatabaseEditor:
 def _opened(path: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset:
     dataset = gdal.OpenEx(path, kind | gdal.OF_UPDATE, ["GPKG"], [*_UNSAFE, *options])
     if dataset is None:
-        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
+        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
     return dataset
 
 
 def _check(failure: int) -> None:
     if failure != ogr.OGRERR_NONE:
-        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
+        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())

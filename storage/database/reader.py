@@ -72,7 +72,7 @@ def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
     """
     with snapshot(path) as connection:
         if of is not None and _read_parameters(connection, path) != of:
-            raise DatabaseChangedError("storage.database_changed", path=path)
+            raise DatabaseChangedError("{path} was changed by another program meanwhile; try again.", path=path)
         return _overview(connection, path)
 
 
@@ -114,7 +114,9 @@ def _overview(connection: Snapshot, path: str) -> np.ndarray:
     require_unchanged_since(path, connection.state)
     if overview is None:
         reason = gdal_failure(failures[0] if failures else None)
-        raise DatabaseError("storage.no_readable_overview", path=path, reason=reason)
+        raise DatabaseError(
+            "{path} has no overview that can be read ({reason}); build it again.", path=path, reason=reason
+        )
     return overview
 
 
@@ -132,7 +134,9 @@ def _read_parameters(connection: sqlite3.Connection, path: str) -> BuildParamete
         return build_parameters({key: read_json(value) for key, value in stored if key != CHECKSUMS}, path)
     except (KeyError, ValueError, TypeError) as error:
         reason = str(error)[:_LONGEST_REASON]
-        raise DatabaseError("storage.no_readable_parameter", path=path, reason=reason) from None
+        raise DatabaseError(
+            "{path} has no readable parameter {reason}; build it again.", path=path, reason=reason
+        ) from None
 
 
 def _class_table(connection: sqlite3.Connection, path: str) -> ClassTable:
@@ -184,7 +188,12 @@ def _checked_bounds(connection: sqlite3.Connection, database: ReferenceDatabase,
         return None
     require_unchanged(connection, {schema.BOUNDS: digest([bounds])})
     if len(bounds) != len(database.references):
-        raise DatabaseError("storage.bounds_count", path=path, count=len(database.references), bounds=len(bounds))
+        raise DatabaseError(
+            "{path} has {count} landmarks and bounds of {bounds}; build it again.",
+            path=path,
+            count=len(database.references),
+            bounds=len(bounds),
+        )
     if not _on_map(bounds, database.parameters):
         raise damaged(path, ValueError("a landmark spans pixels that the map has not"))
     return bounds

@@ -25,7 +25,9 @@ def read_windows(connection: sqlite3.Connection, parameters: BuildParameters, pa
     def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:
         levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
         if any(blob is not None and len(blob) != 4 * length for blob in blobs):
-            raise DatabaseError("storage.vector_length", path=path, length=length)
+            raise DatabaseError(
+                "{path} has vectors that are not {length} numbers long; build it again.", path=path, length=length
+            )
         described = np.array([blob is not None for blob in blobs], bool)
         vectors = np.zeros((len(rows), length), np.float32)
         vectors[described] = np.frombuffer(b"".join(filter(None, blobs)), "<f4").reshape(-1, length)

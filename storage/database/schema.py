@@ -93,7 +93,7 @@ def create_layer(dataset: ogr.DataSource, name: str, srs: osr.SpatialReference |
     fid = "FID=id" if name == STYLES else "FID=fid"
     layer = dataset.CreateLayer(name, None if geometry == ogr.wkbNone else srs, geometry, [fid])
     if layer is None:
-        raise DatabaseError("storage.layer_unwritable", name=name, reason=gdal_failure())
+        raise DatabaseError("The layer {name} can't be written: {reason}.", name=name, reason=gdal_failure())
     for column in columns:
         layer.CreateField(field_definition(*column))
     return layer
@@ -146,7 +146,7 @@ def write_feature(
     if wkb is not None:
         feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(wkb))
     if layer.CreateFeature(feature) != ogr.OGRERR_NONE:
-        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
+        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
     return feature.GetFID()
 
 
@@ -155,7 +155,7 @@ def close(dataset: gdal.Dataset) -> None:
     gdal.ErrorReset()
     dataset.FlushCache()
     if gdal.GetLastErrorType() >= gdal.CE_Failure:
-        raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
+        raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
 
 
 def square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:

@@ -75,7 +75,12 @@ def undo_update(path: str) -> None:
         with _copied(before, batch.file(path, tables=TABLES)) as copy:
             copy.execute("CREATE TABLE IF NOT EXISTS semref_undo (checksums TEXT)")
             if copy.execute("SELECT checksums FROM semref_undo").fetchall() != [(_checksums(path),)]:
-                raise DatabaseError("storage.nothing_to_undo", path=path, before=before)
+                raise DatabaseError(
+                    "{path} was changed after the update that {before} belongs to, so that update can't be undone. To "
+                    "go back further, open {before} itself.",
+                    path=path,
+                    before=before,
+                )
             copy.execute("DROP TABLE semref_undo")
         stored.require_as_read()
         batch.commit()
@@ -90,7 +95,11 @@ def _require_kept_by_us(before: str) -> None:
             with contextlib.closing(sqlite3.connect(f"{Path(before).resolve().as_uri()}?mode=ro", uri=True)) as kept:
                 kept.execute("SELECT checksums FROM semref_undo").fetchall()
         except sqlite3.Error:
-            raise ParameterError("storage.not_kept_by_update", path=before) from None
+            raise ParameterError(
+                "{path} was not made by an update of SemRef, and the update would replace it. Move it elsewhere and "
+                "update again.",
+                path=before,
+            ) from None
 
 
 def _checksums(path: str) -> str | None:
@@ -115,4 +124,4 @@ def _copied(path: str, target: str) -> Iterator[sqlite3.Connection]:
             copy.execute("PRAGMA journal_mode=DELETE")
             yield copy
         except sqlite3.Error as error:
-            raise DatabaseError("storage.database_unwritable", reason=str(error)) from None
+            raise DatabaseError("The database can't be written: {reason}.", reason=str(error)) from None

@@ -66,14 +66,14 @@ class DatabaseWriter:
             for share in self._write():
                 yield "Writing the database", share
         except (RuntimeError, sqlite3.Error) as error:
-            raise DatabaseError("storage.database_unwritable", reason=gdal_failure(error)) from None
+            raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
 
     def _write(self) -> Iterator[float]:
         database, srs = self._database, osr.SpatialReference()
         srs.ImportFromWkt(database.parameters.crs)
         dataset = ogr.GetDriverByName("GPKG").CreateDataSource(self._path)
         if dataset is None:
-            raise DatabaseError("storage.database_unwritable", reason=gdal_failure())
+            raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())
         total = len(database.windows) + 2 * len(database.references) + _OTHER_ROWS
         for n, done in enumerate(self._write_layers(dataset, srs)):
             if n % _FEATURES_A_STEP == 0:
@@ -166,4 +166,6 @@ class DatabaseWriter:
             close(made)
             del made
         if failures or not is_made:
-            raise DatabaseError("storage.overview_unwritable", reason=failures[0] if failures else gdal_failure())
+            raise DatabaseError(
+                "The overview can't be written: {reason}.", reason=failures[0] if failures else gdal_failure()
+            )

@@ -27,7 +27,9 @@ class Localizer:
 
     def localize(self, labels_hw, method, prior, with_matches, shares, biases):
         self.asked.append((labels_hw.shape, method, prior, with_matches, shares, biases))
-        return Localization(Status.NO_MATCH, method, reason=Sentence("localization.no_triangles"))
+        return Localization(
+            Status.NO_MATCH, method, reason=Sentence("No place on the map has triangles like the image's.")
+        )
 
 
 def test_scales_become_pixel_sizes_of_the_image_s_shorter_edge():

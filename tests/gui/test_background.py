@@ -40,7 +40,7 @@ def test_a_sentence_and_a_bug_are_told_apart(reader):
     from semref.core.errors import LabelMapError
 
     def refuses():
-        raise LabelMapError("labels.image_unreadable", path="photo.jpg", reason="no image")
+        raise LabelMapError("Image {path} can't be read: {reason}.", path="photo.jpg", reason="no image")
 
     reader.read("Reading", refuses)
     ((name, sentence),) = ended(reader)

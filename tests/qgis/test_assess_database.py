@@ -121,9 +121,9 @@ def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, databas
 @pytest.mark.parametrize(
     "parameters, said",
     [
-        ({"FOOTPRINT": "wide"}, "FOOTPRINT is wide"),
-        ({"FOOTPRINT": "250;-3"}, "FOOTPRINT is 250;-3"),
-        ({"SPACING": 0}, "SPACING is 0"),
+        ({"FOOTPRINT": "wide"}, "“wide” is no list of footprints"),
+        ({"FOOTPRINT": "250;-3"}, "“250;-3” is no list of footprints"),
+        ({"SPACING": 0}, "The edge of a square is 0"),
         ({"SPACING": 0.01}, "or more"),
         ({"DATABASE": "/nowhere/at/all.gpkg"}, "There is no database"),
     ],

@@ -283,7 +283,7 @@ def test_a_stretch_beside_landmarks_is_hinted_there(run_algorithm, database, tmp
     [
         ({"ROUTE": "nowhere.plan"}, "There is no file nowhere.plan"),
         ({"SPACING": 1e-6}, "or more"),
-        ({"FOOTPRINT": 0}, "SPACING is 0|FOOTPRINT is 0"),
+        ({"FOOTPRINT": 0}, "distance between points is 0|footprint is 0"),
     ],
 )
 def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, database, tmp_path, parameters, said):

@@ -68,10 +68,11 @@ def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
     with open(huge, "wb") as file:
         file.truncate(MOST_BYTES + 1)
     os.mkfifo(pipe)
-    for path, code in [(huge, "file_too_large"), (pipe, "no_file"), (tmp_path, "no_file"), ("a\0b", "unreadable")]:
+    refusals = {huge: "is larger than", pipe: "is no file", tmp_path: "is no file", "a\0b": "can't be read"}
+    for path, said in refusals.items():
         with pytest.raises(SemRefError) as refused:
             read(str(path))
-        assert refused.value.sentence.code == f"flight.{code}"
+        assert said in refused.value.sentence.template
 
 
 @pytest.fixture

@@ -229,5 +229,5 @@ def test_real_rasters_pass_with_their_bands_in_order(segment, real_data, feedbac
 
 def test_a_model_without_class_names_is_refused_with_the_key_that_gives_them(segment, tmp_path):
     model = write_model(tmp_path / "nameless.onnx", metadata=metadata(class_names=None))
-    with pytest.raises(QgsProcessingException, match="give them in CLASS_TABLE"):
+    with pytest.raises(QgsProcessingException, match="give a class table"):
         segment(write_raster(tmp_path / "a.tif", PHOTO), MODEL=str(model))

@@ -264,7 +264,7 @@ ODD_LINES = [
     '{"event": "epoch", "share": 0.3, "epoch": [], "training_loss": 1, "mean_iou": 1}',
     '{"event": "begun", "device": 1}',
     '{"event": "failed"}',
-    '{"event": "failed", "code": 1, "values": []}',
+    '{"event": "failed", "template": 1, "values": []}',
     '{"event": "broke"}',
     '{"event": "_init__"}',
     '{"event": ["step"]}',
@@ -300,17 +300,16 @@ def test_a_cancel_before_the_first_epoch_leaves_nothing(train, tmp_path):
     ("training", "said"),
     [
         (
-            'tell("failed", code="training.one_class", values={"name": "building"}, text=""); sys.exit(1)',
-            "Only one class",
+            'tell("failed", template="Only one class ({name}).", values={"name": "building"}, text=""); sys.exit(1)',
+            r"Only one class \(building\)",
         ),
         ('tell("broke", text="Traceback", reason="out of luck"); sys.exit(2)', "out of luck; please report"),
         ('sys.stderr.write("no memory\\n"); sys.exit(3)', r"ended without a word \(no memory\)"),
         ("os.kill(os.getpid(), 9)", "ended without a word"),
         ("sys.exit(0)", "ended without a word .*result.json"),
-        ('tell("failed", code="training.of_later", values={"a": 1}); sys.exit(1)', "training.of_later"),
-        ('tell("failed", code="training.one_class", values={}); sys.exit(1)', "training.one_class"),
+        ('tell("failed", template="No {value}.", values={}); sys.exit(1)', "No {value}."),
     ],
-    ids=["a sentence", "a bug", "a last word", "killed", "nothing", "an unknown sentence", "a sentence without values"],
+    ids=["a sentence", "a bug", "a last word", "killed", "nothing", "a sentence without values"],
 )
 def test_what_stops_the_training_is_one_sentence(train, tmp_path, training, said):
     with pytest.raises(QgsProcessingException, match=said):
@@ -320,7 +319,8 @@ def test_what_stops_the_training_is_one_sentence(train, tmp_path, training, said
 
 def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_path):
     values = {"python": "here", "package": "torch"}
-    lacking = f'tell("failed", code="training.lacks_package", values={values}, text=""); sys.exit(1)'
+    template = "{python} lacks the Python package {package}."
+    lacking = f'tell("failed", template="{template}", values={values}, text=""); sys.exit(1)'
     with pytest.raises(QgsProcessingException, match="here lacks the Python package torch"):
         train(ready=lacking)
     with pytest.raises(QgsProcessingException, match="no Python that can train"):

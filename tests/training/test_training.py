@@ -83,7 +83,16 @@ def first(training_python, tiles, tmp_path_factory):
 def test_a_python_without_torch_says_what_it_lacks():
     done = subprocess.run([sys.executable, str(ROOT / "training")], capture_output=True, text=True, check=False)
     event = json.loads(done.stdout.splitlines()[-1])
-    assert event["code"] in ("training.lacks_package",) or event["event"] == "ready"
+    assert (
+        event["template"]
+        in (
+            (
+                "{python} lacks the Python package {package}; choose another Python, or have SemRef make one for "
+                "training under Settings ▸ Options ▸ SemRef."
+            ),
+        )
+        or event["event"] == "ready"
+    )
 
 
 def test_it_tells_each_epoch_and_in_the_end_what_it_made(first):
@@ -216,7 +225,10 @@ def test_a_base_model_contacts_nobody(training_python, first, tiles, tmp_path, m
         base = with_encoder(tmp_path / name, Path(first[0].output), "tu-hf-hub:some/network")
         events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
         server.shutdown()
-    assert (events[-1]["code"], asked) == ("training.foreign_base", [])
+    assert (events[-1]["template"], asked) == (
+        "{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.",
+        [],
+    )
 
 
 def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_path):
@@ -225,36 +237,56 @@ def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_pat
     base = tmp_path / "base.onnx"
     onnx.save(onnx.load(first[0].output), base, save_as_external_data=True, location="other", size_threshold=0)
     events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
-    assert events[-1]["code"] == "training.foreign_base"
+    assert events[-1]["template"] == (
+        "{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none."
+    )
 
 
 def test_a_damaged_checkpoint_is_told_as_a_sentence(training_python, tiles, tmp_path):
     job = job_of(tiles, tmp_path, resume=True)
     Path(job.folder).mkdir()
     (Path(job.folder) / "last.pt").write_bytes(bytes(1000))
-    assert trained(training_python, job)[-1]["code"] == "training.damaged"
+    assert (
+        trained(training_python, job)[-1]["template"]
+        == "{path} is damaged ({reason}), so this training can't be continued; start it again without the earlier run."
+    )
 
 
 def test_a_full_disk_is_told_as_a_sentence(training_python, tiles, tmp_path):
     with files_of_at_most(100_000):
         events = trained(training_python, job_of(tiles, tmp_path))
-    assert events[-1]["code"] == "training.not_saved"
+    assert events[-1]["template"] == (
+        "The training can't be saved in {folder} ({reason}). Free some disk space and start the training "
+        "again; it continues after the last saved epoch."
+    )
     assert not (tmp_path / "run" / "last.pt").exists()
 
 
 @pytest.mark.parametrize(
     ("settings", "code"),
     [
-        ({"base_model": "no.onnx"}, "training.foreign_base"),
-        ({"base_model": str(ROOT / "README.md")}, "training.foreign_base"),
-        ({"encoder_weights": str(ROOT / "README.md")}, "training.no_weights"),
-        ({"tiles": ("/nowhere",)}, "training.no_tiles"),
+        (
+            {"base_model": "no.onnx"},
+            (
+                "{path} is no network that SemRef trained, so it can't be trained further; choose another base model "
+                "or none."
+            ),
+        ),
+        (
+            {"base_model": str(ROOT / "README.md")},
+            (
+                "{path} is no network that SemRef trained, so it can't be trained further; choose another base model "
+                "or none."
+            ),
+        ),
+        ({"encoder_weights": str(ROOT / "README.md")}, "{path} holds no weights of torch: {reason}."),
+        ({"tiles": ("/nowhere",)}, "{path} holds no exported training tiles: {reason}."),
     ],
     ids=["no base", "a base that is none", "weights that are none", "no tiles"],
 )
 def test_what_can_t_work_is_told_as_a_sentence(training_python, tiles, tmp_path, settings, code):
     job = Job(**{**job_of(tiles, tmp_path).__dict__, **settings})
-    assert trained(training_python, job)[-1]["code"] == code
+    assert trained(training_python, job)[-1]["template"] == code
 
 
 def test_one_class_alone_is_nothing_to_tell_apart(training_python, tiles, tmp_path):
@@ -265,7 +297,13 @@ def test_one_class_alone_is_nothing_to_tell_apart(training_python, tiles, tmp_pa
     (tmp_path / "manifest.json").write_text(json.dumps(manifest))
     job = job_of(tmp_path, tmp_path / "run", learn_unlabeled=False)
     event = trained(training_python, job)[-1]
-    assert (event["code"], event["values"]) == ("training.one_class", {"name": "building"})
+    assert (event["template"], event["values"]) == (
+        (
+            "Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to "
+            "tell apart. Label another class, or let ground without a label be a class of its own."
+        ),
+        {"name": "building"},
+    )
 
 
 def test_settings_that_decide_the_result_are_told_apart_from_those_that_don_t(tiles, tmp_path):

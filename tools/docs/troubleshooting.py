@@ -2,18 +2,24 @@
 
     .venv/bin/python tools/docs/troubleshooting.py
 
-The sentences come from the tables that the plugin says them from, so the page can't tell others; what is added to them
-lies in troubleshooting_notes.txt.
+The templates come from the source, from where the sentences are made; what is added to them is in
+troubleshooting_notes.txt.
 """
 
 from __future__ import annotations
 
+import ast
 import re
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools" / "release"))
+
+from update_translations import MAKERS, ROOMS, name_of, templates_of  # noqa: E402
+
 PAGE = ROOT / "docs" / "troubleshooting.md"
 NOTES = Path(__file__).with_name("troubleshooting_notes.txt")
 
@@ -30,28 +36,21 @@ Written by `tools/docs/troubleshooting.py` from the sentences themselves.
 """
 
 SECTIONS = {
-    "An image has no position": ("localization",),
-    "Flights and motion": ("flight",),
-    "Python packages": ("packages",),
-    "Label maps, classes, images": ("labels",),
-    "Layers, reference systems, annotations": ("exchange", "algorithms", "framework", "geometry", "windows"),
-    "Databases": ("database",),
+    "An image has no position": ("core/constellation", "core/correlation", "core/localization", "core/localizer"),
+    "Flights and motion": ("core/flight",),
+    "Python packages": ("processing/packages",),
+    "Label maps, classes, images": ("core/labels", "core/annotation"),
+    "Layers, reference systems, annotations": ("processing", "core/geometry", "core/windows"),
+    "Databases": ("core/database",),
     "Files": ("storage",),
-    "Networks": ("segmentation", "training"),
-    "What to expect of a database": ("assessment", "simulation"),
-    "On board": ("onboard",),
+    "Networks": ("core/segmentation", "training"),
+    "What to expect of a database": ("core/assessment", "core/evaluation", "core/simulation"),
+    "On board": ("core/onboard",),
 }
-"""Headings and the rooms of the codes below them."""
+"""Headings, and where the sentences below them are made; the first room that has a sentence counts."""
 
 OTHERS = "Everything else"
-"""Heading of rooms that no other one has."""
-
-_NO_MESSAGE = re.compile(
-    r"localization\.(status|method|cause|part_of|radius_of|searched|all_headings|headings_near|whole_map|ground_near"
-    r"|shows_|more_needed|neither_road|(left|right|upper|lower)_part).*"
-    r"|database\.setting_.*|.*\.(and_more|line|at_line|unknown_reason|unknown_format|the_database)"
-)
-"""Parts of sentences, and what is no complaint."""
+"""Heading of all other rooms."""
 
 
 class Note(NamedTuple):
@@ -62,55 +61,67 @@ class Note(NamedTuple):
 
 
 def notes() -> dict[str, Note]:
-    """What is added to sentences, by code."""
+    """What is added to sentences, by template."""
     lines = [line for line in NOTES.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
-    return {code: Note(why, do) for code, why, do in (line.split(" | ") for line in lines)}
+    return {template: Note(why, do) for template, why, do in (line.split(" | ") for line in lines)}
 
 
 def sentences() -> dict[str, str]:
-    """English templates by code, as algorithms and windows say them; of a plural the form for many.
+    """Where each sentence is made, by template: a path from the root; of a plural the form for many.
 
-    Behind the code stands the key of a parameter, where an algorithm that has it says the sentence otherwise.
+    Parts of sentences are left out where there is no note on them.
     """
-    sys.path.append(str(ROOT / "tools"))
-    from plugin_package import load_plugin_package
+    found: dict[str, str] = {}
+    added = notes()
+    for maker, template, path in _made():
+        words = re.sub(r"\{[^}]*\}", "", template)
+        is_whole = maker != "Sentence" or words.endswith(".")
+        if template in added or is_whole and re.search(r"[a-z]", words):
+            found.setdefault(template, path)
+    return found
 
-    load_plugin_package()
-    import semref.processing
-    import semref.storage
-    import semref.training  # noqa: F401  All three add their rooms' sentences.
-    from semref.core.sentences.sentence import Plural, _templates
-    from semref.processing.wording.keys import EVERYWHERE, SENTENCES_BY_KEY
 
-    found = {
-        code: template.other if isinstance(template, Plural) else template for code, template in _templates.items()
-    }
-    found["localization.too_few_landmarks"] = found["localization.too_few_landmarks"].format(
-        shown=found["localization.shows_landmarks"], needed=found["localization.more_needed"]
-    )
-    for code, (key, template) in SENTENCES_BY_KEY.items():
-        found[code if key == EVERYWHERE else f"{code} {key}"] = template
-    return {code: template for code, template in found.items() if not _NO_MESSAGE.fullmatch(code)}
+def reasons() -> set[str]:
+    """Templates of why an image has no position, or of what its fix does not hold for."""
+    rooms = SECTIONS["An image has no position"]
+    made = {template for maker, template, path in _made() if maker == "Sentence" and path.startswith(rooms)}
+    return made & set(sentences())
+
+
+def _made() -> Iterator[tuple[str, str, str]]:
+    """What makes each sentence, its template and its file."""
+    for room in ROOMS:
+        for path in sorted((ROOT / room).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Call) and name_of(node.func) in MAKERS:
+                    for template in _without_singular(node):
+                        yield name_of(node.func), template, path.relative_to(ROOT).as_posix()
+
+
+def _without_singular(call: ast.Call) -> list[str]:
+    said = call.args[0] if call.args else None
+    is_plural = isinstance(said, ast.IfExp) and "Constant(value=1" in ast.dump(said.test)
+    return templates_of(call)[-1:] if is_plural else templates_of(call)
 
 
 def page(templates: dict[str, str]) -> str:
-    """The whole page."""
+    """The whole page, of sentences with where they are made."""
     parts, added = [HEAD], notes()
-    named = {room for rooms in SECTIONS.values() for room in rooms}
-    others = tuple(sorted({code.split(".")[0] for code in templates} - named))
-    for heading, rooms in {**SECTIONS, OTHERS: others}.items():
-        codes = [code for code in templates if code.split(".")[0] in rooms]
-        explained = [code for code in codes if code in added]
-        plain = sorted((code for code in codes if code not in added), key=lambda code: shown(templates[code]).lower())
-        if codes:
+    left = dict(templates)
+    for heading, rooms in {**SECTIONS, OTHERS: ("",)}.items():
+        chosen = [template for template, path in left.items() if path.startswith(rooms)]
+        left = {template: path for template, path in left.items() if template not in chosen}
+        explained = [template for template in added if template in chosen]
+        plain = sorted((template for template in chosen if template not in added), key=lambda t: shown(t).lower())
+        if chosen:
             parts.append(f"## {heading}\n")
         if explained:
             parts.append("| message | why | what to do |\n|---|---|---|")
-            parts += [_row(shown(templates[code]), *added[code]) for code in explained]
+            parts += [_row(shown(template), *added[template]) for template in explained]
             parts.append("")
         if plain:
             parts.append("| message | what to do |\n|---|---|")
-            parts += [_row(*_parted(shown(templates[code]))) for code in plain]
+            parts += [_row(*_parted(shown(template))) for template in plain]
             parts.append("")
     return "\n".join(parts)
 

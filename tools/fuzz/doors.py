@@ -150,7 +150,6 @@ def build_parameters(world: World) -> Tools:
     from semref.core.database.parameters import build_parameters as read
     from semref.core.errors import DatabaseError
     from semref.core.values import read_json
-    from semref.storage import sentences  # noqa: F401 -- adds them to the table
 
     numbers = {"map_width_px": 400, "map_height_px": 320, "pixel_size": 2.0, "window_size": 120.0, "stride": 40.0}
     numbers |= {"references_per_vector": 10, "minimum_area": 28.0, "overview_factor": 4, "format_version": 1}
@@ -168,7 +167,11 @@ def build_parameters(world: World) -> Tools:
         except (KeyError, ValueError, TypeError) as error:
             # What the two readers of files catch around it.
             reason = str(error)[:200].replace("\n", " ")
-            raise DatabaseError("storage.database_damaged", path="x", reason=reason) from None
+            raise DatabaseError(
+                "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
+                path="x",
+                reason=reason,
+            ) from None
         _finite(found.geotransform, found.levels, found.pixel_size, found.stride, found.extent)
         require(all(length > 0 for length in found.overview_frame.shape_hw), "an overview without pixels")
 
@@ -585,7 +588,7 @@ def on_board(world: World) -> Tools:
                 with contextlib.suppress(OSError):
                     os.rmdir(path) if os.path.isdir(path) and not os.path.islink(path) else os.unlink(path)
         if code in (2, 3):
-            raise ParameterError("onboard.no_folder", folder="refused")
+            raise ParameterError("There is no folder {folder}; create it or watch another one.", folder="refused")
 
     return make, attempt
 

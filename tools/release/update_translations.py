@@ -18,6 +18,43 @@ ROOMS = ("core", "storage", "cluster", "training", "processing", "ui")
 STYLE_TITLES = {"alias": "name", "attributeEditorContainer": "name", "category": "label", "rule": "label"}
 
 
+def name_of(function: ast.expr) -> str:
+    """Of what is called."""
+    return getattr(function, "id", getattr(function, "attr", ""))
+
+
+def makers() -> frozenset[str]:
+    """Names of what is made with a template: ``Sentence``, ``SemRefError`` and the classes of errors made of it."""
+    found, before = {"Sentence", "SemRefError"}, set()
+    trees = [ast.parse(path.read_text(encoding="utf-8")) for room in ROOMS for path in (ROOT / room).rglob("*.py")]
+    classes = [node for tree in trees for node in tree.body if isinstance(node, ast.ClassDef)]
+    while before != found:
+        before = set(found)
+        found |= {made.name for made in classes if any(name_of(base) in found for base in made.bases)}
+    return frozenset(found)
+
+
+MAKERS = makers()
+
+
+def templates_of(call: ast.Call) -> list[str]:
+    """The templates of a sentence or error: none where it takes another one's, both of ``"…" if … else "…"``."""
+
+    def literals(node: ast.expr) -> list[str]:
+        if isinstance(node, ast.IfExp):
+            return literals(node.body) + literals(node.orelse)
+        return [node.value] if isinstance(node, ast.Constant) and isinstance(node.value, str) else []
+
+    return literals(call.args[0]) if call.args else []
+
+
+def sentence_texts(source: str) -> list[str]:
+    """The templates of all sentences and errors, but those that are nothing but a value."""
+    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    found = [text for call in calls if name_of(call.func) in MAKERS for text in templates_of(call)]
+    return [text for text in found if not re.fullmatch(r"\{\w+\}", text)]
+
+
 def texts_of(source: str) -> list[str]:
     """The literals of all ``tr("…")`` calls."""
     found = []
@@ -40,16 +77,13 @@ def step_texts(source: str) -> list[str]:
     return found
 
 
-def template_texts(source: str) -> list[str]:
-    """The English templates in the tables that are named ``SENTENCES…``, both forms of a plural included."""
+def title_texts(source: str) -> list[str]:
+    """The English texts in the tables that are named ``SENTENCES…``: titles of columns and layers."""
     found = []
     for node in ast.parse(source).body:
         target = node.targets[0] if isinstance(node, ast.Assign) else getattr(node, "target", None)
         if isinstance(target, ast.Name) and target.id.startswith("SENTENCES") and isinstance(node.value, ast.Dict):
-            for value in node.value.values:
-                # A template, the two of Plural(…), or the second of (parameter key, template).
-                parts = value.args if isinstance(value, ast.Call) else getattr(value, "elts", [None, value])[1:]
-                found += [ast.literal_eval(part) for part in parts]
+            found += [ast.literal_eval(value) for value in node.value.values]
     return found
 
 
@@ -67,7 +101,7 @@ def all_texts() -> list[str]:
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
             source = path.read_text(encoding="utf-8")
-            found += texts_of(source) + step_texts(source) + template_texts(source)
+            found += texts_of(source) + step_texts(source) + title_texts(source) + sentence_texts(source)
     for path in sorted((ROOT / "resources" / "styles").glob("*.qml")):
         found += style_texts(path.read_text(encoding="utf-8"))
     return sorted(set(found))

@@ -86,7 +86,7 @@ def train(options: argparse.Namespace) -> None:
     tiles = tuple(str(path) for path in options.tiles)
     job = Job(tiles, str(options.output), str(folder), **settings)
     if job.resume and not (folder / CHECKPOINT).exists():
-        raise SemRefError("training.nothing_to_resume", folder=folder)
+        raise SemRefError("There is no run to resume in {folder}.", folder=folder)
     trainer = train.run(job, say)
     for test in options.test:
         say_test(test, trainer, job)

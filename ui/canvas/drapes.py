@@ -39,7 +39,7 @@ def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: Qgs
     """
     layer = QgsRasterLayer(placed, name, "gdal")
     if not layer.isValid():
-        raise LabelMapError("exchange.not_shown", image=name)
+        raise LabelMapError("{image} can’t be shown on the map.", image=name)
     if layer.bandCount() == 1:
         # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
         from ...processing.exchange.class_styles import apply_overview_style

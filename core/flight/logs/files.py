@@ -42,9 +42,9 @@ def read_log(path: str, canceled: Callable[[], bool] = never) -> Telemetry:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             found = _read(data, canceled)
     if found is None:
-        raise ParameterError("flight.no_log", path=path, kinds=KINDS)
+        raise ParameterError("{path} is no flight log that SemRef reads; it reads {kinds}.", path=path, kinds=KINDS)
     if not np.isfinite(found.values).any():
-        raise ParameterError("flight.empty_log", path=path)
+        raise ParameterError("{path} tells neither heading nor height nor speed of a flight.", path=path)
     return found
 
 

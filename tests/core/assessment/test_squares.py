@@ -52,8 +52,8 @@ def test_a_row_tells_verdict_reason_and_what_is_known(windows):
 def test_reasons_are_said_in_the_words_of_who_asks(windows):
     cells = Cells(50.0, windows.centers[:1], np.zeros(1, int), np.zeros(1, int))
     told = estimates((0.2,), (REASONS[3],))
-    (row,) = square_rows(cells, windows, 250.0, told, 0.9, lambda sentence: sentence.code.upper())
-    assert row["reason"] == "ASSESSMENT.REASON_WRONG"
+    (row,) = square_rows(cells, windows, 250.0, told, 0.9, lambda sentence: sentence.template.upper())
+    assert row["reason"] == "SOME FIXES WOULD BE WRONG."
 
 
 def test_every_reason_has_a_sentence_and_none_has_none():

@@ -39,15 +39,33 @@ def test_a_larger_map_and_a_capped_search_ask_for_more():
     ("changed", "rivals", "status", "code"),
     [
         ({}, 0, Status.FIX, None),
-        ({"log_odds": 8.0}, 0, Status.NO_MATCH, "localization.risk_too_high"),
-        ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "localization.rivals"),
-        ({"mirror": 199.0}, 0, Status.NO_MATCH, "localization.mirror_fits"),
-        ({"mirror": 199.0, "runner_up": 199.0}, 1, Status.NO_MATCH, "localization.mirror_fits"),
+        (
+            {"log_odds": 8.0},
+            0,
+            Status.NO_MATCH,
+            (
+                "The best place (log odds {log_odds:.1f}) has an error probability of {risk:.2g}; at most "
+                "{allowed:.2g} is allowed."
+            ),
+        ),
+        ({"runner_up": 199.0}, 1, Status.AMBIGUOUS, "{count} other place fits almost as well as the best one."),
+        (
+            {"mirror": 199.0},
+            0,
+            Status.NO_MATCH,
+            "The mirrored image fits almost as well, so the pattern is too regular.",
+        ),
+        (
+            {"mirror": 199.0, "runner_up": 199.0},
+            1,
+            Status.NO_MATCH,
+            "The mirrored image fits almost as well, so the pattern is too regular.",
+        ),
     ],
 )
 def test_the_reason_tells_what_is_missing(changed, rivals, status, code):
     found, reason = verdict(replace(SURE, **changed), rivals, RISK, CONSTELLATION.decision)
-    assert (found, reason and reason.code) == (status, code)
+    assert (found, reason and reason.template) == (status, code)
 
 
 def test_the_risk_that_is_allowed_decides():

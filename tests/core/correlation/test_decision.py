@@ -24,15 +24,43 @@ from semref.core.localization import CorrelationPeaks, Status
     "peaks, status, code",
     [
         (CorrelationPeaks(0.7, 0.3, 0.3, 30.0, 2.0), Status.FIX, None),
-        (CorrelationPeaks(0.1, 0.0, 0.0), Status.NO_MATCH, "localization.agreement_too_low"),
-        (CorrelationPeaks(0.7, 0.3, 0.65), Status.NO_MATCH, "localization.mirror_agrees"),
-        (CorrelationPeaks(0.7, 0.69, 0.3, 30.0, 29.0), Status.AMBIGUOUS, "localization.two_places_agree"),
-        (CorrelationPeaks(0.41, 0.4, 0.38), Status.NO_MATCH, "localization.agreement_too_low"),
+        (
+            CorrelationPeaks(0.1, 0.0, 0.0),
+            Status.NO_MATCH,
+            (
+                "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; "
+                "at most {allowed:.2g} is allowed."
+            ),
+        ),
+        (
+            CorrelationPeaks(0.7, 0.3, 0.65),
+            Status.NO_MATCH,
+            (
+                "The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): "
+                "error probability {risk:.2g}; at most {allowed:.2g} is allowed."
+            ),
+        ),
+        (
+            CorrelationPeaks(0.7, 0.69, 0.3, 30.0, 29.0),
+            Status.AMBIGUOUS,
+            (
+                "Two places match almost equally well ({score:.2f} and {runner_up:.2f}): error probability {risk:.2g} "
+                "for the better one. Set a prior position to choose between them."
+            ),
+        ),
+        (
+            CorrelationPeaks(0.41, 0.4, 0.38),
+            Status.NO_MATCH,
+            (
+                "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; "
+                "at most {allowed:.2g} is allowed."
+            ),
+        ),
     ],
 )
 def test_a_fix_needs_a_score_and_a_lead_over_both_opponents(peaks, status, code):
     found, reason = decide(peaks)
-    assert (found, reason and reason.code) == (status, code)
+    assert (found, reason and reason.template) == (status, code)
 
 
 def test_a_larger_risk_that_is_allowed_makes_a_fix_of_a_smaller_lead():

@@ -99,12 +99,17 @@ def test_a_prior_bounds_what_is_searched(patch_pyramid):
 
 
 @pytest.mark.parametrize(
-    "value, code", [(0, "localization.too_few_labels"), (3, "localization.hardly_one_class"), (None, None)]
+    "value, code",
+    [
+        (0, "Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed."),
+        (3, "The image shows hardly more than one class; a larger footprint with several classes is needed."),
+        (None, None),
+    ],
 )
 def test_an_image_without_labels_or_of_one_class_tells_no_place(patch_pyramid, patches, value, code):
     labels = patches[:200, :200] if value is None else np.full((200, 200), value, np.uint8)
     missing = missing_information(evidence_level(labels, patch_pyramid.space, (32, 32)), patch_pyramid)
-    assert (missing and missing.code) == code
+    assert (missing and missing.template) == code
 
 
 def test_a_reduced_image_keeps_its_shape_and_never_gains_pixels():

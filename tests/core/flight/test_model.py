@@ -9,7 +9,7 @@ from semref.core.geometry.pose import PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.sentences import Sentence
 
-LOST = Sentence("localization.no_triangles")
+LOST = Sentence("No place on the map has triangles like the image's.")
 
 
 def pose(number, track=0, **values):

@@ -124,7 +124,7 @@ def test_images_of_different_ground_have_no_link_and_a_reason(kind):
         else:
             images = [label_features(cut(class_map(number), *view, nearest=True)) for number in (10 + seed, 30 + seed)]
         motion = motion_between(*images)
-        assert motion.link is None and motion.reason.code.startswith("flight.")
+        assert motion.link is None and motion.reason is not None
 
 
 def test_a_mirrored_image_has_no_link():
@@ -135,7 +135,10 @@ def test_a_mirrored_image_has_no_link():
 @pytest.mark.parametrize("shape", [(1, 1), (5, 300), (200, 200)])
 def test_an_image_without_texture_has_no_link(shape):
     blank = photo_features(np.full(shape, 90, np.uint8))
-    assert motion_between(blank, photo_features(cut(scene(1), *VIEWS[0][0]))).reason.code == "flight.no_texture"
+    assert (
+        motion_between(blank, photo_features(cut(scene(1), *VIEWS[0][0]))).reason.template
+        == "One of the two images shows nothing that could be found in the other one."
+    )
 
 
 def test_ground_that_an_image_does_not_show_is_left_out():

@@ -22,7 +22,7 @@ def need_image(columns):
 def code_of(call):
     with pytest.raises(ParameterError) as caught:
         call()
-    return caught.value.sentence.code
+    return caught.value.sentence.template
 
 
 def test_rows_keep_the_number_of_their_line(tmp_path):
@@ -34,10 +34,10 @@ def test_rows_keep_the_number_of_their_line(tmp_path):
 @pytest.mark.parametrize(
     ("data", "code"),
     [
-        (b"", "flight.no_such_table"),
-        (b"other,b\n", "flight.no_such_table"),
-        (b"image\n\xff\xfe\n", "flight.not_utf8"),
-        (b"image\n" + b"x" * 20_000, "flight.line_too_long"),
+        (b"", "{path} begins with “{first}”, but its header needs the columns {columns}."),
+        (b"other,b\n", "{path} begins with “{first}”, but its header needs the columns {columns}."),
+        (b"image\n\xff\xfe\n", "{path} is not text in UTF-8; save it as CSV in UTF-8."),
+        (b"image\n" + b"x" * 20_000, "{path} has a line of more than {most} characters; choose another file."),
     ],
 )
 def test_what_is_no_table_is_refused(tmp_path, data, code):
@@ -45,19 +45,25 @@ def test_what_is_no_table_is_refused(tmp_path, data, code):
 
 
 def test_files_that_cannot_be_read_are_refused(tmp_path):
-    assert code_of(lambda: bytes_of(str(tmp_path / "none.csv"), 10)) == "flight.unreadable"
-    assert code_of(lambda: bytes_of(str(tmp_path), 10)) == "flight.no_file"
-    assert code_of(lambda: bytes_of("a\0b", 10)) == "flight.unreadable"
-    assert code_of(lambda: bytes_of(write(tmp_path, b"x" * 11), 10)) == "flight.file_too_large"
+    assert code_of(lambda: bytes_of(str(tmp_path / "none.csv"), 10)) == "{path} can't be read: {reason}."
+    assert code_of(lambda: bytes_of(str(tmp_path), 10)) == "{path} is no file; choose a table or a log."
+    assert code_of(lambda: bytes_of("a\0b", 10)) == "{path} can't be read: {reason}."
+    assert (
+        code_of(lambda: bytes_of(write(tmp_path, b"x" * 11), 10))
+        == "{path} is larger than {most_mb} MB, which no table or log that is read here is."
+    )
 
 
 def test_numbers_are_finite_and_in_range():
-    row = Row({"a": "2.5", "b": "inf", "c": ""}, Sentence("labels.line", source="t", line=2))
+    row = Row({"a": "2.5", "b": "inf", "c": ""}, Sentence("{source}, line {line}", source="t", line=2))
     assert row.number("a") == 2.5
     assert row.number("c", 7.0) == 7.0
-    assert code_of(lambda: row.number("b")) == "flight.not_a_number"
-    assert code_of(lambda: row.number("c")) == "flight.not_a_number"
-    assert code_of(lambda: row.within("a", 0, 1)) == "flight.out_of_range"
+    assert code_of(lambda: row.number("b")) == "{place}: {name} is “{text}”, which is not a number."
+    assert code_of(lambda: row.number("c")) == "{place}: {name} is “{text}”, which is not a number."
+    assert (
+        code_of(lambda: row.within("a", 0, 1))
+        == "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}."
+    )
 
 
 @pytest.mark.parametrize("path", ["a.b.jpg", "/x/y/a.b.tif", "C:\\x\\a.b.png"])
@@ -70,7 +76,7 @@ def test_a_null_character_ends_nothing(tmp_path):
     try:
         assert [row.texts["image"] for row in rows_of(write(tmp_path, b"image,b\na\0,1\n"), need_image)] == ["a\0"]
     except ParameterError as error:
-        assert error.sentence.code == "flight.unreadable"
+        assert error.sentence.template == "{path} can't be read: {reason}."
 
 
 def test_a_small_file_takes_no_room_for_the_largest(tmp_path):

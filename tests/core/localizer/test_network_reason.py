@@ -14,12 +14,14 @@ TOO_FEW = Localization(
     Method.CONSTELLATION,
     1,
     Sentence(
-        "localization.too_few_landmarks",
-        shown=Sentence("localization.shows_whole_landmarks", count=1),
-        needed=Sentence("localization.more_needed", count=7),
+        "{shown}; {needed}.",
+        shown=Sentence("The image shows {count} whole landmark", count=1),
+        needed=Sentence("at least {count} more are needed", count=7),
     ),
 )
-NO_MATCH = replace(TOO_FEW, status=Status.NO_MATCH, reason=Sentence("localization.no_triangles"))
+NO_MATCH = replace(
+    TOO_FEW, status=Status.NO_MATCH, reason=Sentence("No place on the map has triangles like the image's.")
+)
 
 
 def test_too_few_landmarks_of_a_photo_are_what_the_network_found():
@@ -30,7 +32,11 @@ def test_too_few_landmarks_of_a_photo_are_what_the_network_found():
 
 
 def test_a_reason_within_a_reason_counts_what_the_network_found_too():
-    both = Sentence("localization.neither_road", constellation=TOO_FEW.reason, correlation=NO_MATCH.reason)
+    both = Sentence(
+        "{constellation} Map correlation has no fix either: {correlation:clause}",
+        constellation=TOO_FEW.reason,
+        correlation=NO_MATCH.reason,
+    )
     said = str(name_network(replace(TOO_FEW, reason=both), (), CLASSES).reason)
     assert said.startswith("The network found 1 landmark (building, water); at least 7 more are needed. Map")
 

@@ -48,9 +48,11 @@ def test_a_fix_is_told_in_full():
 
 
 def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
-    found = record(replace(FIX, status=Status.AMBIGUOUS, reason=Sentence("labels.no_pixels")), lambda said: said.code)
+    found = record(
+        replace(FIX, status=Status.AMBIGUOUS, reason=Sentence("The image has no pixels.")), lambda said: said.template
+    )
     assert [found[name] for name in ("x", "y", "heading", "pixel_size", "error_95")] == [None] * 5
-    assert (found["inliers"], found["log_odds"], found["reason"]) == (7, 12.5, "labels.no_pixels")
+    assert (found["inliers"], found["log_odds"], found["reason"]) == (7, 12.5, "The image has no pixels.")
     assert not {"error_95_minor", "error_95_direction", "heading_deviation", "pixel_size_deviation"} & set(found)
 
 
@@ -73,7 +75,13 @@ def test_a_fix_tells_what_its_radius_is_made_of():
     known = replace(COVARIANCE, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
     said = record(replace(FIX, covariance=known))["reason"]
     assert said == "What makes the 95 % radius: accuracy of the map 1.2 m, noise of single landmarks 0.5 m."
-    remark = Sentence("localization.one_side_unknown", part="left part", agree=0, count=24)
+    remark = Sentence(
+        "In the {part} of the image only {agree} of {count} landmarks agree with the map: new there, off the map, or "
+        "of another place. The fix holds for the rest.",
+        part="left part",
+        agree=0,
+        count=24,
+    )
     both = record(replace(FIX, covariance=known, reason=remark))["reason"]
     assert both.startswith("In the left part of the image only 0 of 24 landmarks agree") and both.endswith(said)
 

@@ -85,7 +85,7 @@ def test_a_precision_finer_than_the_format_holds_is_refused(database, tmp_path):
 def test_a_precision_that_is_no_length_is_refused(database, tmp_path, precision):
     with pytest.raises(DatabaseError) as refused:
         write_onboard(str(tmp_path / "odd.npz"), database, None, precision=precision)
-    assert refused.value.sentence.code == "onboard.precision"
+    assert refused.value.sentence.template == "The precision is {precision:g}; it must be more than 0 map units."
 
 
 def landmarks_of(database, **changes):
@@ -98,17 +98,19 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
     sizes = database.windows.sizes.copy()
     sizes[0] *= 1.5
     cases = {
-        "onboard.nothing_to_export": landmarks_of(database, **nothing),
-        "onboard.landmark_without_area": landmarks_of(database, areas_m2=areas),
-        "onboard.window_sizes": replace(database, windows=replace(database.windows, sizes=sizes)),
-        "onboard.header_too_long": database,
+        "There is no landmark to export; choose another database or a larger area.": landmarks_of(database, **nothing),
+        "A landmark has no area; build the database again.": landmarks_of(database, areas_m2=areas),
+        "The windows' sizes are not those of their levels; build the database again.": replace(
+            database, windows=replace(database.windows, sizes=sizes)
+        ),
+        "The header would have {size} bytes, more than {most}.": database,
     }
     for code, odd in cases.items():
-        if code == "onboard.header_too_long":
+        if code == "The header would have {size} bytes, more than {most}.":
             monkeypatch.setattr(write, "MAXIMUM_HEADER_BYTES", 100)
         with pytest.raises(DatabaseError) as refused:
             write_onboard(str(tmp_path / "odd.npz"), odd, None)
-        assert refused.value.sentence.code == code
+        assert refused.value.sentence.template == code
     assert not list(tmp_path.iterdir())
 
 

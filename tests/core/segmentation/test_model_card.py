@@ -84,10 +84,16 @@ def test_a_file_is_read_without_running_it(tmp_path):
 
 def test_a_file_that_is_no_model_says_so_and_so_does_one_for_other_work(tmp_path):
     path = tmp_path / "model.onnx"
-    assert read_card(str(path)).fault.code == "segmentation.no_model_file"
+    assert read_card(str(path)).fault.template == "{path} does not exist; choose a model file (.onnx)."
     path.write_bytes(b"no model")
-    assert read_card(str(path)).fault.code == "segmentation.no_onnx"
-    assert card_of_texts({"model_type": "Detector"}, "").fault.code == "segmentation.not_a_segmentor"
+    assert (
+        read_card(str(path)).fault.template
+        == "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again."
+    )
+    assert (
+        card_of_texts({"model_type": "Detector"}, "").fault.template
+        == "{source} is a model of type {kind} (metadata key model_type); choose a Segmentor."
+    )
 
 
 def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
@@ -96,10 +102,10 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
     (tmp_path / "loop.onnx").symlink_to(tmp_path / "loop.onnx")
     (tmp_path / "empty.onnx").write_bytes(b"")
     faults = {
-        name: read_card(str(tmp_path / f"{name}.onnx")).fault.code for name in ("pipe", "folder", "loop", "empty")
+        name: read_card(str(tmp_path / f"{name}.onnx")).fault.template for name in ("pipe", "folder", "loop", "empty")
     }
-    assert faults.pop("empty") == "segmentation.no_onnx"
-    assert set(faults.values()) == {"segmentation.no_model_file"}
+    assert faults.pop("empty") == "{path} is not an ONNX model, or it is damaged or cut short; copy or export it again."
+    assert set(faults.values()) == {"{path} does not exist; choose a model file (.onnx)."}
 
 
 @pytest.mark.parametrize(

@@ -62,7 +62,7 @@ def test_a_photo_cut_short_is_told(refused, tmp_path):
 
 def test_a_class_table_that_does_not_fit_the_model_is_told(refused, tmp_path):
     table = write_text(tmp_path / "classes.csv", "value,name\n1,building\n")
-    assert "CLASS_TABLE lacks the class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
+    assert "The class table lacks the class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
 
 
 def test_a_missing_onnxruntime_is_told_with_how_to_install_it(qgis_app, monkeypatch):

@@ -28,7 +28,11 @@ VALUES = [
     Method.TOPOLOGY_VECTOR,
     Status.NO_MATCH,
     Prior((1.5, 2.5), 30.0),
-    Sentence("cluster.no_scheduler", address="tcp://a:1", reason=Sentence("labels.no_pixels")),
+    Sentence(
+        "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
+        address="tcp://a:1",
+        reason=Sentence("The image has no pixels."),
+    ),
     Localization(Status.FIX, Method.CONSTELLATION, 7, best=PLACE, alternatives=(PLACE, PLACE), nadir=(1.0, 2.0)),
 ]
 
@@ -62,7 +66,7 @@ def test_matches_travel_in_a_localization(tmp_path):
     np.testing.assert_array_equal(found.residuals, matches.residuals)
 
 
-@pytest.mark.parametrize("value", [object(), ParameterError("labels.no_pixels"), {1}, np.array([None]), Prior])
+@pytest.mark.parametrize("value", [object(), ParameterError("The image has no pixels."), {1}, np.array([None]), Prior])
 def test_other_values_are_refused(value):
     with pytest.raises(TypeError):
         to_bytes(value)

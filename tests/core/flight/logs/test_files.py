@@ -21,14 +21,14 @@ def test_the_name_does_not_matter(tmp_path):
 @pytest.mark.parametrize(
     ("data", "code"),
     [
-        (b"", "flight.no_log"),
-        (b"image,roll\n", "flight.no_log"),
-        (b"EPSG:4326\na.jpg 1 2\n", "flight.empty_log"),
-        (b"\xa3\x95\x80", "flight.empty_log"),
-        (b"ULog\x01\x12\x35\x01", "flight.empty_log"),
+        (b"", "{path} is no flight log that SemRef reads; it reads {kinds}."),
+        (b"image,roll\n", "{path} is no flight log that SemRef reads; it reads {kinds}."),
+        (b"EPSG:4326\na.jpg 1 2\n", "{path} tells neither heading nor height nor speed of a flight."),
+        (b"\xa3\x95\x80", "{path} tells neither heading nor height nor speed of a flight."),
+        (b"ULog\x01\x12\x35\x01", "{path} tells neither heading nor height nor speed of a flight."),
     ],
 )
 def test_what_tells_nothing_is_refused(tmp_path, data, code):
     with pytest.raises(ParameterError) as caught:
         read_log(write(tmp_path, "x", data))
-    assert caught.value.sentence.code == code
+    assert caught.value.sentence.template == code
