@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from itertools import islice
 from typing import TYPE_CHECKING
 
 from qgis.core import (
@@ -22,7 +21,7 @@ from ..framework import parameters
 from ..framework.assessing import AssessAlgorithm, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.parameters import with_help
-from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
+from ..framework.scheduler import require_scheduler, scheduler, workers
 from ..translation import tr
 from ..wording.numbers import shown
 from ..wording.sentences import worded
@@ -30,17 +29,11 @@ from ..wording.sentences import worded
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
-    from ...core.assessment.assessment import Assessment, PlaceQuery
     from ...core.assessment.cells import Cells
     from ...core.database.model import ReferenceDatabase
-    from ...core.evaluation.trial import Trial
     from ..framework.outputs import Outputs
-    from ..framework.scheduler import Workers
     from ..framework.values import Values
     from ..reports.assessment_report import AssessedFootprint
-
-_SIMULATED_A_TASK = 25
-"""Of some milliseconds each."""
 
 
 class AssessDatabase(AssessAlgorithm):
@@ -132,11 +125,8 @@ class AssessDatabase(AssessAlgorithm):
         count = values.integer(self.TRIALS)
         assessments = [self.assessment(values, database, localizer, edge, feedback) for edge in footprints]
         planned = [assessment.plan(cells.centers, cells.size, count) for assessment in assessments]
-        if values.has(SCHEDULER):
-            with workers(values, feedback, before) as run:
-                tried = _tried_by(run, assessments, planned, feedback)
-        else:
-            tried = self._tried(assessments, planned, feedback)
+        with workers(values, feedback, before) as run:
+            tried = self.simulate(assessments, planned, feedback, 5, 100, run)
         results = []
         for assessment, (trials, correlated) in zip(assessments, tried):
             known = cells.centers, trials, correlated, cells.size
@@ -150,19 +140,6 @@ class AssessDatabase(AssessAlgorithm):
         threshold = self.threshold(values)
         self._say(results, threshold, feedback)
         return {self.LOCALIZABLE_FRACTION: float((results[0].estimates.success >= threshold).mean())}
-
-    def _tried(
-        self,
-        assessments: Sequence[Assessment],
-        planned: Sequence[Sequence[PlaceQuery]],
-        feedback: QgsProcessingFeedback,
-    ) -> list[tuple[list[Trial], dict[int, Trial]]]:
-        """Of each assessment, as of ``simulate``."""
-        tried = []
-        for n, (assessment, queries) in enumerate(zip(assessments, planned)):
-            share = [5 + 90 * (n + done) / len(planned) for done in (0, 1)]
-            tried.append(self.simulate(assessment, queries, feedback, *share))
-        return tried
 
     def _report(
         self, values: Values, database: ReferenceDatabase, cells: Cells, results: Sequence[AssessedFootprint]
@@ -213,35 +190,3 @@ class AssessDatabase(AssessAlgorithm):
                     mean=float(result.estimates.success.mean()),
                 )
             )
-
-
-def _tried_by(
-    run: Workers,
-    assessments: Sequence[Assessment],
-    planned: Sequence[Sequence[PlaceQuery]],
-    feedback: QgsProcessingFeedback,
-) -> list[tuple[list[Trial], dict[int, Trial]]]:
-    """As ``_tried``, by the workers of SCHEDULER."""
-    from ...cluster.task_names import ASSESS, CORRELATE
-    from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
-    from ...core.assessment.job import job_of
-
-    job, database = job_of(assessments), assessments[0].database
-    feedback.setProgressText(tr("Localizing simulated images"))
-    asked = [(one.footprint, query) for one, queries in zip(assessments, planned) for query in queries]
-    until = 30.0 if job.correlation else 100.0
-    found = run.answers(ASSESS, job, asked, database, _SIMULATED_A_TASK)
-    trials = iter(list(counted(found, len(asked), feedback, 0, until)))
-    tried: list[tuple[list[Trial], dict[int, Trial]]] = [(list(islice(trials, len(some))), {}) for some in planned]
-    if not job.correlation:
-        return tried
-    chosen = [
-        (n, number)
-        for n, (some, _) in enumerate(tried)
-        for number in to_correlate(job.seed, some, max(len(some) // CORRELATED_SHARE, 1))
-    ]
-    again = [(assessments[n].footprint, planned[n][number]) for n, number in chosen]
-    found = run.answers(CORRELATE, job, again, database)
-    for (n, number), trial in zip(chosen, counted(found, len(again), feedback, until, 100)):
-        tried[n][1][number] = trial
-    return tried

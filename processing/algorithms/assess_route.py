@@ -267,7 +267,7 @@ class AssessRoute(AssessAlgorithm):
     ) -> Estimates:
         """What to expect at places (P, 2), from ``count`` images each within ``reach``."""
         queries = assessment.plan(places, reach, count * len(places))
-        trials, correlated = self.simulate(assessment, queries, feedback, *share)
+        ((trials, correlated),) = self.simulate([assessment], [queries], feedback, *share)
         return cancelable(assessment.estimate, places, trials, correlated, feedback=feedback)
 
     def _hints(

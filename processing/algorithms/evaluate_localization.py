@@ -25,7 +25,7 @@ from ..framework import parameters
 from ..framework.assessing import noise_ranges
 from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
 from ..framework.parameters import with_help
-from ..framework.scheduler import SCHEDULER, counted, require_scheduler, scheduler, workers
+from ..framework.scheduler import counted, require_scheduler, scheduler, workers
 from ..translation import tr
 from ..wording.sentences import worded
 
@@ -250,13 +250,15 @@ class EvaluateLocalization(SemRefAlgorithm):
         jobs = self._jobs(values, evaluation, list(methods), is_reported)
         feedback.pushInfo(tr("{count} images to localize.").format(count=len(jobs)))
         feedback.pushInfo(tried_ground(evaluation.tried_windows, values.integer(self.MINIMUM_REFERENCES)))
-        if values.has(SCHEDULER):
-            feedback.setProgressText(tr("Localizing"))
-            with workers(values, feedback, before) as run:
+        feedback.setProgressText(tr("Localizing"))
+        started = time.monotonic()
+        with workers(values, feedback, before) as run:
+            if run is None:
+                tried = (cancelable(evaluation.run, *job, feedback=feedback) for job in jobs)
+            else:
                 tried = run.answers(EVALUATE, self._job, jobs, database, _TRIALS_A_TASK)
-                trials = [trial for of_image in counted(tried, len(jobs), feedback, 0, 100) for trial in of_image]
-        else:
-            trials = self._try(evaluation, jobs, feedback)
+            trials = [trial for of_image in counted(tried, len(jobs), feedback, 0, 98) for trial in of_image]
+        feedback.pushInfo(tr("{seconds:.0f} s.").format(seconds=time.monotonic() - started))
         # Everything is written last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         self._write_texts(values, outputs, trials, methods, evaluation)
@@ -323,17 +325,6 @@ class EvaluateLocalization(SemRefAlgorithm):
                 database_crs=describe_crs(crs),
             )
         require_classes_of(labels, database.class_table, self._layer.path)
-
-    def _try(self, evaluation: Evaluation, jobs: Sequence[Job], feedback: QgsProcessingFeedback) -> list[Trial]:
-        """All trials; raises Canceled within a moment."""
-        feedback.setProgressText(tr("Localizing"))
-        trials, started = [], time.monotonic()
-        for n, (query, methods) in enumerate(jobs):
-            check_canceled(feedback)
-            trials += cancelable(evaluation.run, query, methods, feedback=feedback)
-            feedback.setProgress(98 * (n + 1) / len(jobs))
-        feedback.pushInfo(tr("{seconds:.0f} s.").format(seconds=time.monotonic() - started))
-        return trials
 
     def _write_texts(
         self,

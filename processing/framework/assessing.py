@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
@@ -19,6 +20,7 @@ from ..wording.sentences import worded
 from . import parameters
 from .base import SemRefAlgorithm, cancelable, check_canceled
 from .parameters import with_help
+from .scheduler import counted
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -28,7 +30,11 @@ if TYPE_CHECKING:
     from ...core.evaluation.trial import Trial
     from ...core.localizer.localizer import Localizer
     from ...core.simulation.conditions import Conditions
+    from .scheduler import Workers
     from .values import Values
+
+_SIMULATED_A_TASK = 25
+"""Of some milliseconds each."""
 
 USUAL: dict[str, tuple[float, float | None]] = {
     parameters.MISSED: (20.0, 100.0),
@@ -204,35 +210,64 @@ class AssessAlgorithm(SemRefAlgorithm):
 
     def simulate(
         self,
-        assessment: Assessment,
-        queries: Sequence[PlaceQuery],
+        assessments: Sequence[Assessment],
+        planned: Sequence[Sequence[PlaceQuery]],
         feedback: QgsProcessingFeedback,
         first: float,
         last: float,
-    ) -> tuple[list[Trial], dict[int, Trial]]:
-        """The trials, and those that map correlation was tried on by their numbers in ``queries``."""
+        run: Workers | None = None,
+    ) -> list[tuple[list[Trial], dict[int, Trial]]]:
+        """Simulate and localize the planned images of each assessment.
+
+        Args:
+            assessments: Of one database, alike but for their footprints.
+            planned: The queries of each.
+            feedback: Shows progress and takes a cancel.
+            first: Progress in percent before.
+            last: And after.
+            run: Workers that do it; None to do it here.
+
+        Returns:
+            (trials, those that map correlation was tried on by their numbers in the queries) of each assessment.
+        """
+        from ...cluster.task_names import ASSESS, CORRELATE
         from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
+        from ...core.assessment.job import job_of
+
+        def found(task: str, here: Callable[..., Trial], asked: list[tuple[int, PlaceQuery]], size: int) -> Iterator:
+            if run is None:
+                return (here(assessments[n], query) for n, query in asked)
+            pieces = [(assessments[n].footprint, query) for n, query in asked]
+            return run.answers(task, job_of(assessments), pieces, assessments[0].database, size)
+
+        def simulated(assessment: Assessment, query: PlaceQuery) -> Trial:
+            # Milliseconds each, so that a thread for every one would cost more than it helps.
+            check_canceled(feedback)
+            return assessment.run(query)
+
+        def correlated(assessment: Assessment, query: PlaceQuery) -> Trial:
+            return cancelable(assessment.run_correlation, query, feedback=feedback)
 
         feedback.setProgressText(tr("Localizing simulated images"))
-        middle = first + (last - first) * (0.3 if assessment.correlation else 1.0)
-        started, trials, correlated = time.monotonic(), [], {}
-        for query in queries:
-            check_canceled(feedback)
-            # Milliseconds each, so that a thread for every one would cost more than it helps.
-            trials.append(assessment.run(query))
-            feedback.setProgress(first + (middle - first) * len(trials) / len(queries))
-        if assessment.correlation:
-            chosen = to_correlate(assessment.seed, trials, max(len(trials) // CORRELATED_SHARE, 1))
-            for n, number in enumerate(chosen):
-                check_canceled(feedback)
-                correlated[number] = cancelable(assessment.run_correlation, queries[number], feedback=feedback)
-                feedback.setProgress(middle + (last - middle) * (n + 1) / len(chosen))
-        feedback.pushInfo(
-            tr("{count} images simulated in {seconds:.0f} s.").format(
-                count=len(trials) + len(correlated), seconds=time.monotonic() - started
-            )
+        started, seed, with_correlation = time.monotonic(), assessments[0].seed, assessments[0].correlation
+        middle = first + (last - first) * (0.3 if with_correlation else 1.0)
+        asked = [(n, query) for n, queries in enumerate(planned) for query in queries]
+        trials = iter(
+            list(counted(found(ASSESS, simulated, asked, _SIMULATED_A_TASK), len(asked), feedback, first, middle))
         )
-        return trials, correlated
+        tried: list[tuple[list[Trial], dict[int, Trial]]] = [(list(islice(trials, len(one))), {}) for one in planned]
+        chosen = [
+            (n, number)
+            for n, (some, _) in enumerate(tried if with_correlation else ())
+            for number in to_correlate(seed, some, max(len(some) // CORRELATED_SHARE, 1))
+        ]
+        if chosen:
+            again = found(CORRELATE, correlated, [(n, planned[n][number]) for n, number in chosen], 1)
+            for (n, number), trial in zip(chosen, counted(again, len(chosen), feedback, middle, last)):
+                tried[n][1][number] = trial
+        text = tr("{count} images simulated in {seconds:.0f} s.")
+        feedback.pushInfo(text.format(count=len(asked) + len(chosen), seconds=time.monotonic() - started))
+        return tried
 
 
 def setting_rows(conditions: Conditions, threshold: float, correlation: bool, seed: int) -> list[tuple[str, str]]:

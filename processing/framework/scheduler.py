@@ -191,8 +191,8 @@ class Workers:
 @contextmanager
 def workers(
     values: Values, feedback: QgsProcessingFeedback, files: Mapping[str, tuple[int, float]], labels: str = ""
-) -> Iterator[Workers]:
-    """Those of SCHEDULER.
+) -> Iterator[Workers | None]:
+    """Those of SCHEDULER; None where it is not given.
 
     Args:
         values: Of the algorithm.
@@ -206,6 +206,9 @@ def workers(
     """
     from ...storage.file_states import require_unchanged
 
+    if not values.has(SCHEDULER):
+        yield None
+        return
     process = QProcess()
     process.setProcessEnvironment(_environment())
     with TemporaryDirectory(prefix="semref-") as folder:
