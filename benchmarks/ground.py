@@ -207,13 +207,11 @@ def chosen(references: MapLandmarks, kept: np.ndarray) -> MapLandmarks:
 
 def memory_ground(labels_hw: np.ndarray, classes_csv: str, sizes: Sequence[float], pixel_m: float = 1.0) -> Ground:
     """The ground of a label map in memory, whose database is built here; ``sizes``: window, stride, minimum area."""
-    from semref.core.database.build import BuildSettings, DatabaseBuilder
+    from semref.core.database.build import BuildSettings, build_from_labels
     from semref.core.labels.class_table import class_table_from_csv
     from semref.core.labels.sources import ArrayLabels
 
     frame = MapFrame.at((0.0, 0.0), pixel_m)
     table = class_table_from_csv(classes_csv)
-    builder = DatabaseBuilder(ArrayLabels(labels_hw), frame, table, BuildSettings(*sizes), "benchmark")
-    for _ in builder.steps():
-        pass
-    return Ground(labels_hw, replace(builder.database, overview=builder.overview))
+    database = build_from_labels(ArrayLabels(labels_hw), frame, table, BuildSettings(*sizes), "benchmark")
+    return Ground(labels_hw, database)

@@ -124,7 +124,7 @@ def built(labels: Path, name: str, stride: float) -> Any:
     """core's building of a database: reading, landmarks, overview, hash, windows, vectors."""
     from osgeo import gdal
 
-    from semref.core.database.build import BuildSettings, DatabaseBuilder
+    from semref.core.database.build import BuildSettings, build_from_labels
     from semref.core.geometry.frame import MapFrame
     from semref.storage.rasters import GdalLabels, HeldLabels
 
@@ -134,11 +134,8 @@ def built(labels: Path, name: str, stride: float) -> Any:
     held = HeldLabels(GdalLabels(str(labels)))
     for _ in held.steps():
         pass
-    sizes = BuildSettings(one["window"], stride, one["minimum_area"], threads=1)
-    builder = DatabaseBuilder(held.source, frame, classes_of(labels), sizes, "benchmark")
-    for _ in builder.steps():
-        pass
-    return builder.database
+    sizes = BuildSettings(one["window"], stride, one["minimum_area"])
+    return build_from_labels(held.source, frame, classes_of(labels), sizes, "benchmark")
 
 
 def classes_of(labels: Path) -> Any:

@@ -152,7 +152,7 @@ def _code() -> shipped.Code:
 
 
 class DaskRunner:
-    """Has the tasks of a build done by workers, see ``core.database.parts.Runner``."""
+    """Has the tasks of a build done by workers, see ``core.database.tasks.Runner``."""
 
     def __init__(self, client: Client, path: str) -> None:
         """Keeps what all tasks need.

@@ -1,4 +1,4 @@
-"""Tasks that workers know beside those of ``core.database.parts``."""
+"""Tasks that workers know beside those of ``core.database.tasks``."""
 
 SEGMENT, BURN = "segment", "burn"
 """A block of a photo's tiles; a strip of polygons."""

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from osgeo import gdal
 
-from ..core.database.parts import TASKS
+from ..core.database.tasks import TASKS
 from ..core.errors import SemRefError
 from ..core.geometry.frame import MapFrame
 from ..core.segmentation.certainty import Sureness

@@ -13,7 +13,7 @@ from typing import Union
 
 import numpy as np
 
-from .database.build import BuildSettings, DatabaseBuilder
+from .database.build import BuildSettings, build_from_labels
 from .database.model import ReferenceDatabase
 from .evaluation.evaluation import Evaluation, TrialRanges
 from .evaluation.summary import MethodSummary, summarize
@@ -89,13 +89,7 @@ def build_database(  # noqa: PLR0913 - a map, where it is, and what is wanted of
     """
     settings = settings or BuildSettings(WINDOW_PX * pixel_size, STRIDE_PX * pixel_size, 16 * pixel_size**2)
     frame = MapFrame.at(origin, pixel_size, crs=crs)
-    builder = DatabaseBuilder(ArrayLabels(labels_hw), frame, table, settings, BUILT_BY)
-    for _ in builder.steps():
-        continue
-    database = builder.database
-    if database is None:
-        raise RuntimeError("the steps ended without a database")
-    return replace(database, overview=builder.overview)
+    return build_from_labels(ArrayLabels(labels_hw), frame, table, settings, BUILT_BY)
 
 
 def open_database(path: str, key_file: str | None = None) -> ReferenceDatabase:

@@ -1,29 +1,44 @@
-"""Building a reference database from a label map: one pass for objects and overview, one for the windows."""
+"""Building a reference database from a label map by tasks: the same one, to the last bit, whoever does them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from math import gcd
 
 import numpy as np
 
 from ..errors import LabelMapError, WindowError
 from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
-from ..labels.block_hashes import BlockHasher, map_hash
+from ..labels.block_hashes import HASHED_BLOCK, blocks_shape, map_hash
 from ..labels.class_table import ClassTable
-from ..labels.overview import OVERVIEW_FACTOR, HeldOverview, OverviewSink, most_frequent_labels
+from ..labels.overview import OVERVIEW_FACTOR, HeldOverview, OverviewSink
 from ..labels.sources import LabelSource
-from ..landmarks.catalogue import CatalogueBuilder
-from ..landmarks.landmarks import Landmarks
+from ..landmarks.landmarks import BOTTOM, LEFT, NO_ROWS, RIGHT, TOP, Landmarks, objects_from_rows, rows_from_objects
 from ..landmarks.landmarks import minimum_area_px as area_px
-from ..windows.describe import DescribedWindows, describe_windows
-from ..windows.distinctiveness import distinctiveness
+from ..landmarks.tiles import TileLandmarks, crossing_regions
+from ..windows.describe import DescribedWindows
 from ..windows.grid import WindowGrid, whole_pixels
 from ..windows.topology_vector import MINIMUM_REFERENCES, REFERENCES_PER_VECTOR
 from .model import MapLandmarks, ReferenceDatabase, Windows
 from .parameters import BuildParameters
+from .tasks import Box, Runner, Threads
+
+TILE_WIDTH, TILE_PIXELS = 8192, 17_000_000
+"""Of a piece that landmarks are looked for in: 17 MB of labels and twice that for masks."""
+
+STRIP_PIXELS = 64_000_000
+"""Of a row of windows; wider maps are described in several blocks of columns, one after the other in a database."""
+
+SHARED_HEIGHT = 0.5
+"""Windows that begin within so much of a window's height are described by one task: they share what borders cut."""
+
+REGIONS_A_TASK = 200
+"""Regions that cross tiles and are measured by one task."""
+
+COMPARED_A_TASK = 4096
+"""Windows that one task compares with all."""
 
 _LONGEST = 1e9
 """Map units; no map is larger."""
@@ -40,7 +55,6 @@ class BuildSettings:
         levels: Multipliers of the window size.
         references_per_vector: Landmarks that a vector holds at most.
         overview_factor: Pixels of the label map along the edge of one of the overview.
-        threads: Rows of windows that are described at once.
         map_accuracy: Standard deviation along each axis of where landmarks are on the map, map units.
 
     Raises:
@@ -53,7 +67,6 @@ class BuildSettings:
     levels: tuple[float, ...] = (1.0,)
     references_per_vector: int = REFERENCES_PER_VECTOR
     overview_factor: int = OVERVIEW_FACTOR
-    threads: int = 1
     map_accuracy: float = MAP_ACCURACY
 
     def __post_init__(self) -> None:
@@ -82,47 +95,41 @@ class BuildSettings:
 
 
 class DatabaseBuilder:
-    """Builds a database step by step: iterate ``steps()`` to the end, then take ``database`` and ``overview``.
+    """Builds a database by tasks: iterate ``steps()`` to the end, then take ``database``."""
 
-    ``compare_windows()`` then adds the windows' distinctiveness to it.
-    """
-
-    def __init__(  # noqa: PLR0913 - a map, what is wanted of it, and where the overview goes
+    def __init__(  # noqa: PLR0913 - a map, what is wanted of it, who does it, and where the overview goes
         self,
-        source: LabelSource,
         frame: MapFrame,
         table: ClassTable,
         settings: BuildSettings,
         plugin_version: str,
-        overview: OverviewSink | None = None,
+        run: Runner,
+        overview: OverviewSink,
     ) -> None:
         """Makes the builder; nothing is read yet.
 
         Args:
-            source: The label map.
-            frame: Where its pixels lie.
+            frame: Where the map's pixels lie, and how many it has.
             table: With the reference classes.
             settings: What the user chooses.
             plugin_version: What the database says.
-            overview: Takes the overview band by band; without one it is held in memory, as ``overview``.
+            run: Has tasks done.
+            overview: Takes the pieces of the overview, in any order.
 
         Raises:
             WindowError: The windows don't fit the map.
             ClassTableError: No class is a reference class.
         """
-        self._source = source
         self._frame = frame
         self._table = table.require_references()
         self._settings = settings
         self._plugin_version = plugin_version
-        self.grids = level_grids(source.shape_hw, frame.pixel_size, settings)
-        self.overview: np.ndarray | None = None
+        self._run = run
         self._overview = overview
+        self._minimum_area = area_px(settings.minimum_area, frame.pixel_size)
+        self._values = tuple(sorted(self._table.reference_values))
+        self.grids = level_grids(frame.shape_hw, frame.pixel_size, settings)
         self.database: ReferenceDatabase | None = None
-
-    def read_from(self, source: LabelSource) -> None:
-        """Takes the same map's labels from another source from now on: from memory, say."""
-        self._source = source
 
     def steps(self) -> Iterator[tuple[str, float]]:
         """Yields (what is being done, share done 0…1).
@@ -130,88 +137,107 @@ class DatabaseBuilder:
         Raises:
             LabelMapError: The map has no landmark.
         """
-        objects: Landmarks | None = None
-        hashes: tuple[str, ...] = ()
-        for share, result in self._scan():
+        found: list[TileLandmarks] = []
+        hashes: list[str] = []
+        for share in self._scan(found, hashes):
             yield "Finding landmarks", 0.3 * share
-            if result is not None:
-                objects, hashes = result
-        objects = require_landmarks(objects, self._table, self._settings)
+        rows = [NO_ROWS, *(tile.rows for tile in found)]
+        for share in self._join(found, rows):
+            yield "Joining landmarks", 0.3 + 0.1 * share
+        joined = objects_from_rows(np.concatenate(rows), self._frame.shape_hw)
+        objects = require_landmarks(joined, self._table, self._settings)
         described: list[tuple[int, WindowGrid, DescribedWindows]] = []
-        total = sum(len(grid) for grid in self.grids)
-        done = 0
-        for level, grid in enumerate(self.grids, start=1):
-            for some in self._describe(grid, objects):
-                described.append((level, grid, some))
-                done += len(some.counts)
-                yield "Describing windows", 0.3 + 0.5 * done / total
-        frame = self._frame.of_shape(self._source.shape_hw)
-        windows, references = windows_of(described, frame), map_references(objects, frame)
-        parameters = parameters_of(frame, self._table, self._settings, self._plugin_version, hashes)
+        for share in self._describe(objects, described):
+            yield "Describing windows", 0.4 + 0.4 * share
+        windows, references = windows_of(described, self._frame), map_references(objects, self._frame)
+        parameters = parameters_of(self._frame, self._table, self._settings, self._plugin_version, tuple(hashes))
+        distinct = np.full(len(windows), np.nan)
+        for share in self._compare(windows, distinct):
+            yield "Comparing windows", 0.8 + 0.2 * share
+        windows = replace(windows, distinctiveness=distinct)
         self.database = ReferenceDatabase(windows, references, self._table, parameters, None)
 
-    def compare_windows(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done); afterwards the windows have their distinctiveness.
-
-        NaN for windows without a vector or without another one to compare with. Comes after ``steps()``.
-        """
-        database = self.database
-        if database is None:
-            return
-        windows = database.windows
-        index = np.flatnonzero(windows.described)
-        found = np.full(len(windows), np.nan)
-        blocks = distinctiveness(windows.vectors[index], windows.centers[index], windows.sizes[index])
-        for block, distances in blocks:
-            found[index[block]] = np.where(np.isinf(distances), np.nan, distances)
-            yield "Comparing windows", block.stop / len(index)
-        self.database = replace(database, windows=replace(windows, distinctiveness=found))
-
-    def _scan(self) -> Iterator[tuple[float, tuple[Landmarks, tuple[str, ...]] | None]]:
-        """One pass over the map: landmarks, overview and block hashes."""
+    def _scan(self, found: list[TileLandmarks], hashes: list[str]) -> Iterator[float]:
+        """Looks through the tiles; ``hashes`` become those of all blocks, row by row."""
         factor = self._settings.overview_factor
-        catalogue = CatalogueBuilder(
-            self._source, self._table.reference_values, self._minimum_area_px, band_multiple=factor
-        )
-        height, width = self._source.shape_hw
-        blocks = BlockHasher(width)
-        put = self._overview
-        if put is None:
-            held = HeldOverview((-(-height // factor), -(-width // factor)))
-            self.overview, put = held.labels, held.put
+        boxes = tile_boxes(self._frame.shape_hw, factor)
+        tiles: list[TileLandmarks | None] = [None] * len(boxes)
+        blocks = np.empty(blocks_shape(self._frame.shape_hw), object)
+        shared = self._values, self._minimum_area, factor
+        for done, (number, result) in enumerate(self._run("scan", ((box,) for box in boxes), shared), start=1):
+            rows, pieces, runs, reduced, some = result
+            column, row, width, height = boxes[number]
+            tiles[number] = TileLandmarks(rows, pieces, runs)
+            self._overview(column // factor, row // factor, reduced)
+            down, across = blocks_shape((height, width))
+            top, left = row // HASHED_BLOCK, column // HASHED_BLOCK
+            blocks[top : top + down, left : left + across] = np.array(some, object).reshape(down, across)
+            yield done / len(boxes)
+        found += [tile for tile in tiles if tile is not None]
+        hashes += blocks.ravel().tolist()
 
-        def reduce(first: int, labels: np.ndarray) -> None:
-            blocks.add(labels)
-            put(0, first // factor, most_frequent_labels(labels, factor))
+    def _join(self, found: list[TileLandmarks], rows: list[np.ndarray]) -> Iterator[float]:
+        """Measures what crosses tiles, and adds it to ``rows``."""
+        regions = np.array(
+            [(value, *region.bounds, *region.first_pixel) for value, region in crossing_regions(found)], np.int64
+        ).reshape(-1, 7)
+        # Neighbors are read by one task, and so mostly from one piece of the file.
+        regions = regions[np.lexsort((regions[:, 1], regions[:, 2] // HASHED_BLOCK))]
+        calls = [(regions[first : first + REGIONS_A_TASK],) for first in range(0, len(regions), REGIONS_A_TASK)]
+        for done, (_, measured) in enumerate(self._run("measure", calls, (self._minimum_area,)), start=1):
+            rows.append(measured)
+            yield done / len(calls)
 
-        # One thread hashes and reduces a band while this one looks for objects in the next.
-        with ThreadPoolExecutor(1) as pool:
-            reducing: Future[None] | None = None
-            for n, (first, labels) in enumerate(catalogue.bands(), start=1):
-                if reducing is not None:
-                    reducing.result()
-                reducing = pool.submit(reduce, first, labels)
-                yield 0.9 * n / catalogue.band_count, None
-            if reducing is not None:
-                reducing.result()
-        for _ in catalogue.crossing():
-            yield 0.9, None
-        yield 1.0, (catalogue.objects, blocks.hashes)
+    def _describe(
+        self, objects: Landmarks, described: list[tuple[int, WindowGrid, DescribedWindows]]
+    ) -> Iterator[float]:
+        """Describes the windows of all levels, in the order of a database."""
+        rows, done, total = rows_from_objects(objects), 0, sum(map(len, self.grids))
+        shared = self._values, self._minimum_area, self._settings.references_per_vector
+        for level, grid in enumerate(self.grids, start=1):
+            parts: dict[int, DescribedWindows] = {}
+            calls = ((box, (grid.size, grid.stride), _reaching(rows, box)) for box in window_boxes(grid))
+            for number, part in self._run("describe", calls, shared):
+                parts[number] = DescribedWindows(*part)
+                done += len(parts[number].counts)
+                yield done / total
+            described += [(level, grid, parts[number]) for number in sorted(parts)]
 
-    @property
-    def _minimum_area_px(self) -> float:
-        return area_px(self._settings.minimum_area, self._frame.pixel_size)
+    def _compare(self, windows: Windows, distinct: np.ndarray) -> Iterator[float]:
+        """Fills in the windows' distinctiveness; NaN stays where there is no vector, or none to compare it with."""
+        index = np.flatnonzero(windows.described)
+        shared = windows.vectors[index], windows.centers[index], windows.sizes[index]
+        stretches = [(n, min(n + COMPARED_A_TASK, len(index))) for n in range(0, len(index), COMPARED_A_TASK)]
+        for done, (number, distances) in enumerate(self._run("compare", stretches, shared), start=1):
+            distinct[index[slice(*stretches[number])]] = np.where(np.isinf(distances), np.nan, distances)
+            yield done / len(stretches)
 
-    def _describe(self, grid: WindowGrid, objects: Landmarks) -> Iterator[DescribedWindows]:
-        return describe_windows(
-            self._source,
-            grid,
-            objects,
-            self._table.reference_values,
-            self._minimum_area_px,
-            self._settings.references_per_vector,
-            self._settings.threads,
-        )
+
+def build_from_labels(
+    source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
+) -> ReferenceDatabase:
+    """Builds a database, its overview included, at once.
+
+    Args:
+        source: The label map.
+        frame: Where its pixels lie; of any shape.
+        table: As of ``DatabaseBuilder``, as are the others.
+        settings: What the caller chooses.
+        plugin_version: What the database says.
+
+    Raises:
+        LabelMapError: The map has no landmark.
+        WindowError: The windows don't fit the map.
+        ClassTableError: No class is a reference class.
+    """
+    frame = frame.of_shape(source.shape_hw)
+    overview = HeldOverview(frame.reduced(settings.overview_factor).shape_hw)
+    builder = DatabaseBuilder(frame, table, settings, plugin_version, Threads(source), overview.put)
+    for _ in builder.steps():
+        continue
+    if builder.database is None:
+        raise RuntimeError("the steps ended without a database")
+    return replace(builder.database, overview=overview.labels)
 
 
 def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: BuildSettings) -> Landmarks:
@@ -272,6 +298,46 @@ def map_references(objects: Landmarks, frame: MapFrame) -> MapLandmarks:
     """The objects of a map (pixels) as references (map units)."""
     areas = objects.areas_px * frame.pixel_size**2
     return MapLandmarks(frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge, objects.bounds)
+
+
+def tile_boxes(shape_hw: tuple[int, int], factor: int) -> list[Box]:
+    """The tiles of a map, which whole hashed blocks and whole pixels of the overview fit into.
+
+    They are as wide as the map where a row of blocks then fits: files store rows of pixels, or rows of tiles.
+
+    Args:
+        shape_hw: (height, width) of the map, pixels.
+        factor: Of the overview.
+    """
+    height, width = shape_hw
+    unit = HASHED_BLOCK * factor // gcd(HASHED_BLOCK, factor)
+    across = width if width * unit <= TILE_PIXELS else max(TILE_WIDTH // unit, 1) * unit
+    down = max(TILE_PIXELS // across // unit, 1) * unit
+    return [
+        (column, row, min(across, width - column), min(down, height - row))
+        for row in range(0, height, down)
+        for column in range(0, width, across)
+    ]
+
+
+def window_boxes(grid: WindowGrid) -> list[Box]:
+    """Pieces of the map whose windows one task describes, in a database's order; each begins with a window."""
+    across = max(1, (STRIP_PIXELS // grid.size - grid.size) // grid.stride + 1)
+    down = int(SHARED_HEIGHT * grid.size) // grid.stride + 1
+    found = []
+    for columns in (grid.columns[first : first + across] for first in range(0, len(grid.columns), across)):
+        width = int(columns[-1] - columns[0]) + grid.size
+        for rows in (grid.rows[first : first + down] for first in range(0, len(grid.rows), down)):
+            found.append((int(columns[0]), int(rows[0]), width, int(rows[-1] - rows[0]) + grid.size))
+    return found
+
+
+def _reaching(rows: np.ndarray, box: Box) -> np.ndarray:
+    """Those of the landmarks (N, 8) that reach into a piece."""
+    column, row, width, height = box
+    inside = (rows[:, RIGHT] > column) & (rows[:, LEFT] < column + width)
+    inside &= (rows[:, BOTTOM] > row) & (rows[:, TOP] < row + height)
+    return rows[inside]
 
 
 def level_grids(shape_hw: tuple[int, int], pixel_size: float, settings: BuildSettings) -> list[WindowGrid]:

@@ -8,9 +8,9 @@ import numpy as np
 
 from ..labels.block_hashes import HASHED_BLOCK, blocks_shape
 from ..labels.sources import LabelSource
-from ..landmarks.catalogue import measure_region
 from ..landmarks.landmarks import minimum_area_px, objects_from_rows, rows_array
 from ..landmarks.regions import Region, RegionFinder
+from ..landmarks.tiles import measure_region
 from .build import map_references
 from .model import MapLandmarks, ReferenceDatabase
 

@@ -13,16 +13,16 @@ from ..geometry.frame import MapFrame
 from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, block_hash, blocks_shape, map_hash
 from ..labels.counts import count_labels
 from ..labels.overview import most_frequent_labels
-from ..labels.sources import LabelSource, PartOfMap
-from ..landmarks.catalogue import CatalogueBuilder
-from ..landmarks.landmarks import Landmarks, minimum_area_px
-from ..windows.describe import describe_windows
+from ..labels.sources import LabelSource
+from ..landmarks.landmarks import minimum_area_px
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid
 from ..windows.topology_vector import MINIMUM_REFERENCES
+from .build import window_boxes
 from .changed_regions import Bounds, ChangedLandmarks, block_bounds, blocks_of, changed_places
 from .model import MapLandmarks, ReferenceDatabase, Windows
 from .parameters import BuildParameters
+from .tasks import Runner
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class DatabaseUpdater:
         database: ReferenceDatabase,
         areas: Sequence[Bounds] | None,
         plugin_version: str,
-        threads: int = 1,
+        run: Runner,
     ) -> None:
         """Makes the updater.
 
@@ -72,7 +72,7 @@ class DatabaseUpdater:
                 found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be
                 as they were and keep their hashes: what changed there is found by the next update without ``areas``.
             plugin_version: What the updated database says.
-            threads: Rows of windows that are described at once.
+            run: Has windows described.
 
         Raises:
             DatabaseError: The database can't be updated.
@@ -84,7 +84,7 @@ class DatabaseUpdater:
         self._database = database
         self._areas = areas
         self._plugin_version = plugin_version
-        self._threads = threads
+        self._run = run
         self._levels = [_Level(database, int(level)) for level in np.unique(database.windows.levels)]
         self.changes: DatabaseChanges | None = None
 
@@ -171,23 +171,22 @@ class DatabaseUpdater:
 
     def _describe(self, windows: Windows, places: Sequence[Bounds]) -> Iterator[float]:
         """Puts counts and vectors of the windows that show a changed place into ``windows``."""
-        parameters, values = self._database.parameters, self._database.class_table.reference_values
+        values = self._database.class_table.reference_values
+        shared = values, self._minimum_area_px, self._database.parameters.references_per_vector
         tasks = [(level, place) for level in self._levels for place in places]
         for n, (level, place) in enumerate(tasks, start=1):
             part = level.windows_around(place)
             if part is None:
                 continue
             left, top, right, bottom = part
-            labels = PartOfMap(self._source, left, top, right - left, bottom - top)
-            grid = WindowGrid(right - left, bottom - top, level.grid.size, level.grid.stride)
-            objects = _objects(labels, values, self._minimum_area_px)
-            for found in describe_windows(
-                labels, grid, objects, values, self._minimum_area_px, parameters.references_per_vector, self._threads
-            ):
-                index = level.index(found.columns + left, found.rows + top)
-                windows.counts[index] = found.counts
-                windows.vectors[index] = found.vectors
-                windows.described[index] = found.counts >= MINIMUM_REFERENCES
+            window = level.grid.size, level.grid.stride
+            boxes = window_boxes(WindowGrid(right - left, bottom - top, *window))
+            calls = (((left + column, top + row, *size), window) for column, row, *size in boxes)
+            for _, (columns, rows, counts, vectors) in self._run("describe", calls, shared):
+                index = level.index(columns, rows)
+                windows.counts[index] = counts
+                windows.vectors[index] = vectors
+                windows.described[index] = counts >= MINIMUM_REFERENCES
                 yield n / len(tasks)
 
     def _compare_windows(self, windows: Windows) -> Iterator[float]:
@@ -340,11 +339,3 @@ def _nearest(windows: Windows, index: np.ndarray, others: np.ndarray) -> np.ndar
     for block, distances in nearest_distances(*parts):
         found[block] = distances
     return found
-
-
-def _objects(labels: LabelSource, values: Sequence[int], minimum_area: float) -> Landmarks:
-    catalogue = CatalogueBuilder(labels, values, minimum_area)
-    for steps in (catalogue.bands(), catalogue.crossing()):
-        for _ in steps:
-            pass
-    return catalogue.objects

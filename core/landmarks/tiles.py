@@ -11,9 +11,14 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from ..labels.sources import LabelSource
+from .border_following import follow_outer_border
 from .joining import connected_components, touching_runs
-from .landmarks import NO_ROWS, class_mask, contour_row, outer_contours, rows_array, shift_rows
+from .landmarks import NO_ROWS, class_mask, contour_row, outer_contours, rows_array, shift_row, shift_rows
 from .regions import Region, whole_region
+
+PATCH_PIXELS = 16_000_000
+"""An object that crosses bands is read again in one piece up to this many pixels; a larger one is traced."""
 
 NO_PIECES = np.empty((0, 7), np.int64)
 NO_RUNS = np.empty((0, 6), np.int64)
@@ -83,6 +88,40 @@ def crossing_regions(tiles: Iterable[TileLandmarks]) -> list[tuple[int, Region]]
     return [
         (numbers[members[0]][0], whole_region([_region(numbers[n]) for n in members])) for members in joined.values()
     ]
+
+
+def measure_region(
+    source: LabelSource,
+    value: int,
+    region: Region,
+    minimum_area_px: float,
+    patch_pixels: int = PATCH_PIXELS,
+) -> tuple | None:
+    """Measures one region.
+
+    Args:
+        source: The label map.
+        value: The region's class.
+        region: Where it is.
+        minimum_area_px: Smaller ones are no landmarks.
+        patch_pixels: A region is read in one piece up to so many pixels, else its border is followed.
+
+    Returns:
+        Its row (class, center x, y, area, left, top, right, bottom); None when it is too small.
+    """
+    left, top, right, bottom = region.bounds
+    # A polygon through pixel centers is never larger than its bounding box.
+    if (right - left) * (bottom - top) < minimum_area_px:
+        return None
+    if (right - left) * (bottom - top) > patch_pixels:
+        return follow_outer_border(source, value, region.first_pixel, minimum_area_px)
+    mask = class_mask(source.read(left, top, right - left, bottom - top), value)
+    start = np.array([region.first_pixel[0] - left, region.first_pixel[1] - top])
+    for contour in outer_contours(mask):
+        if (contour[:, 0] == start).all(axis=1).any():
+            row = contour_row(contour, value, minimum_area_px)
+            return None if row is None else shift_row(row, left, top)
+    return None
 
 
 def _region(piece: list[int]) -> Region:

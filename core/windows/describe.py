@@ -7,15 +7,11 @@ that row, those on a window's left and right border once for that window, each i
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Callable
 
 import numpy as np
 
-from ..labels.sources import ArrayLabels, LabelSource, RollingRows
 from ..landmarks.landmarks import (
     BOTTOM,
     CENTER_X,
@@ -37,19 +33,13 @@ from ..landmarks.landmarks import (
 from .grid import WindowGrid
 from .topology_vector import MINIMUM_REFERENCES, TIE_DECIMALS, class_ranks, topology_vectors
 
-STRIP_PIXELS = 64_000_000
-"""Pixels of a row of windows held at a time; wider maps are described in several column blocks."""
-
 KNOWN_CUTS = 200_000
 """Cuts remembered from strip to strip; then all are forgotten, which bounds memory."""
-
-PENDING_PIXELS = 256_000_000
-"""Pixels of all rows of windows waiting for or in work; bounds memory when several threads work."""
 
 
 @dataclass(frozen=True)
 class DescribedWindows:
-    """M windows of one row of the grid.
+    """M windows of a grid, row by row.
 
     Attributes:
         columns: (M,) first pixel column of each.
@@ -64,78 +54,33 @@ class DescribedWindows:
     vectors: np.ndarray
 
 
-def describe_windows(  # noqa: PLR0913 - a map, what is sought in it, and how to work: nothing else takes these together
-    source: LabelSource,
+def describe_windows(  # noqa: PLR0913 - labels, what is sought in them, and what describes a window
+    labels_hw: np.ndarray,
     grid: WindowGrid,
     objects: Landmarks,
     reference_values: Sequence[int],
     minimum_area_px: float,
     references_per_vector: int,
-    threads: int = 1,
-    strip_pixels: int = STRIP_PIXELS,
-) -> Iterator[DescribedWindows]:
-    """Describes the windows of a grid, one row of them (of one column block) at a time, in a fixed order.
+) -> DescribedWindows:
+    """Describes the windows of a grid.
 
     Args:
-        source: The label map; only the calling thread reads from it.
+        labels_hw: (H, W) uint8, all that the grid covers.
         grid: Where the windows lie.
-        objects: Every landmark of the whole map with at least the same minimum area.
+        objects: Every landmark that reaches into the labels with at least the same minimum area, as far as it goes.
         reference_values: Class values of landmarks.
         minimum_area_px: Smaller regions are no landmarks.
         references_per_vector: X, landmarks that a vector holds at most.
-        threads: Rows of windows that are worked on at once.
-        strip_pixels: Pixels of a row of windows held at a time.
-
-    Yields:
-        The windows of one row.
     """
-    strips = _strips(source, grid, rows_from_objects(objects), strip_pixels)
-
-    def describe(strip: _Strip) -> DescribedWindows:
-        return strip.describe(grid.size, reference_values, minimum_area_px, references_per_vector)
-
-    with ThreadPoolExecutor(threads) as pool:
-        pending: deque = deque()
-        try:
-            for strip in strips:
-                pending.append(pool.submit(describe, strip))
-                if len(pending) > min(threads, PENDING_PIXELS // strip.labels.size):
-                    yield pending.popleft().result()
-            while pending:
-                yield pending.popleft().result()
-        finally:
-            for future in pending:
-                future.cancel()
-
-
-def _strips(source: LabelSource, grid: WindowGrid, all_rows: np.ndarray, strip_pixels: int) -> Iterator[_Strip]:
-    for columns in column_blocks(grid, strip_pixels):
-        cuts: dict[tuple, list] = {}
-        first, width = int(columns[0]), int(columns[-1]) + grid.size - int(columns[0])
-        rows_of = _row_reader(source, first, width, grid.size)
-        inside = (all_rows[:, RIGHT] > first) & (all_rows[:, LEFT] < first + width)
-        in_block = shift_rows(all_rows[inside], -first, 0)
-        for row in grid.rows:
-            near = in_block[(in_block[:, BOTTOM] > row) & (in_block[:, TOP] < row + grid.size)]
-            near = shift_rows(near, 0, -int(row))
-            yield _Strip(rows_of(int(row)), near, (first, int(row)), columns - first, cuts)
-
-
-def _row_reader(source: LabelSource, column: int, width: int, height: int) -> Callable[[int], np.ndarray]:
-    """The function row → (height, width) labels from there on, for rows that only grow."""
-    if isinstance(source, ArrayLabels):
-        return lambda row: source.read(column, row, width, height)
-    rolling = RollingRows(source, column, width, height)
-    # Threads work on strips while the rows roll on.
-    return lambda row: rolling.strip(row).copy()
-
-
-def column_blocks(grid: WindowGrid, strip_pixels: int = STRIP_PIXELS) -> list[np.ndarray]:
-    """First columns of the windows of a row, in blocks whose strips are held at a time: the order of a database."""
-    columns = grid.columns
-    width = max(grid.size, strip_pixels // grid.size)
-    per_block = max(1, (width - grid.size) // grid.stride + 1)
-    return [columns[i : i + per_block] for i in range(0, len(columns), per_block)]
+    all_rows, columns = rows_from_objects(objects), grid.columns
+    cuts: dict[tuple, list] = {}
+    found = []
+    for row in grid.rows.tolist():
+        near = all_rows[(all_rows[:, BOTTOM] > row) & (all_rows[:, TOP] < row + grid.size)]
+        strip = _Strip(labels_hw[row : row + grid.size], shift_rows(near, 0, -row), row, columns, cuts)
+        found.append(strip.describe(grid.size, reference_values, minimum_area_px, references_per_vector))
+    counts, vectors = (np.concatenate(some) for some in zip(*found))
+    return DescribedWindows(np.tile(columns, len(grid.rows)), np.repeat(grid.rows, len(columns)), counts, vectors)
 
 
 @dataclass(frozen=True)
@@ -165,7 +110,7 @@ class _Strip:
         self,
         labels: np.ndarray,
         near: np.ndarray,
-        origin: tuple[int, int],
+        first_row: int,
         columns: np.ndarray,
         known_cuts: dict[tuple, list],
     ) -> None:
@@ -174,19 +119,20 @@ class _Strip:
         Args:
             labels: (size, W) uint8.
             near: (N, 8) region rows of the map that reach into the strip.
-            origin: (column, row) of the strip's first pixel on the map.
+            first_row: The first of the strip, counted as in ``known_cuts``.
             columns: (M,) the windows' first columns in the strip.
-            known_cuts: Shared by the strips of a column block, kept up to date.
+            known_cuts: Shared by the strips of one grid, kept up to date.
         """
         self._known_cuts = known_cuts
         self.labels = labels
         self._near = near
-        self._origin = origin
+        self._first_row = first_row
         self._columns = columns
 
     def describe(
         self, size: int, reference_values: Sequence[int], minimum_area: float, references_per_vector: int
-    ) -> DescribedWindows:
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Counts and vectors of the windows, see ``DescribedWindows``."""
         columns = self._columns
         counts = np.zeros(len(columns), np.int64)
         nearest: list[np.ndarray] = [NO_ROWS] * len(columns)
@@ -197,8 +143,7 @@ class _Strip:
         described = np.flatnonzero(counts >= MINIMUM_REFERENCES)
         if len(described):
             vectors[described] = _vectors([nearest[k] for k in described], reference_values, references_per_vector)
-        first_column, row = self._origin
-        return DescribedWindows(columns + first_column, np.full(len(columns), row), counts, vectors)
+        return counts, vectors
 
     def _regions_by_window(self, size: int, minimum_area: float) -> Iterator[np.ndarray]:
         regions = self._regions(minimum_area)
@@ -249,7 +194,7 @@ class _Strip:
         self, value: int, patch: tuple[int, int, int, int], border: _Border, minimum_area: float
     ) -> list:
         """What a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
-        row = self._origin[1]
+        row = self._first_row
         left, top, right, bottom = patch
         frame = border.frame
         key = border.side, value, left, top + row, right, bottom + row, frame[0], frame[2], LEFT in border.done

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 BLOCK = 1024
-"""Windows compared at a time; 1024 × 10⁵ distances in single precision take 400 MB at most."""
+"""Windows compared at a time, as far as their distances fit into _BLOCK_BYTES; several threads may do so."""
 
-_BLOCK_BYTES = 32_000_000
+_BLOCK_BYTES = 12_000_000
 
 _PAIRS_AT_ONCE = 100_000
 
@@ -19,32 +19,17 @@ _TOUCHING = 1 - 1e-6
 """Windows side by side share no area, though rounding of large map coordinates may let them overlap by a hair."""
 
 
-def distinctiveness(vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
-    """Compares every window with those elsewhere, block by block.
+def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[slice, np.ndarray]]:
+    """Compares windows with others, block by block. Distances depend only on the two vectors, to the last bit.
 
     Two windows overlap when their squares share area.
 
     Args:
-        vectors: (N, 3·X) float32.
-        centers: (N, 2) map x, y.
-        sizes: (N,) edges, map units.
-
-    Yields:
-        A slice of n windows, and their (n,) float64 distances; infinity where every other window overlaps.
-    """
-    windows = vectors, centers, sizes
-    yield from nearest_distances(windows, windows)
-
-
-def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[slice, np.ndarray]]:
-    """Compares windows with others. Distances depend on nothing but the two vectors, to the last bit.
-
-    Args:
-        windows: Their vectors, centers and sizes as of ``distinctiveness``.
+        windows: Their vectors (N, 3·X) float32, centers (N, 2) map x, y, and sizes (N,), edges in map units.
         others: Those of the windows that they are compared with.
 
     Yields:
-        As ``distinctiveness``.
+        A slice of n windows, and their (n,) float64 distances; infinity where every other window overlaps.
     """
     vectors, centers, sizes = windows
     other_vectors, other_centers, other_sizes = others

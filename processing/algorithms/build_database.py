@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from ...core.windows.grid import WindowGrid
     from ...storage.rasters import GdalLabels
     from ..framework.outputs import Outputs
-    from ..framework.scheduler import Workers
     from ..framework.values import Values
 
 
@@ -173,7 +172,7 @@ class BuildDatabase(SemRefAlgorithm):
         from ..exchange.layers import map_frame
         from ..exchange.reference_systems import longitudes_latitudes
 
-        before = {self._layer.path: state(self._layer.path)}
+        self._before = {self._layer.path: state(self._layer.path)}
         labels = GdalLabels(self._layer.path)
         frame = map_frame(labels, self._layer)
         table = self._table(values, labels, feedback)
@@ -181,12 +180,7 @@ class BuildDatabase(SemRefAlgorithm):
         shape_hw = frame.reduced(settings.overview_factor).shape_hw
         with outputs.database(self.DATABASE) as path, overview_beside(path, shape_hw) as overview:
             with overview:
-                build = frame, table, settings, overview.put
-                if values.has(SCHEDULER):
-                    with workers(values, feedback, before, self._layer.path) as run:
-                        database = self._by_workers(run, *build, feedback)
-                else:
-                    database = self._built(labels, *build, feedback)
+                database = self._built(values, labels, (frame, table, settings), overview.put, feedback)
             degrees = longitudes_latitudes(database.windows.centers, self._layer.crs, values.transform_context)
             styles = database_styles(database.class_table)
             writer = DatabaseWriter(path, database, *degrees, overview, styles)
@@ -195,43 +189,31 @@ class BuildDatabase(SemRefAlgorithm):
         self._say_result(len(windows), references, int((~windows.described).sum()), feedback)
         return {self.WINDOW_COUNT: len(windows), self.REFERENCE_COUNT: references}
 
-    def _by_workers(
-        self,
-        run: Workers,
-        frame: MapFrame,
-        table: ClassTable,
-        settings: BuildSettings,
-        put: OverviewSink,
-        feedback: QgsProcessingFeedback,
-    ) -> ReferenceDatabase:
-        """The database by the workers of SCHEDULER."""
-        from ...core.database.parts import PartsBuilder
-
-        builder = PartsBuilder(frame, table, settings, plugin_version(), run, put)
-        self._say_rounding(builder.grids, frame, settings, feedback)
-        follow(builder.steps(), feedback, 0, 85)
-        return builder.database
-
     def _built(
         self,
+        values: Values,
         labels: GdalLabels,
-        frame: MapFrame,
-        table: ClassTable,
-        settings: BuildSettings,
+        build: tuple[MapFrame, ClassTable, BuildSettings],
         put: OverviewSink,
         feedback: QgsProcessingFeedback,
     ) -> ReferenceDatabase:
-        """The database by this process."""
-        from ...core.database.build import DatabaseBuilder
+        """The database, by the workers of SCHEDULER or by threads of this process."""
+        from ...core.database.build import DatabaseBuilder, level_grids
+        from ...core.database.tasks import Threads
         from ...storage.rasters import HeldLabels
 
-        held = HeldLabels(labels)
-        builder = DatabaseBuilder(labels, frame, table, settings, plugin_version(), put)
-        self._say_rounding(builder.grids, frame, settings, feedback)
-        follow(held.steps(), feedback, 0, 10)
-        builder.read_from(held.source)
-        follow(builder.steps(), feedback, 10, 75)
-        follow(builder.compare_windows(), feedback, 75, 85)
+        frame, _, settings = build
+        self._say_rounding(level_grids(frame.shape_hw, frame.pixel_size, settings), frame, settings, feedback)
+        if values.has(SCHEDULER):
+            with workers(values, feedback, self._before, self._layer.path) as run:
+                builder = DatabaseBuilder(*build, plugin_version(), run, put)
+                follow(builder.steps(), feedback, 0, 85)
+        else:
+            held = HeldLabels(labels)
+            follow(held.steps(), feedback, 0, 10)
+            run = Threads(held.source, worker_threads(), lambda: check_canceled(feedback))
+            builder = DatabaseBuilder(*build, plugin_version(), run, put)
+            follow(builder.steps(), feedback, 10, 85)
         return builder.database
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
@@ -260,7 +242,6 @@ class BuildDatabase(SemRefAlgorithm):
             values.number(self.MINIMUM_AREA),
             tuple(values.numbers(self.LEVELS)) or (1.0,),
             values.integer(self.REFERENCES_PER_VECTOR),
-            threads=worker_threads(),
             map_accuracy=MAP_ACCURACY if accuracy is None else accuracy,
         )
 

@@ -89,6 +89,7 @@ class UpdateDatabase(SemRefAlgorithm):
         self._changed = values.source(self.CHANGED)
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
+        from ...core.database.tasks import Threads
         from ...core.database.update import DatabaseUpdater
         from ...storage.database.editor import DatabaseEditor
         from ...storage.database.reader import read_stored_database
@@ -100,8 +101,9 @@ class UpdateDatabase(SemRefAlgorithm):
         frame = map_frame(labels, self._layer)
         self._check_crs(stored.database)
         self._check_classes(stored.database.class_table, labels)
+        run = Threads(labels, worker_threads(), lambda: check_canceled(feedback))
         updater = DatabaseUpdater(
-            labels, frame, stored.database, self._areas(frame, values, feedback), plugin_version(), worker_threads()
+            labels, frame, stored.database, self._areas(frame, values, feedback), plugin_version(), run
         )
         with outputs.database(self.OUTPUT) as path:
             follow(updater.steps(), feedback, 0, 80)

@@ -82,7 +82,7 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
 
 
 class Workers:
-    """Those of SCHEDULER: a ``core.database.parts.Runner``."""
+    """Those of SCHEDULER: a ``core.database.tasks.Runner``."""
 
     def __init__(self, process: QProcess, folder: str, feedback: QgsProcessingFeedback) -> None:
         """Nothing is asked yet.
@@ -198,7 +198,7 @@ def workers(
         values: Of the algorithm.
         feedback: Takes what the process reports.
         files: That workers read, with their ``storage.file_states.state`` before they were read here.
-        labels: The label map, for tasks of ``core.database.parts``.
+        labels: The label map, for tasks of ``core.database.tasks``.
 
     Raises:
         SemRefError: There are no workers, or a file changed meanwhile.

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import replace
 
 import numpy as np
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.geometry.frame import MapFrame
 from semref.core.geometry.lon_lat import fit_lon_lat
 from semref.core.labels.class_table import ClassTable, LandCoverClass
@@ -50,11 +49,11 @@ def linear(points_xy):
 
 def write_area(path):
     """Writes the map's onboard file."""
-    builder = DatabaseBuilder(ArrayLabels(MAP), FRAME, TABLE, BuildSettings(200.0, 100.0, minimum_area=30.0), "1.2.3")
-    for _ in builder.steps():
-        pass
-    lon_lat = fit_lon_lat(linear, builder.database.parameters.extent)
-    write_onboard(path, replace(builder.database, overview=builder.overview), lon_lat)
+    database = build_from_labels(
+        ArrayLabels(MAP), FRAME, TABLE, BuildSettings(200.0, 100.0, minimum_area=30.0), "1.2.3"
+    )
+    lon_lat = fit_lon_lat(linear, database.parameters.extent)
+    write_onboard(path, database, lon_lat)
 
 
 def copy_core(repository, folder):

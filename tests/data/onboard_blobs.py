@@ -5,12 +5,11 @@ from __future__ import annotations
 import io
 import json
 import zipfile
-from dataclasses import replace
 
 import cv2
 import numpy as np
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.database.model import ReferenceDatabase
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
@@ -43,10 +42,7 @@ MAP = blobs()
 
 
 def build_blobs() -> ReferenceDatabase:
-    builder = DatabaseBuilder(ArrayLabels(MAP), FRAME, TABLE, SETTINGS, "1.2.3")
-    for _ in builder.steps():
-        pass
-    return replace(builder.database, overview=builder.overview)
+    return build_from_labels(ArrayLabels(MAP), FRAME, TABLE, SETTINGS, "1.2.3")
 
 
 def members(path) -> dict:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
@@ -39,10 +37,7 @@ def made_map(count: int = 330, background: int = 4) -> np.ndarray:
 
 
 def built_from(labels: np.ndarray):
-    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, TABLE, BuildSettings(250.0, 125.0, 30.0), "1.2.3")
-    for _ in builder.steps():
-        pass
-    return replace(builder.database, overview=builder.overview)
+    return build_from_labels(ArrayLabels(labels), FRAME, TABLE, BuildSettings(250.0, 125.0, 30.0), "1.2.3")
 
 
 @pytest.fixture(scope="session")

@@ -1,21 +1,20 @@
 """Building a database in memory: what is in it, what it refuses, and stopping half-way."""
 
-import functools
 import re
 import threading
+import time
 
 import cv2
 import numpy as np
 import pytest
 
-from semref.core.database import build
-from semref.core.database.build import BuildSettings, DatabaseBuilder, level_grids
+from semref.core.database.build import BuildSettings, DatabaseBuilder, build_from_labels, level_grids
+from semref.core.database.tasks import Threads
 from semref.core.errors import ClassTableError, LabelMapError, WindowError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
-from semref.core.labels.overview import most_frequent_labels
+from semref.core.labels.overview import HeldOverview, most_frequent_labels
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.catalogue import CatalogueBuilder
 from semref.core.landmarks.landmarks import extract_landmarks
 from semref.core.windows.topology_vector import topology_vector
 
@@ -37,15 +36,14 @@ def blobs(seed=0, height=90, width=110):
     return np.array((0, 2, 3, 5), np.uint8)[smooth.argmax(axis=0)]
 
 
-def builder_of(labels, settings=SETTINGS, table=TABLE, frame=FRAME):
-    return DatabaseBuilder(ArrayLabels(labels), frame, table, settings, "1.2.3")
+def builder_of(labels, settings=SETTINGS, table=TABLE, threads=1):
+    frame = FRAME.of_shape(labels.shape)
+    overview = HeldOverview(frame.reduced(settings.overview_factor).shape_hw)
+    return DatabaseBuilder(frame, table, settings, "1.2.3", Threads(ArrayLabels(labels), threads), overview.put)
 
 
 def built(labels, settings=SETTINGS, table=TABLE, frame=FRAME):
-    builder = builder_of(labels, settings, table, frame)
-    for _ in builder.steps():
-        pass
-    return builder
+    return build_from_labels(ArrayLabels(labels), frame, table, settings, "1.2.3")
 
 
 def refuses(error, sentence):
@@ -59,7 +57,7 @@ def labels():
 
 @pytest.fixture(scope="module")
 def database(labels):
-    return built(labels).database
+    return built(labels)
 
 
 def test_a_minimum_area_beyond_any_map_leaves_no_reference_object(labels):
@@ -152,7 +150,7 @@ def test_windows_with_too_few_references_are_kept_without_a_vector():
     labels = np.zeros((90, 110), np.uint8)
     for column in (2, 12, 22):
         labels[5:9, column : column + 4] = 2
-    windows = built(labels).database.windows
+    windows = built(labels).windows
     described = dict(zip(windows.names.tolist(), windows.described.tolist()))
     assert described.pop("0_0") and not any(described.values())
     counts = dict(zip(windows.names.tolist(), windows.counts.tolist()))
@@ -162,10 +160,10 @@ def test_windows_with_too_few_references_are_kept_without_a_vector():
 
 @pytest.mark.parametrize("levels", [(1.0,), (1.0, 2.0), (0.5, 1.0, 1.5)])
 def test_each_level_has_a_grid_whose_window_and_stride_grow_together(labels, levels):
-    builder = built(labels, BuildSettings(80.0, 36.0, 20.0, levels))
-    windows = builder.database.windows
+    settings = BuildSettings(80.0, 36.0, 20.0, levels)
+    windows = built(labels, settings).windows
     assert sorted(set(windows.levels.tolist())) == list(range(1, len(levels) + 1))
-    for number, (level, grid) in enumerate(zip(levels, builder.grids), start=1):
+    for number, (level, grid) in enumerate(zip(levels, level_grids(labels.shape, PIXEL, settings)), start=1):
         assert (grid.size, grid.stride) == (40 * level, 18 * level)
         assert (windows.levels == number).sum() == len(grid)
         assert set(windows.sizes[windows.levels == number]) == {80.0 * level}
@@ -187,76 +185,56 @@ def test_parameters_tell_how_the_database_was_built(database):
 
 
 def test_window_size_and_stride_are_told_as_they_were_used_in_whole_pixels(labels):
-    parameters = built(labels, BuildSettings(80.9, 35.2, 20.0)).database.parameters
+    parameters = built(labels, BuildSettings(80.9, 35.2, 20.0)).parameters
     assert (parameters.window_size, parameters.stride) == (80.0, 36.0)
 
 
 def test_the_map_hash_changes_with_one_pixel(labels, database):
     changed = labels.copy()
     changed[89, 109] = 3 if labels[89, 109] != 3 else 0
-    hashes = {built(piece).database.parameters.map_hash for piece in (labels, labels.copy(), changed)}
+    hashes = {built(piece).parameters.map_hash for piece in (labels, labels.copy(), changed)}
     assert len(hashes) == 2 and database.parameters.map_hash in hashes
 
 
 def test_the_map_hash_changes_with_the_maps_place_and_shape(labels, database):
     moved = MapFrame(FRAME.crs, (600002.0, *FRAME.geotransform[1:]))
-    assert built(labels, frame=moved).database.parameters.map_hash != database.parameters.map_hash
+    assert built(labels, frame=moved).parameters.map_hash != database.parameters.map_hash
     pixels = labels.ravel()[:5000]
     wide, high = pixels.reshape(50, 100), pixels.reshape(100, 50)
-    assert len({built(piece).database.parameters.map_hash for piece in (wide, high)}) == 2
-
-
-@pytest.mark.parametrize("band_rows", [1, 4, 13, 50])
-def test_the_height_of_the_bands_changes_nothing(monkeypatch, labels, database, band_rows):
-    banded = functools.partial(CatalogueBuilder, band_pixels=band_rows * 110)
-    monkeypatch.setattr(build, "CatalogueBuilder", banded)
-    builder = built(labels)
-    assert builder.database.parameters == database.parameters
-    assert (builder.database.windows.vectors == database.windows.vectors).all()
-    assert builder.database.references.areas_m2.tolist() == database.references.areas_m2.tolist()
-    assert (builder.overview == most_frequent_labels(labels, 4)).all()
+    assert len({built(piece).parameters.map_hash for piece in (wide, high)}) == 2
 
 
 @pytest.mark.parametrize("factor", [1, 3, 4, 16])
 def test_the_overview_is_the_map_reduced(labels, factor):
-    builder = built(labels, BuildSettings(80.0, 36.0, 20.0, overview_factor=factor))
-    assert (builder.overview == most_frequent_labels(labels, factor)).all()
+    database = built(labels, BuildSettings(80.0, 36.0, 20.0, overview_factor=factor))
+    assert (database.overview == most_frequent_labels(labels, factor)).all()
 
 
-def test_threads_change_nothing(labels, database):
-    windows = built(labels, BuildSettings(80.0, 36.0, 20.0, threads=3)).database.windows
-    assert windows.names.tolist() == database.windows.names.tolist()
-    assert (windows.vectors == database.windows.vectors).all()
-
-
-def test_progress_grows_from_nothing_to_all_but_the_distinctiveness(labels):
+def test_progress_grows_from_nothing_to_all(labels):
     shares = [share for _, share in builder_of(labels, BuildSettings(80.0, 8.0, 20.0, (1.0, 1.5))).steps()]
     assert shares == sorted(shares)
-    assert shares[0] >= 0 and shares[-1] == pytest.approx(0.8)
+    assert shares[0] >= 0 and shares[-1] == pytest.approx(1)
 
 
 @pytest.mark.parametrize("steps_taken", [0, 1, 3, 6])
 @pytest.mark.parametrize("threads", [1, 3])
 def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken, threads):
     before = threading.active_count()
-    builder = builder_of(labels, BuildSettings(40.0, 4.0, 20.0, threads=threads))
+    builder = builder_of(labels, BuildSettings(40.0, 4.0, 20.0), threads=threads)
     steps = builder.steps()
     for _ in range(steps_taken):
         next(steps)
     steps.close()
+    until = time.monotonic() + 20
+    while threading.active_count() > before and time.monotonic() < until:
+        time.sleep(0.01)
     assert threading.active_count() == before
     assert builder.database is None
 
 
-def distinctiveness_of(builder):
-    for _ in builder.compare_windows():
-        pass
-    return builder.database.windows.distinctiveness
-
-
 def test_distinctiveness_is_the_distance_to_the_nearest_window_elsewhere(labels):
-    builder = built(labels, BuildSettings(40.0, 20.0, 20.0))
-    found, windows = distinctiveness_of(builder), builder.database.windows
+    windows = built(labels, BuildSettings(40.0, 20.0, 20.0)).windows
+    found = windows.distinctiveness
     for k in np.flatnonzero(windows.described):
         apart = np.abs(windows.centers - windows.centers[k]).max(axis=1) >= 40.0
         vectors = windows.vectors[apart & windows.described].astype(float)
@@ -268,6 +246,6 @@ def test_distinctiveness_is_the_distance_to_the_nearest_window_elsewhere(labels)
 def test_a_window_without_others_or_without_vector_has_no_distinctiveness():
     labels = np.zeros((90, 110), np.uint8)
     labels[5:9, 2:6] = 2
-    assert np.isnan(distinctiveness_of(built(labels))).all()
-    one = distinctiveness_of(built(blobs(), BuildSettings(180.0, 180.0, 20.0)))
+    assert np.isnan(built(labels).windows.distinctiveness).all()
+    one = built(blobs(), BuildSettings(180.0, 180.0, 20.0)).windows.distinctiveness
     assert len(one) == 1 and np.isnan(one).all()

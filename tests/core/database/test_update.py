@@ -1,24 +1,24 @@
 """An updated database is the one that a full rebuild makes, whatever was edited."""
 
 from dataclasses import fields, replace
-from types import SimpleNamespace
 
 import cv2
 import numpy as np
 import pytest
 
 from semref.core.database import changed_regions, update
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.database.model import MapLandmarks, Windows
+from semref.core.database.tasks import Threads
 from semref.core.database.update import DatabaseUpdater
 from semref.core.errors import DatabaseError, LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels import block_hashes as map_hash_module
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.catalogue import measure_region
 from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 from semref.core.landmarks.regions import RegionFinder
+from semref.core.landmarks.tiles import measure_region
 from semref.core.windows import distinctiveness as distinctiveness_module
 
 TABLE = ClassTable(
@@ -76,30 +76,29 @@ MAPS = {"blobs": blobs, "large blobs": lambda seed: blobs(seed, 5.0), "houses": 
 
 
 def built(labels, settings=SETTINGS):
-    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, TABLE, settings, "1.2.3")
-    for steps in (builder.steps(), builder.compare_windows()):
-        for _ in steps:
-            pass
-    return builder
+    return build_from_labels(ArrayLabels(labels), FRAME, TABLE, settings, "1.2.3")
 
 
-def updated(builder, labels, areas=None, frame=FRAME):
-    """(database, overview, changes) after an update; ``builder``: of the map before."""
-    database = builder.database
-    updater = DatabaseUpdater(ArrayLabels(labels), frame, database, areas, "1.2.3")
+def updater_of(source, database, areas=None, frame=FRAME):
+    return DatabaseUpdater(source, frame, database, areas, "1.2.3", Threads(source))
+
+
+def updated(database, labels, areas=None, frame=FRAME):
+    """(database, changes) after an update; ``database``: of the map before."""
+    updater = updater_of(ArrayLabels(labels), database, areas, frame)
     for _ in updater.steps():
         pass
     changes, old = updater.changes, database.references
     kept = np.delete(np.arange(len(old)), changes.removed)
     names = [item.name for item in fields(MapLandmarks)]
     references = {n: np.concatenate([getattr(old, n)[kept], getattr(changes.added, n)]) for n in names}
-    overview = builder.overview.copy()
+    overview = database.overview.copy()
     for column, row, piece in changes.overview:
         overview[row : row + piece.shape[0], column : column + piece.shape[1]] = piece
-    database = replace(
-        database, windows=changes.windows, references=MapLandmarks(**references), parameters=changes.parameters
-    )
-    return database, overview, changes
+    landmarks = MapLandmarks(**references)
+    return replace(
+        database, windows=changes.windows, references=landmarks, parameters=changes.parameters, overview=overview
+    ), changes
 
 
 def in_order(references):
@@ -108,16 +107,16 @@ def in_order(references):
     return rows[np.lexsort(rows.T)]
 
 
-def assert_is_the_rebuild(builder, labels, areas=None):
+def assert_is_the_rebuild(before, labels, areas=None):
     expected = built(labels)
-    database, overview, changes = updated(builder, labels, areas)
+    database, changes = updated(before, labels, areas)
     for item in fields(Windows):
         np.testing.assert_array_equal(
-            getattr(database.windows, item.name), getattr(expected.database.windows, item.name), item.name
+            getattr(database.windows, item.name), getattr(expected.windows, item.name), item.name
         )
-    np.testing.assert_array_equal(in_order(database.references), in_order(expected.database.references))
-    np.testing.assert_array_equal(overview, expected.overview)
-    assert database.parameters == expected.database.parameters
+    np.testing.assert_array_equal(in_order(database.references), in_order(expected.references))
+    np.testing.assert_array_equal(database.overview, expected.overview)
+    assert database.parameters == expected.parameters
     return changes
 
 
@@ -145,11 +144,11 @@ def random_edit(labels, rng):
 def test_random_edits_give_the_rebuild(kind, seed):
     rng = np.random.default_rng(seed)
     labels = MAPS[kind](seed)
-    builder = built(labels)
+    before = built(labels)
     for _ in range(5):
         edited, areas = random_edit(labels, rng)
-        assert_is_the_rebuild(builder, edited, areas)
-        assert_is_the_rebuild(builder, edited)
+        assert_is_the_rebuild(before, edited, areas)
+        assert_is_the_rebuild(before, edited)
 
 
 def test_an_edit_of_nothing_touches_nothing():
@@ -164,10 +163,10 @@ def test_edits_far_apart_and_a_whole_new_map_give_the_rebuild():
     edited = labels.copy()
     for row, column in ((0, 0), (HEIGHT - 3, WIDTH - 4), (70, 95), (72, 99)):
         edited[row : row + 3, column : column + 4] = 5
-    builder = built(labels)
-    changes = assert_is_the_rebuild(builder, edited)
-    assert 0 < len(changes.touched) < len(builder.database.windows)
-    assert_is_the_rebuild(builder, blobs(9))
+    before = built(labels)
+    changes = assert_is_the_rebuild(before, edited)
+    assert 0 < len(changes.touched) < len(before.windows)
+    assert_is_the_rebuild(before, blobs(9))
 
 
 def field_with(*shapes):
@@ -226,20 +225,20 @@ def test_windows_away_from_the_change_are_not_touched_unless_their_nearest_one_i
     labels = rivers(4)
     edited = labels.copy()
     edited[70:80, 80:90] = 2
-    builder = built(labels)
-    changes = assert_is_the_rebuild(builder, edited, [(80, 70, 90, 80)])
+    before = built(labels)
+    changes = assert_is_the_rebuild(before, edited, [(80, 70, 90, 80)])
     for i in changes.touched:
-        column, row = builder.database.windows.first_pixels[i]
-        size = round(builder.database.windows.sizes[i] / PIXEL)
+        column, row = before.windows.first_pixels[i]
+        size = round(before.windows.sizes[i] / PIXEL)
         reached = column < 90 and column + size > 80 and row < 80 and row + size > 70
-        assert reached or changes.windows.distinctiveness[i] != builder.database.windows.distinctiveness[i]
+        assert reached or changes.windows.distinctiveness[i] != before.windows.distinctiveness[i]
 
 
 def test_only_the_changed_areas_are_read():
     labels = houses(2)
     edited = labels.copy()
     edited[70:76, 80:86] = 2
-    builder = built(labels)
+    before = built(labels)
 
     seen = np.zeros(labels.shape, bool)
 
@@ -248,7 +247,7 @@ def test_only_the_changed_areas_are_read():
             seen[row : row + height, column : column + width] = True
             return super().read(column, row, width, height)
 
-    updater = DatabaseUpdater(Watched(edited), FRAME, builder.database, [(80, 70, 86, 76)], "1.2.3")
+    updater = updater_of(Watched(edited), before, [(80, 70, 86, 76)])
     for _ in updater.steps():
         pass
     assert seen[70:76, 80:86].all() and seen.mean() < 0.6
@@ -265,18 +264,17 @@ def test_a_change_in_another_block_is_missed_until_the_whole_map_is_compared():
     labels = houses(2)
     edited = labels.copy()
     edited[70:76, 80:86] = edited[10:16, 80:86] = 2
-    database, overview, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
-    assert database.parameters != built(edited).database.parameters
-    half_way = SimpleNamespace(database=database, overview=overview)
+    half_way, _ = updated(built(labels), edited, [(80, 70, 86, 76)])
+    assert half_way.parameters != built(edited).parameters
     assert_is_the_rebuild(half_way, edited)
 
 
 def test_a_map_that_loses_its_last_reference_object_is_refused():
     labels = np.full((HEIGHT, WIDTH), 3, np.uint8)
     labels[50:60, 50:60] = 2
-    builder = built(labels)
+    before = built(labels)
     with pytest.raises(LabelMapError, match="^The corrected map shows no landmark any more"):
-        updated(builder, np.full_like(labels, 3))
+        updated(before, np.full_like(labels, 3))
 
 
 @pytest.mark.parametrize(
@@ -295,17 +293,15 @@ def test_a_map_that_does_not_fit_is_refused(labels, transform, sentence):
 
 
 def test_databases_without_hashes_or_bounds_or_windows_are_refused():
-    builder = built(houses(0))
-    database = builder.database
+    database = built(houses(0))
     windows = Windows(*(getattr(database.windows, item.name)[1:] for item in fields(Windows)))
     for lacking, sentence in (
         (replace(database, parameters=replace(database.parameters, block_hashes=())), "kept no block hashes"),
         (replace(database, references=replace(database.references, bounds_px=None)), "bounds of landmarks"),
         (replace(database, windows=windows), "windows of level 1 where its grid has"),
     ):
-        builder.database = lacking
         with pytest.raises(DatabaseError, match=sentence):
-            updated(builder, houses(0))
+            updated(lacking, houses(0))
 
 
 # --- what it rests on ---
@@ -344,7 +340,7 @@ def test_distances_do_not_depend_on_what_else_is_compared():
     vectors = np.round(rng.random((300, 30)), 1).astype(np.float32)
     vectors[100:] = vectors[:200] + rng.choice((0, 1e-6, -1e-6), (200, 30)).astype(np.float32)
     windows = vectors, rng.uniform(0, 2000, (300, 2)), np.full(300, 50.0)
-    found = np.concatenate([d for _, d in distinctiveness_module.distinctiveness(*windows)])
+    found = np.concatenate([d for _, d in distinctiveness_module.nearest_distances(windows, windows)])
     for i in range(0, 300, 13):
         single = [part[i : i + 1] for part in windows]
         [(_, distances)] = distinctiveness_module.nearest_distances(single, windows)

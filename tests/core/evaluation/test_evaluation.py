@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import ParameterError
 from semref.core.evaluation.evaluation import (
     MAP,
@@ -51,11 +51,8 @@ LABELS = scattered()
 @pytest.fixture(scope="module")
 def database():
     frame = MapFrame.at((WEST, NORTH), 1.0)
-    settings = BuildSettings(160.0, 40.0, 30.0, (1.0,), 10, threads=1)
-    builder = DatabaseBuilder(ArrayLabels(LABELS), frame, TABLE, settings, "0")
-    for _ in builder.steps():
-        continue
-    return builder.database
+    settings = BuildSettings(160.0, 40.0, 30.0, (1.0,), 10)
+    return replace(build_from_labels(ArrayLabels(LABELS), frame, TABLE, settings, "0"), overview=None)
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.flight.model import FlightImage
 from semref.core.flight.motion import Link, as_rows
 from semref.core.flight.settings import FLIGHT
@@ -84,10 +84,8 @@ def labels():
 
 @pytest.fixture(scope="package")
 def localizer(labels):
-    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, TABLE, BuildSettings(288.0, 144.0, 400.0), "0")
-    for _ in builder.steps():
-        pass
-    return Localizer(replace(builder.database, overview=builder.overview))
+    database = build_from_labels(ArrayLabels(labels), FRAME, TABLE, BuildSettings(288.0, 144.0, 400.0), "0")
+    return Localizer(database)
 
 
 @pytest.fixture(scope="package")

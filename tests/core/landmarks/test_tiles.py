@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.catalogue import measure_region
 from semref.core.landmarks.landmarks import extract_landmarks, objects_from_rows, rows_array, rows_from_objects
-from semref.core.landmarks.tiles import crossing_regions, tile_landmarks
+from semref.core.landmarks.tiles import crossing_regions, measure_region, tile_landmarks
 
 VALUES = (2, 5, 9)
 

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
@@ -54,10 +54,8 @@ GROUND, HOUSES = patches(1), houses(2)
 def localizer_of(ground: np.ndarray, built: np.ndarray, with_overview: bool = True) -> Localizer:
     labels = np.where(built, 1, ground).astype(np.uint8)
     frame = MapFrame("a metric CRS", (ORIGIN[0], 1.0, 0.0, ORIGIN[1], 0.0, -1.0))
-    builder = DatabaseBuilder(ArrayLabels(labels), frame, TABLE, BuildSettings(SIZE, SIZE, 60.0), "0")
-    for _ in builder.steps():
-        pass
-    return Localizer(replace(builder.database, overview=builder.overview if with_overview else None))
+    database = build_from_labels(ArrayLabels(labels), frame, TABLE, BuildSettings(SIZE, SIZE, 60.0), "0")
+    return Localizer(database if with_overview else replace(database, overview=None))
 
 
 @pytest.fixture(scope="module")

@@ -1,12 +1,13 @@
 """The published method from label image to position: what is found, and the sentence where nothing is."""
 
 import re
+from dataclasses import replace
 
 import cv2
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import DatabaseError, LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
@@ -33,10 +34,8 @@ def blobs(seed=0, height=160, width=200):
 
 
 def localizer_of(labels, settings=SETTINGS):
-    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, TABLE, settings, "0")
-    for _ in builder.steps():
-        pass
-    return Localizer(builder.database), builder.database.windows
+    database = replace(build_from_labels(ArrayLabels(labels), FRAME, TABLE, settings, "0"), overview=None)
+    return Localizer(database), database.windows
 
 
 def with_blocks(shape, *blocks):

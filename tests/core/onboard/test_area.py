@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from semref.core.database.build import BuildSettings, DatabaseBuilder
+from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import DatabaseError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
@@ -27,10 +27,7 @@ def database():
         for column in range(2, 396, 10):
             labels[row : row + 4, column : column + 4] = 1
     table = ClassTable((LandCoverClass(1, "building", "#ff0000", "reference"),))
-    builder = DatabaseBuilder(ArrayLabels(labels), FRAME, table, BuildSettings(120.0, 40.0, 28.0), "1.2.3")
-    for _ in builder.steps():
-        pass
-    return replace(builder.database, overview=builder.overview)
+    return build_from_labels(ArrayLabels(labels), FRAME, table, BuildSettings(120.0, 40.0, 28.0), "1.2.3")
 
 
 def within(points_xy, margin):

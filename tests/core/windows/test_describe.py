@@ -1,13 +1,11 @@
 """All windows at once are described as each one by itself: against a plain OpenCV computation written here."""
 
 import math
-import threading
 
 import cv2
 import numpy as np
 import pytest
 
-from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks
 from semref.core.windows.describe import describe_windows
 from semref.core.windows.grid import WindowGrid
@@ -68,21 +66,16 @@ def plain_windows(labels_hw, size, stride, minimum_area, references_per_vector):
     return windows
 
 
-def described_windows(labels_hw, size, stride, minimum_area, references_per_vector=10, **options):
-    """The same from SemRef, and the order in which the windows came."""
+def described_windows(labels_hw, size, stride, minimum_area, references_per_vector=10):
+    """The same from SemRef."""
     height, width = labels_hw.shape
     objects = extract_landmarks(labels_hw, VALUES, minimum_area)
     grid = WindowGrid(width, height, size, stride)
-    windows, order = {}, []
-    for described in describe_windows(
-        ArrayLabels(labels_hw), grid, objects, VALUES, minimum_area, references_per_vector, **options
-    ):
-        assert described.vectors.dtype == np.float32
-        for k, name in enumerate(zip(described.columns.tolist(), described.rows.tolist())):
-            windows[name] = int(described.counts[k]), described.vectors[k]
-            order.append(name)
-    assert len(order) == len(windows) == len(grid)
-    return windows, order
+    found = describe_windows(labels_hw, grid, objects, VALUES, minimum_area, references_per_vector)
+    assert found.vectors.dtype == np.float32
+    names = list(zip(found.columns.tolist(), found.rows.tolist()))
+    assert names == [(column, row) for row in grid.rows.tolist() for column in grid.columns.tolist()]
+    return {name: (int(found.counts[k]), found.vectors[k]) for k, name in enumerate(names)}
 
 
 def assert_same(found, expected):
@@ -172,7 +165,7 @@ def test_windows_are_described_as_the_plain_computation_describes_each_by_itself
     side = (44, 52) if stride == 1 else (79, 101)
     labels = make_map(size + stride, *side)
     expected = plain_windows(labels, size, stride, 4.0, 10)
-    found, _ = described_windows(labels, size, stride, 4.0)
+    found = described_windows(labels, size, stride, 4.0)
     assert_same(found, expected)
 
 
@@ -181,43 +174,8 @@ def test_windows_are_described_as_the_plain_computation_describes_each_by_itself
 def test_vector_length_and_minimum_area_are_those_of_the_plain_computation(minimum_area, references_per_vector):
     labels = snakes(7, 80, 90)
     expected = plain_windows(labels, 40, 9, minimum_area, references_per_vector)
-    found, _ = described_windows(labels, 40, 9, minimum_area, references_per_vector)
+    found = described_windows(labels, 40, 9, minimum_area, references_per_vector)
     assert_same(found, expected)
-
-
-@pytest.mark.parametrize("strip_pixels", [1, 32 * 32 + 1, 32 * 48, 32 * 70])
-@pytest.mark.parametrize("stride", [5, 32])
-def test_column_blocks_change_nothing(strip_pixels, stride):
-    labels = snakes(11, 80, 110)
-    whole, _ = described_windows(labels, 32, stride, 4.0)
-    in_blocks, order = described_windows(labels, 32, stride, 4.0, strip_pixels=strip_pixels)
-    assert order != sorted(order, key=lambda name: (name[1], name[0])), "the map was not cut into blocks"
-    assert_same(in_blocks, whole)
-
-
-@pytest.mark.slow
-@each_map
-def test_threads_change_neither_the_windows_nor_their_order(make_map):
-    labels = make_map(3, 120, 110)
-    alone, order = described_windows(labels, 30, 4, 4.0, threads=1)
-    together, order_together = described_windows(labels, 30, 4, 4.0, threads=3)
-    assert order_together == order
-    assert all(alone[name][0] == together[name][0] for name in order)
-    assert all((alone[name][1] == together[name][1]).all() for name in order)
-
-
-def test_only_the_calling_thread_reads_the_map():
-    labels = blobs(2, 120, 100)
-    readers = set()
-
-    class Watched(ArrayLabels):
-        def read(self, *piece):
-            readers.add(threading.get_ident())
-            return super().read(*piece)
-
-    objects = extract_landmarks(labels, VALUES, 4.0)
-    list(describe_windows(Watched(labels), WindowGrid(100, 120, 30, 4), objects, VALUES, 4.0, 10, threads=3))
-    assert readers == {threading.get_ident()}
 
 
 def test_regular_plots_are_described_in_the_window_as_in_the_image_cut_there():
@@ -226,5 +184,5 @@ def test_regular_plots_are_described_in_the_window_as_in_the_image_cut_there():
     for row in range(3, 150, 12):
         for column in range(3, 150, 12):
             cv2.fillPoly(labels, [np.array([[column, row], [column + 5, row], [column, row + 5]], np.int32)], 5)
-    found, _ = described_windows(labels, 60, 12, 4.0)
+    found = described_windows(labels, 60, 12, 4.0)
     assert_same(found, plain_windows(labels, 60, 12, 4.0, 10))

@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 
 from semref.core.windows import distinctiveness as module
-from semref.core.windows.distinctiveness import distinctiveness
+from semref.core.windows.distinctiveness import nearest_distances
 
 NEARLY = 1e-12
 
 
 def all_at_once(vectors, centers, sizes):
     found = np.full(len(vectors), -1.0)
-    for block, distances in distinctiveness(vectors, centers, sizes):
+    windows = vectors, centers, sizes
+    for block, distances in nearest_distances(windows, windows):
         assert (found[block] == -1).all() and len(distances) == block.stop - block.start
         found[block] = distances
     return found

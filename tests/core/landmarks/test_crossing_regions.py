@@ -4,29 +4,24 @@ import cv2
 import numpy as np
 import pytest
 
-from semref.core.labels.sources import ArrayLabels, RollingRows
+from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks import border_following
-from semref.core.landmarks.catalogue import CatalogueBuilder
-from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
+from semref.core.landmarks.landmarks import extract_landmarks, objects_from_rows, rows_array, rows_from_objects
+from semref.core.landmarks.tiles import crossing_regions, measure_region, tile_landmarks
 
 VALUES = (2, 5, 9)
 WIDTH = 90
 
 
-def catalogue(labels_hw, band_rows, patch_pixels=10**9, minimum_area=1.0, band_multiple=1):
-    builder = CatalogueBuilder(
-        ArrayLabels(labels_hw),
-        VALUES,
-        minimum_area,
-        band_pixels=band_rows * labels_hw.shape[1],
-        patch_pixels=patch_pixels,
-        band_multiple=band_multiple,
-    )
-    bands = list(builder.bands())
-    assert len(bands) == builder.band_count
-    left = list(builder.crossing())
-    assert left == list(range(len(left) - 1, -1, -1))
-    return builder.objects
+def catalogue(labels_hw, band_rows, patch_pixels=10**9, minimum_area=1.0):
+    source = ArrayLabels(labels_hw)
+    bands = [
+        tile_landmarks(labels_hw[first : first + band_rows], (0, first), labels_hw.shape, VALUES, minimum_area)
+        for first in range(0, len(labels_hw), band_rows)
+    ]
+    crossing = (measure_region(source, *found, minimum_area, patch_pixels) for found in crossing_regions(bands))
+    rows = rows_array([row for row in crossing if row is not None])
+    return objects_from_rows(np.concatenate([rows, *(band.rows for band in bands)]), labels_hw.shape)
 
 
 def assert_equal_to_the_whole(objects, labels_hw, minimum_area=1.0):
@@ -177,53 +172,7 @@ def test_maps_of_any_shape_can_be_read_in_bands(shape):
         assert_equal_to_the_whole(catalogue(labels, band_rows, 0, 0.5), labels, 0.5)
 
 
-@pytest.mark.parametrize(
-    ("band_rows", "multiple", "rows"), [(1, 1, 1), (1, 4, 4), (10, 4, 8), (10, 20, 20), (999, 4, 80)]
-)
-def test_band_heights_are_multiples_of_what_is_asked(band_rows, multiple, rows):
-    labels = blobs(2.0)
-    builder = CatalogueBuilder(ArrayLabels(labels), VALUES, 1.0, band_pixels=band_rows * WIDTH, band_multiple=multiple)
-    bands = list(builder.bands())
-    assert [first for first, _ in bands] == list(range(0, 80, rows))
-    assert (np.concatenate([band for _, band in bands]) == labels).all()
-    assert_equal_to_the_whole(catalogue(labels, band_rows, band_multiple=multiple), labels)
-
-
 def test_what_is_traced_is_equal_across_the_blocks_it_is_read_in(monkeypatch):
     monkeypatch.setattr(border_following, "_REACH", 5)
     for labels in (snakes(4), spiral(), one_region()):
         assert_equal_to_the_whole(catalogue(labels, 11, 0), labels)
-
-
-def test_a_map_is_read_once_but_for_what_crosses_bands():
-    labels = np.zeros((100, 100), np.uint8)
-    labels[10:15, 10:15] = labels[18:23, 50:60] = 5
-    pieces = []
-
-    class Watched(ArrayLabels):
-        def read(self, *piece):
-            pieces.append(piece)
-            return super().read(*piece)
-
-    builder = CatalogueBuilder(Watched(labels), VALUES, 1.0, band_pixels=2000)
-    list(builder.bands())
-    assert pieces == [(0, row, 100, 20) for row in range(0, 100, 20)]
-    list(builder.crossing())
-    assert pieces[5:] == [(50, 18, 10, 5)]
-    assert_equal_to_the_whole(builder.objects, labels)
-
-
-@pytest.mark.parametrize(("height", "stride"), [(1, 1), (7, 3), (40, 40), (80, 1), (50, 9)])
-def test_rolling_rows_show_the_map_and_read_each_row_once(height, stride):
-    labels = np.random.default_rng(0).integers(0, 256, (700, 30), dtype=np.uint8)
-    read_rows = []
-
-    class Watched(ArrayLabels):
-        def read(self, column, row, width, height):
-            read_rows.extend(range(row, row + height))
-            return super().read(column, row, width, height)
-
-    rolling = RollingRows(Watched(labels), 4, 20, height)
-    for row in range(0, 700 - height + 1, stride):
-        assert (rolling.strip(row) == labels[row : row + height, 4:24]).all()
-    assert read_rows == list(range(len(read_rows)))

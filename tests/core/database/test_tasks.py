@@ -1,0 +1,155 @@
+"""A build gives the same database, however it is cut into tasks, whoever does them and in whatever order."""
+
+import threading
+import time
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from semref.core.database import build
+from semref.core.database.build import BuildSettings, DatabaseBuilder, tile_boxes, window_boxes
+from semref.core.database.tasks import TASKS, Threads
+from semref.core.errors import LabelMapError
+from semref.core.geometry.frame import MapFrame
+from semref.core.labels.class_table import ClassTable, LandCoverClass
+from semref.core.labels.overview import HeldOverview
+from semref.core.labels.sources import ArrayLabels
+from semref.core.windows.grid import WindowGrid
+
+TABLE = ClassTable(
+    (LandCoverClass(2, "building", "#ff0000", "reference"), LandCoverClass(5, "water", "#0000ff", "reference"))
+)
+FRAME = MapFrame("a metric CRS", (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
+SETTINGS = BuildSettings(window_size=200.0, stride=74.0, minimum_area=20.0, levels=(1.0, 2.5))
+
+
+def landscape(height=1300, width=1150, seed=0):
+    noise = np.random.default_rng(seed).random((3, height, width)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), 9) for layer in noise])
+    return np.array((0, 2, 5), np.uint8)[smooth.argmax(axis=0)]
+
+
+LABELS = landscape()
+
+
+def wait_until(holds):
+    until = time.monotonic() + 20
+    while not holds() and time.monotonic() < until:
+        time.sleep(0.01)
+    assert holds()
+
+
+class Loop:
+    """Does the tasks here, the last first, as machines of unequal speed might."""
+
+    def __init__(self, labels):
+        self._source = ArrayLabels(labels)
+        self.done = []
+
+    def __call__(self, task, calls, shared=()):
+        self.done.append(task)
+        for number, arguments in list(enumerate(calls))[::-1]:
+            yield number, TASKS[task](self._source, *shared, *arguments)
+
+
+def built(run, labels, settings=SETTINGS):
+    frame = FRAME.of_shape(labels.shape)
+    overview = HeldOverview(frame.reduced(settings.overview_factor).shape_hw)
+    builder = DatabaseBuilder(frame, TABLE, settings, "1.2.3", run, overview.put)
+    shares = [share for _, share in builder.steps()]
+    assert shares == sorted(shares) and shares[-1] == pytest.approx(1)
+    return replace(builder.database, overview=overview.labels)
+
+
+@pytest.fixture
+def whole():
+    """The database of tasks that have all of the map."""
+    return built(Threads(ArrayLabels(LABELS)), LABELS)
+
+
+@pytest.fixture
+def small_pieces(monkeypatch, whole):
+    monkeypatch.setattr(build, "TILE_WIDTH", 512)
+    monkeypatch.setattr(build, "TILE_PIXELS", 512 * 512)
+    monkeypatch.setattr(build, "SHARED_HEIGHT", 0.0)
+    monkeypatch.setattr(build, "REGIONS_A_TASK", 3)
+    monkeypatch.setattr(build, "COMPARED_A_TASK", 7)
+
+
+def assert_equal(one, other):
+    for group in ("windows", "references"):
+        for name, value in vars(getattr(one, group)).items():
+            np.testing.assert_array_equal(value, getattr(getattr(other, group), name), err_msg=name)
+    assert one.parameters == other.parameters and one.class_table == other.class_table
+    np.testing.assert_array_equal(one.overview, other.overview)
+
+
+@pytest.mark.usefixtures("small_pieces")
+@pytest.mark.parametrize("runner", [Loop, lambda labels: Threads(ArrayLabels(labels), 3)], ids=["loop", "threads"])
+def test_a_build_in_small_pieces_by_any_runner_is_that_of_large_ones_to_the_last_bit(whole, runner):
+    assert len(whole.windows) > 200 and len(whole.references) > 100
+    assert_equal(built(runner(LABELS), LABELS), whole)
+
+
+def test_wide_maps_have_blocks_of_columns_one_after_the_other(monkeypatch):
+    settings = replace(SETTINGS, levels=(1.0,))
+    narrow = built(Loop(LABELS), LABELS, settings).windows
+    monkeypatch.setattr(build, "STRIP_PIXELS", 30_000)
+    wide = built(Loop(LABELS), LABELS, settings).windows
+    columns, rows = wide.first_pixels.T.tolist()
+    block = np.cumsum(np.diff(rows, prepend=0) < 0)
+    assert block[-1] > 2 and np.array_equal(np.lexsort((columns, rows, block)), np.arange(len(wide)))
+    order = [wide.names.tolist().index(name) for name in narrow.names.tolist()]
+    np.testing.assert_array_equal(wide.vectors[order], narrow.vectors)
+    np.testing.assert_array_equal(wide.distinctiveness[order], narrow.distinctiveness)
+
+
+def test_a_map_without_landmarks_is_refused():
+    with pytest.raises(LabelMapError, match="no landmark|No region"):
+        built(Loop(np.zeros((600, 600), np.uint8)), np.zeros((600, 600), np.uint8))
+
+
+def test_what_a_check_raises_ends_threads_that_are_in_the_midst_of_a_task(monkeypatch):
+    started, ended = threading.Event(), []
+
+    def endless(source):
+        started.set()
+        try:
+            while True:
+                source.read(0, 0, 1, 1)
+        finally:
+            ended.append(True)
+
+    def check():
+        if started.is_set():
+            raise KeyError("canceled")
+
+    monkeypatch.setitem(TASKS, "scan", endless)
+    with pytest.raises(KeyError, match="canceled"):
+        list(Threads(ArrayLabels(LABELS), 2, check)("scan", [()] * 5))
+    wait_until(lambda: ended)
+    assert len(ended) < 5
+
+
+@pytest.mark.parametrize("shape", [(300, 200), (1300, 1150), (5000, 20_000)])
+@pytest.mark.parametrize("factor", [1, 3, 4])
+def test_tiles_cover_the_map_once_and_begin_with_whole_blocks(shape, factor):
+    covered = np.zeros((shape[0] // 10, shape[1] // 10), int)
+    for column, row, width, height in tile_boxes(shape, factor):
+        assert column % 512 == row % 512 == column % factor == row % factor == 0
+        covered[-(-row // 10) : -(-(row + height) // 10), -(-column // 10) : -(-(column + width) // 10)] += 1
+    assert (covered == 1).all()
+
+
+@pytest.mark.usefixtures("small_pieces")
+def test_each_window_belongs_to_one_part():
+    grid = WindowGrid(1150, 1300, 100, 37)
+    found = [
+        (x, y)
+        for column, row, width, height in window_boxes(grid)
+        for x in (column + WindowGrid(width, height, 100, 37).columns).tolist()
+        for y in (row + WindowGrid(width, height, 100, 37).rows).tolist()
+    ]
+    assert sorted(found) == sorted((x, y) for x in grid.columns.tolist() for y in grid.rows.tolist())
