@@ -231,13 +231,3 @@ def test_diagnostics_are_copied_from_the_menu_with_the_last_messages_of_semref(p
     assert "SemRef: ~/maps.gpkg is damaged." in text
     assert "another plugin" not in text
     assert "on the clipboard" in iface.bar.currentItem().text()
-
-
-def test_diagnostics_are_copied_from_the_options_page(page):
-    from qgis.core import QgsApplication
-
-    QgsApplication.clipboard().setText("")
-    page.diagnostics.click()
-    assert QgsApplication.clipboard().text().startswith("SemRef ")
-    assert "on the clipboard" in page.state.text()
-    keep_picture(page, "components_page_diagnostics")

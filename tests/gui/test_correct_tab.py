@@ -131,11 +131,6 @@ def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
     assert tab.places.rowCount() == 4 and tab.progress.text() == "1 of 4 done"
 
 
-def test_layers_without_severity_have_no_information_to_leave_out(tab, add_layer):
-    tab.layer.setLayer(add_layer("disagreements"))
-    assert not tab.mend.isEnabled() and tab.places.rowCount() == 2
-
-
 def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add_layer):
     from qgis.core import QgsProject, QgsVectorLayer
 
@@ -149,12 +144,6 @@ def test_only_layers_of_places_are_offered_and_one_that_comes_is_chosen(tab, add
     assert [tab.layer.layer(row) for row in range(tab.layer.count())] == [None, found]
     assert tab.updating.annotation.currentLayer() == cover
     assert tab.updating.class_field.currentField() == "class"
-
-
-def test_headings_are_there_before_a_choice(tab):
-    header = [tab.places.horizontalHeaderItem(column).text() for column in range(tab.places.columnCount())]
-    assert header == ["", "Kind", "Message", "Position"]
-    assert tab.places.horizontalHeaderItem(0).toolTip() == "Severity"
 
 
 # --- in the dock ---
@@ -250,17 +239,6 @@ def test_a_done_place_leaves_the_list_of_what_is_open(dock, issues):
     assert tab.text.text() == "All places are done." and not tab.done.isEnabled()
     tab.open.setChecked(False)
     assert listed(tab) == ["overlap", "gap between neighbors", "sliver"]
-
-
-def test_messages_have_two_lines(dock, issues):
-    places = dock.content.correct.places
-    assert places.rowHeight(0) >= 2 * places.fontMetrics().lineSpacing()
-
-
-def test_the_path_of_a_database_may_be_typed_letter_by_letter(tab):
-    for path in ("/", "/d", ".", "", "/data/area.gpkg"):
-        tab.updating.use_database(path)
-        assert not tab.updating.undo.isVisibleTo(tab)
 
 
 def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_left(qgis_app):
@@ -372,18 +350,6 @@ def test_repair_all_edits_the_annotation_in_one_step_that_can_be_undone(dock, an
     annotation.undoStack().redo()
     assert annotation.commitChanges() and shapes(annotation) == after
     assert listed(tab) == ["no class"]
-
-
-def test_repairing_what_is_repaired_changes_nothing(dock, annotation, found, monkeypatch):
-    tab = dock.content.correct
-    settle()
-    tab.layer.setLayer(found)
-    press_repair(tab, monkeypatch, "Yes")
-    annotation.commitChanges()
-    tab._done.clear()
-    tab._fill()
-    press_repair(tab, monkeypatch, "Yes")
-    assert "0 polygons changed, 0 added, 0 removed" in tab.text.text()
 
 
 def test_a_layer_that_can_t_be_edited_is_not_repaired_and_says_so(dock, iface, annotation, found, monkeypatch):

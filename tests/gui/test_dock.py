@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import time
 
 import pytest
@@ -57,15 +56,6 @@ def test_a_bug_gives_one_sentence_and_is_logged_whole(dock, iface, area, monkeyp
     assert "Traceback" not in messages(iface)[0]
 
 
-def test_a_missing_package_is_named(dock, iface, area, monkeypatch, tab):
-    from semref.processing.packages import components
-
-    monkeypatch.setattr(components, "missing", lambda _packages: [components.OPENCV])
-    start(dock, area.database, [area.image])
-    assert not tab.run.running
-    assert "OpenCV" in messages(iface)[0] or "opencv" in messages(iface)[0]
-
-
 @pytest.mark.parametrize("begun", [False, True])
 def test_unloading_while_a_run_works_leaves_nothing(plugin, dock, iface, area, slow, begun, tab):
     from qgis.core import QgsApplication
@@ -77,25 +67,6 @@ def test_unloading_while_a_run_works_leaves_nothing(plugin, dock, iface, area, s
     wait_until(lambda: QgsApplication.taskManager().countActiveTasks() == 0, "the end of the task")
     settle()
     assert iface.leftovers() == []
-
-
-def test_five_loads_and_unloads_leave_nothing(plugin, iface, area):
-    from qgis.PyQt.QtWidgets import QDockWidget
-
-    plugin.unload()
-    settle()
-    bare_canvas = len(iface.canvas.scene().items())
-    for _ in range(5):
-        plugin.initGui()
-        iface.tool_bar_actions[0].trigger()
-        localize(iface.docks[0], area.database, [area.image])
-        assert shown_outline(iface) is not None
-        plugin.unload()
-        settle()
-    gc.collect()
-    assert iface.leftovers() == []
-    assert iface.window.findChildren(QDockWidget) == []
-    assert len(iface.canvas.scene().items()) == bare_canvas
 
 
 def test_closing_the_dock_takes_the_hit_off_the_map_until_it_is_opened_again(dock, iface, area):

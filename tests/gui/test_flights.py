@@ -100,12 +100,6 @@ def test_saved_results_bring_the_track_back(flown, tmp_path):
     assert [finding.source for finding in read_findings(layers)][BLANK] == "flight"
 
 
-def test_images_each_by_itself_draw_no_track(dock, tab, area):
-    start(dock, area.database, [area.image])
-    wait_until(lambda: not tab.run.running, "the end of the run")
-    assert tab.hit.track.drawn("track").isEmpty() and not tab.results.play.isVisible()
-
-
 def test_photos_taken_one_after_the_other_are_offered_as_a_flight(tab, tmp_path):
     for number in range(4):
         write_photo(tmp_path / f"{number}.jpg", f"2025:05:09 10:0{number}:00")

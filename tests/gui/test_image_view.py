@@ -120,16 +120,3 @@ def test_going_through_many_images_quickly_reads_the_first_and_the_last(dock, ar
     go_on.set()
     wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
     assert read == ["00.tif", "29.tif"]
-
-
-def test_pictures_need_no_conversion_to_be_shown(qgis_app):
-    """Qt would convert them in its thread pool, which the main thread must never wait for."""
-    import numpy as np
-    from qgis.PyQt.QtGui import QColor, QImage
-
-    from semref.ui.tabs.localize.picture import label_picture
-
-    image = label_picture(np.array([[0, 1], [2, 1]], np.uint8), {1: (250, 20, 30), 2: (1, 2, 200)})
-    assert image.format() == QImage.Format.Format_ARGB32_Premultiplied
-    assert image.pixelColor(1, 0) == QColor(250, 20, 30) and image.pixelColor(0, 1) == QColor(1, 2, 200)
-    assert image.pixelColor(0, 0).alpha() == 0

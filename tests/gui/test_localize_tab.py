@@ -22,7 +22,6 @@ from dock_area import (
     localize,
     messages,
     rubber_bands,
-    settle,
     shown_center,
     shown_outline,
     start,
@@ -62,19 +61,6 @@ def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
     assert "lon, lat: 7.6" in details
 
 
-def test_the_automatic_method_tells_heading_pixel_size_and_error(dock, iface, area, tab):
-    choose_method(dock, AUTOMATIC)
-    localize(dock, area.database, [area.image])
-    ((image, probability, error, heading, status, window, distance),) = table(dock)
-    assert (image, status, window, distance) == ("on_window.tif", "Fix", "", "")
-    assert probability == "below 1 in 10,000"
-    # The map states no accuracy: 1.1 m are taken for it.
-    assert 0 < float(error) < 3 and heading in ("0.0", "360.0")
-    details = tab.results.details.toPlainText()
-    assert "heading" in details and "pixel size 1 m" in details and "(95 %)" in details
-    assert corners(shown_outline(iface)) == pytest.approx(corners(cut_extent()), abs=0.5)
-
-
 def test_the_method_is_remembered(dock, qgis_app):
     from semref.ui.tabs.localize.inputs import MethodRow
 
@@ -105,14 +91,6 @@ def test_the_outline_follows_the_canvas_into_another_crs(dock, iface, area):
 def test_the_canvas_moves_to_the_selected_hit(dock, iface, area):
     localize(dock, area.database, [area.image])
     assert iface.canvas.extent().contains(cut_extent())
-
-
-def test_the_canvas_stays_when_zooming_is_switched_off(dock, iface, area, tab):
-    before = corners(iface.canvas.extent())
-    tab.results.zoom.setChecked(False)
-    localize(dock, area.database, [area.image])
-    assert shown_outline(iface) is not None
-    assert corners(iface.canvas.extent()) == before
 
 
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area, tab):
@@ -178,45 +156,6 @@ def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):
     assert tab.state.text() == "Canceled."
     assert tab.localize_button.text() == "Localize"
     assert (table(dock), messages(iface)) == ([], [])
-
-
-@pytest.fixture
-def failures_said(iface):
-    """QGIS's window says of each task that was terminated that it failed, if the task is not silent."""
-    from qgis.core import QgsApplication, QgsTask
-
-    def say(number: int, status) -> None:
-        task = manager.task(number)
-        is_silent = hasattr(QgsTask.Flag, "Silent") and task.flags() & QgsTask.Flag.Silent
-        if status == QgsTask.TaskStatus.Terminated and not is_silent:
-            said.append(task.description())
-            iface.bar.pushInfo("Task failed", task.description())
-
-    said, manager = [], QgsApplication.taskManager()
-    manager.statusChanged.connect(say)
-    yield said
-    manager.statusChanged.disconnect(say)
-
-
-def test_a_canceled_run_did_not_fail(dock, iface, area, slow, tab, failures_said):
-    from qgis.core import Qgis
-
-    start(dock, area.database, [area.image])
-    wait_until(lambda: tab.progress.value() > 0, "progress")
-    iface.bar.pushInfo("Task failed", "Another plugin’s")
-    tab.localize_button.click()
-    wait_until(lambda: not tab.run.running, "the end of the run")
-    settle()
-    assert tab.state.text() == "Canceled."
-    assert failures_said == (["Localizing images"] if Qgis.QGIS_VERSION_INT < 32600 else [])
-    assert messages(iface) == ["Another plugin’s"]
-
-
-def test_a_cancel_before_the_run_has_begun_ends_it_too(dock, area, slow, tab):
-    start(dock, area.database, [area.image])
-    tab.localize_button.click()
-    wait_until(lambda: not tab.run.running, "the end of the run")
-    assert tab.state.text() == "Canceled."
 
 
 def test_results_are_saved_to_a_file_and_its_positions_join_the_project(dock, area, tab, tmp_path, monkeypatch):
@@ -339,17 +278,6 @@ def test_a_key_goes_from_image_to_image(dock, iface, area, tab):
     assert names == ["broken.tif", "on_window.tif", "broken.tif"]
     tab.results.after.click()
     assert tab.results.table.selected().name == "on_window.tif"
-
-
-def test_the_search_circle_follows_the_canvas_into_another_crs(dock, iface, area, tab):
-    from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
-
-    tab.prior.set_circle(QgsPointXY(400_100, 5_399_900), QgsPointXY(400_160, 5_399_900))
-    before = tab.prior.parameters()
-    iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem("EPSG:3857"))
-    (circle,) = rubber_bands(iface, "Polygon")
-    assert abs(circle.boundingBox().center().x() - 400_100) > 100_000
-    assert tab.prior.parameters() == before
 
 
 def test_a_leveled_image_is_laid_on_the_map_as_the_trapezoid_it_shows(dock, area, tab):

@@ -78,15 +78,6 @@ def test_what_is_no_model_says_so_and_can_t_be_used(dialog):
     assert not dialog.use.isEnabled() and dialog.models.path() == ""
 
 
-def test_the_window_says_where_more_models_come_from(dialog):
-    assert "Deepness" in dialog.models.where.text() and "models.md" in dialog.models.where.text()
-
-
-def test_a_folder_that_is_not_there_leaves_the_model_that_ships(dialog, folder):
-    dialog.models.folder.setFilePath(str(folder / "nowhere"))
-    assert [row[0] for row in rows(dialog)] == ["Sample area (made up)"]
-
-
 def test_a_folder_whose_name_no_system_takes_leaves_the_model_that_ships(dialog):
     dialog.models.folder.setFilePath("/" + "long" * 2000)
     assert [row[0] for row in rows(dialog)] == ["Sample area (made up)"]

@@ -122,15 +122,6 @@ def test_results_go_with_their_database_and_come_back_with_it(dock, iface, area,
     assert table(dock) == shown and shown_outline(iface) is not None and tab.state_now().results
 
 
-def test_results_go_with_their_model(dock, area, tab):
-    localize(dock, area.database, [area.image])
-    shown = table(dock)
-    tab.images.model.setFilePath("/models/other.onnx")
-    assert table(dock) == []
-    tab.images.model.setFilePath("")
-    assert table(dock) == shown
-
-
 def test_other_images_leave_the_results_where_they_are(dock, area, tab):
     localize(dock, area.database, [area.image])
     shown = table(dock)

@@ -53,19 +53,6 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_error_probab
     assert second[0] == "broken.tif · Unreadable" and "can't be read" in second[1]
 
 
-def test_both_lines_of_a_row_are_painted(dock, iface, found):
-    from semref.ui.tabs.localize.results_model import SUMMARY
-    from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX
-
-    as_wide_as(dock, iface, 320)
-    table = found.results.table
-    row = table.visualRect(table.model().index(1, SUMMARY)).adjusted(_ICON_AND_MARGINS_PX, 2, -2, -2)
-    image = table.viewport().grab(row).toImage()
-    ground = image.pixel(0, 0)
-    inked = [y for y in range(image.height()) if any(image.pixel(x, y) != ground for x in range(image.width()))]
-    assert inked[-1] - inked[0] > 1.3 * table.fontMetrics().height()
-
-
 @pytest.mark.parametrize("odds", ["error below 1 in 10,000", "Irrtum unter 1 : 10.000", "erreur < 1 sur 10 000"])
 @pytest.mark.parametrize("width", [320, 400])
 def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
@@ -169,29 +156,6 @@ def test_what_was_folded_away_is_back_after_the_project_was_cleared_behind_anoth
     assert model.isVisibleTo(found) and found.method.isVisibleTo(dock)
 
 
-def test_what_was_folded_away_is_back_after_the_project_was_cleared_beside_a_closed_dock(dock, iface, found):
-    from qgis.core import QgsProject
-
-    file = dock.content.database.file
-    assert not file.isVisibleTo(dock)
-    dock.close()
-    settle()
-    QgsProject.instance().clear()
-    settle()
-    iface.tool_bar_actions[0].trigger()
-    settle()
-    assert file.isVisibleTo(dock) and dock.content.database.title() == "Reference database"
-    assert found.images.model.isVisibleTo(dock)
-
-
-def test_stepping_works_in_both_looks(dock, iface, found):
-    for width in (800, 320):
-        as_wide_as(dock, iface, width)
-        found.results.table.selectRow(0)
-        found.results.after.click()
-        assert found.results.table.selected().name == "broken.tif"
-
-
 def test_nothing_of_the_dock_is_cut_off_where_it_is_as_narrow_as_it_gets(dock, iface, found):
     from qgis.PyQt.QtWidgets import QScrollArea
 
@@ -214,19 +178,6 @@ def test_the_details_have_one_decimal_sign(found):
     told = [line for line in lines if "within" in line or "heading" in line]
     assert len(told) == 2 and all("," in line for line in told)
     assert "." not in told[0].partition("within")[2] and "." not in told[1]
-
-
-def test_numbers_are_those_of_the_users_language(qgis_app):
-    from qgis.PyQt.QtCore import QLocale
-
-    from semref.ui.widgets.texts import number_text
-
-    before = QLocale()
-    QLocale.setDefault(QLocale("de_DE"))
-    try:
-        assert number_text(10_000) == "10.000" and number_text(1.25, 1) in ("1,3", "1,2")
-    finally:
-        QLocale.setDefault(before)
 
 
 def test_the_image_is_zoomed_by_keys(dock, iface, area, tab, qgis_app):
@@ -317,20 +268,6 @@ def test_what_the_picture_leaves_blank_is_the_tables(dock, iface, found):
     shown = table.verticalHeader().length()
     assert table.viewport().height() >= shown
     assert canvas.height() > canvas.width() * 0.8
-
-
-def test_without_results_there_are_no_headings_where_they_would_not_fit(qgis_app):
-    from qgis.PyQt.QtWidgets import QApplication
-
-    from semref.ui.tabs.localize.results_table import ResultsTable
-
-    table = ResultsTable()
-    table.show()
-    for width in (600, 280, 284, 280, 281):
-        table.resize(width, 120)
-        QApplication.processEvents()
-    assert table.is_narrow and not table.horizontalHeader().isVisible()
-    table.deleteLater()
 
 
 def test_right_to_left_a_selected_result_is_shown_as_well(dock, area, tab, qgis_app):

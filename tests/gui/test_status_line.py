@@ -32,9 +32,3 @@ def test_a_narrow_line_leaves_what_is_said_beside_to_the_tool_tip(line):
 def test_a_line_too_narrow_for_either_is_shortened_in_the_middle(line):
     line.resize(line.fontMetrics().horizontalAdvance(SAID) // 2, 20)
     assert "…" in line.text() and line.text().startswith("2 of") and line.text().endswith("fix.")
-
-
-def test_the_next_sentence_has_nothing_of_the_last_beside_it(line):
-    line.show_text("Canceled.")
-    line.resize(2000, 20)
-    assert line.text() == "Canceled."

@@ -295,12 +295,6 @@ def test_what_cannot_be_assessed_is_refused_in_one_sentence(run_algorithm, datab
     assert not target.exists()
 
 
-def test_a_route_outside_the_map_is_refused(run_algorithm, database, tmp_path):
-    layer = write_layer(tmp_path / "route.gpkg", [(line([(5000, 5000), (6000, 6000)]), "a")])
-    with pytest.raises(QgsProcessingException, match="lies outside the database’s map"):
-        run_algorithm(ASSESS, {"DATABASE": database, "ROUTE": str(layer), "OUTPUT": str(tmp_path / "points.gpkg")})
-
-
 def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(qgis_app, database, tmp_path):
     path = tmp_path / "mission.plan"
     path.write_text(simple_plan(TURNS), encoding="utf-8")
@@ -337,9 +331,3 @@ def test_flights_tell_where_they_have_a_position_and_how_exactly(run_algorithm, 
     assert all(row["flight_lost"] == 0 for row in rows)
     text = Path(results["REPORT"]).read_text(encoding="utf-8")
     assert "In flight" in text and "first position after" in text
-
-
-@pytest.mark.slow
-def test_without_flights_their_columns_are_empty(assessed):
-    assert {row["flight_placed"] for row in assessed[1]} == {None}
-    assert "FIRST_POSITION" not in assessed[0]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 import pytest
 from made_inputs import scattered_objects, write_raster
@@ -87,31 +85,6 @@ def test_another_file_is_refused_in_a_sentence(qgis_app, tmp_path, content):
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:assessdatabase")
     able, said = algorithm.checkParameterValues(given, QgsProcessingContext())
     assert not able and said.startswith(f"{page} is no report of “Compare label maps” that tells of landmarks;")
-
-
-def test_what_is_no_file_is_refused_at_once(qgis_app, tmp_path):
-    from semref.core.errors import ParameterError
-    from semref.processing.reports.network_noise import read_network
-
-    paths = [tmp_path, tmp_path / "none.html", "a\0b"]
-    if hasattr(os, "mkfifo"):
-        os.mkfifo(tmp_path / "pipe")
-        paths.append(tmp_path / "pipe")
-    for path in paths:
-        with pytest.raises(ParameterError):
-            read_network(str(path))
-
-
-def test_numbers_that_can_not_be_are_refused(conditions, tmp_path):
-    from semref.core.errors import ParameterError
-    from semref.processing.reports import page as report
-    from semref.processing.reports.network_noise import network_meta
-
-    page = tmp_path / "page.html"
-    for value in (-1.0, float("nan"), float("inf")):
-        page.write_text(report.page("t", "s", meta=network_meta({"MISSED": value}, 50)), encoding="utf-8")
-        with pytest.raises(ParameterError):
-            conditions("semref:assessdatabase", {"COMPARISON": str(page)})
 
 
 def test_a_comparison_of_a_handful_of_landmarks_tells_nothing(conditions, tmp_path):

@@ -163,16 +163,6 @@ def test_what_cannot_be_imported_is_removed_and_explained_and_the_others_are_ins
     assert [path.name for path in components.components_folder().iterdir()] == [GOOD.pip_name]
 
 
-@pytest.mark.slow
-@needs_pip
-def test_a_folder_without_the_wheel_is_explained(root, tmp_path, installer):
-    (tmp_path / "empty").mkdir()
-    installer.start([GOOD], str(tmp_path / "empty"))
-    sentence = end_of(installer)
-    assert "no wheel of semref-made" in sentence and str(tmp_path / "empty") in sentence
-    assert is_tidy(root)
-
-
 def test_a_cancel_leaves_nothing_and_what_was_there_as_it_was(root, tmp_path, wheels, installer, monkeypatch):
     script = f'case "$1" in -c) {answers()};; *) touch "${{@: -1}}"; exec sleep 60;; esac'
     python = python_that_answers(tmp_path, script)
@@ -237,21 +227,6 @@ def test_a_folder_that_cannot_be_made_is_explained(root, tmp_path, wheels, insta
     (tmp_path / "profile").write_text("a file")
     installer.start([GOOD], str(wheels))
     assert "semref-made can’t be installed" in end_of(installer)
-
-
-@needs_pip
-def test_an_older_package_that_comes_first_is_explained_and_the_others_are_installed(
-    root, tmp_path, wheels, installer, monkeypatch
-):
-    """As Debian 12's Shapely, which is listed before ONNX Runtime."""
-    old = replace(BROKEN, newest_part="newest")
-    (tmp_path / "site" / old.module).mkdir(parents=True)
-    (tmp_path / "site" / old.module / "__init__.py").write_text("VALUE = 1\n")
-    monkeypatch.syspath_prepend(str(tmp_path / "site"))
-    installer.start([old, GOOD], str(wheels))
-    sentence = end_of(installer)
-    assert sentence.startswith(f"{tmp_path / 'site' / old.module / '__init__.py'} is an older version")
-    assert not components.is_missing(GOOD) and importlib.import_module(GOOD.module).VALUE == 7
 
 
 def test_each_failure_is_reported_but_what_concerns_all_packages_only_once(qgis_app, tmp_path, monkeypatch):

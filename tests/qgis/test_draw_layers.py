@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 import time
 
 import numpy as np
@@ -90,11 +89,6 @@ def test_an_extent_in_web_mercator_is_drawn_true_to_scale(segment, tiles):
     assert agreement(raster) > 0.95
 
 
-def test_a_resolution_given_is_the_one_that_is_drawn(segment, tiles):
-    raster = segment(tiles(), RESOLUTION=400)
-    assert (raster.RasterXSize, raster.GetGeoTransform()[1]) == (300, 4)
-
-
 def test_tiles_without_an_extent_or_a_resolution_are_refused(segment, tiles, tmp_path):
     with pytest.raises(QgsProcessingException, match="“tiles” has no edges of its own to go by; give EXTENT"):
         segment(tiles(), EXTENT=None)
@@ -113,15 +107,6 @@ def test_a_server_without_tiles_is_said(segment, tiles, tmp_path):
     with pytest.raises(QgsProcessingException, match="Nothing of “tiles” shows in the extent"):
         segment(tiles(status=404))
     assert not (tmp_path / "labels.tif").exists()
-
-
-def test_a_cancel_ends_the_drawing_within_a_second(segment, tiles, feedback):
-    layer = tiles(delay_s=30)
-    ended = []
-    threading.Timer(1.0, lambda: (feedback.cancel(), ended.append(time.monotonic()))).start()
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        segment(layer)
-    assert time.monotonic() - ended[0] < 2
 
 
 def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, tiles, tmp_path):

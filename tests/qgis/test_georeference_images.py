@@ -161,13 +161,6 @@ def test_images_that_were_moved_are_found_by_name(georeference, tmp_path):
     assert (west, north) == pytest.approx((WEST + 150, NORTH - 150), abs=0.01)
 
 
-def test_an_image_that_is_gone_is_named_and_does_not_stop_the_others(georeference, tmp_path, feedback):
-    gone = str(tmp_path / "one.png")
-    result, _ = georeference(POSITIONS=made_positions(tmp_path / "p.gpkg", gone), FOOTPRINTS=None)
-    assert result["IMAGE_COUNT"] == 0
-    assert f"There is no image {gone}" in feedback.textLog()
-
-
 def test_a_position_that_an_export_made_a_multipoint_is_one(georeference, tmp_path):
     write_raster(tmp_path / "one.png", LABELS[:100, :100], transform=None)
     row = (f"MULTIPOINT (({WEST + 200} {NORTH - 200}))", str(tmp_path / "one.png"), "fix", 0.0, 1.0, None)

@@ -125,42 +125,8 @@ def test_the_classes_of_lcdb_are_called_as_its_data_call_them(real_data):
         source.ReleaseResultSet(found)
 
 
-def test_the_classes_of_urban_atlas_are_called_as_its_data_call_them():
-    """Values of the attribute class_2018, as others quote them from its files."""
-    names = {c.name.partition(" ")[2] for c in read_class_table(PRESETS["Urban Atlas"])}
-    assert {
-        "Continuous urban fabric (S.L. : > 80%)",
-        "Discontinuous dense urban fabric (S.L. : 50% -  80%)",
-        "Discontinuous very low density urban fabric (S.L. : < 10%)",
-        "Herbaceous vegetation associations (natural grassland, moors...)",
-        "Open spaces with little or no vegetation (beaches, dunes, bare rocks, glaciers)",
-        "Wetlands",
-        "Water",
-    } <= names
-    assert len(names) == 27
-
-
-CORINE = """111 112 121 122 123 124 131 132 133 141 142 211 212 213 221 222 223 231 241 242 243 244 311 312 313 321 322
-323 324 331 332 333 334 335 411 412 421 422 423 511 512 521 522 523"""
-"""CLC2018, level 3; grid codes count them from 1."""
-
-URBAN_ATLAS = """11100 11210 11220 11230 11240 11300 12100 12210 12220 12230 12300 12400 13100 13300 13400 14100 14200
-21000 22000 23000 24000 25000 31000 32000 33000 40000 50000"""
-"""EEA's mapping guide, V6.3, table 3, without the two codes of no data; 25000 is in its data and not in that table."""
-
 LCDB = """0 1 2 5 6 10 12 14 15 16 20 21 22 30 33 40 41 43 44 45 46 47 50 51 52 54 55 56 58 64 68 69 70 71 80 81"""
 """LCDB v5.0 with the two classes of the Chatham Islands."""
-
-
-@pytest.mark.parametrize(("preset", "codes"), [("CORINE Land Cover", CORINE), ("Urban Atlas", URBAN_ATLAS)])
-def test_names_begin_with_the_published_codes_in_their_order(preset, codes):
-    table = read_class_table(PRESETS[preset])
-    assert [(c.value, c.name.split()[0]) for c in table] == list(enumerate(codes.split(), 1))
-
-
-def test_values_of_lcdb_are_its_class_numbers():
-    table = read_class_table(PRESETS["LCDB v5 (New Zealand)"])
-    assert [c.value for c in table] == [int(code) for code in LCDB.split()]
 
 
 def test_ground_without_data_gets_a_class_of_its_own_and_no_other_s(made, tmp_path):

@@ -37,19 +37,6 @@ def test_numbers_count_where_no_preset_is_chosen(conditions):
     assert found.noise.missed == pytest.approx(0.33) and found.noise.spurious == pytest.approx(0.2)
 
 
-def test_an_evaluation_takes_the_presets_too(qgis_app):
-    from semref.processing.framework.values import Values
-
-    algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:evaluatelocalization")
-
-    def ranges(parameters: dict):
-        return algorithm._ranges(Values(algorithm, parameters, QgsProcessingContext()))
-
-    assert ranges({"NETWORK": POOR, "MISSED": "1,2"}).missed == (40, 40)
-    assert ranges({"NETWORK": POOR}).tilt == ranges({}).tilt
-    assert ranges({"MISSED": "1,2"}).missed == (1, 2)
-
-
 @pytest.mark.parametrize(("name", "most"), [("assessroute", 6), ("assessdatabase", 4)])
 def test_only_what_matters_is_unfolded(qgis_app, name, most):
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(f"semref:{name}")

@@ -93,26 +93,6 @@ def test_a_photo_without_a_position_that_can_be_says_nothing(tmp_path, tags):
     assert photo_lon_lat(photo(tmp_path / "a.jpg", **tags)) is None
 
 
-@pytest.mark.parametrize(
-    "text", ["(47)", "(nan) (0) (0)", "(1e999) (0) (0)", "(-47) (0) (0)", "(x) (y) (z)", "here", ""]
-)
-def test_what_is_no_number_of_degrees_says_nothing(tmp_path, text):
-    path = photo(tmp_path / "a.jpg")
-    for latitude, place in (("(47) (6) (0)", pytest.approx((9.5, 47.1))), (text, None)):
-        # In the file beside it: GDAL writes nothing but numbers into a JPEG.
-        tags = exif(9.5, 47.1, GPSLatitude=latitude)
-        items = "".join(f'<MDI key="EXIF_{name}">{value}</MDI>' for name, value in tags.items())
-        beside = f"<PAMDataset><Metadata>{items}</Metadata></PAMDataset>"
-        Path(f"{path}.aux.xml").write_text(beside, encoding="utf-8")
-        assert photo_lon_lat(path) == place
-
-
-def test_what_is_no_photo_says_nothing(tmp_path):
-    (tmp_path / "a.jpg").write_bytes(b"no picture")
-    assert photo_lon_lat(str(tmp_path / "a.jpg")) is None
-    assert photo_lon_lat(str(tmp_path / "missing.jpg")) is None
-
-
 @pytest.mark.parametrize(("meters", "said"), [(1_234.0, "1.2 km"), (12_340.0, "12 km"), (8_412_300.0, "8,412 km")])
 def test_the_distance_is_as_long_as_it_is_told_exactly(meters, said):
     assert far_sentence(meters) == f"{SAID} {said} from the ground of the database."

@@ -16,7 +16,10 @@ SIZE = 160
 NAMES = ["unlabeled", "building", "water", "bare_land"]
 LABELS = scattered_objects(500, 600, 380, seed=7, background=0)
 OUTPUTS = ("OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES")
-pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here")
+pytestmark = [
+    pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here"),
+    pytest.mark.slow,  # tests/qgis/test_scheduler.py has a quick one
+]
 
 
 @pytest.fixture(scope="module")
@@ -109,15 +112,3 @@ def test_what_only_qgis_can_do_is_refused_before_any_work(run_algorithm, databas
     asked = {"DATABASE": database, "IMAGES": str(folder), key: given, "SCHEDULER": "local:1"}
     with pytest.raises(QgsProcessingException, match=f"{key} can't be used together with SCHEDULER"):
         run_algorithm(LOCALIZE, {**asked, "OUTPUT": str(tmp_path / "positions.gpkg")})
-
-
-def test_a_cancel_leaves_nothing(run_algorithm, database, folder, tmp_path, feedback):
-    def cancel(share):
-        if share > 0:
-            feedback.cancel()
-
-    feedback.progressChanged.connect(cancel)
-    asked = {"DATABASE": database, "IMAGES": str(folder), "SCHEDULER": "local:1"}
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        run_algorithm(LOCALIZE, {**asked, "OUTPUT": str(tmp_path / "positions.gpkg")}, feedback)
-    assert list(tmp_path.iterdir()) == []

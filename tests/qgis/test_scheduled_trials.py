@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib.util
 import json
-import os
 from pathlib import Path
 
 import pytest
@@ -16,7 +15,10 @@ ASSESS, EVALUATE = "semref:assessdatabase", "semref:evaluatelocalization"
 SIZE = 160
 NAMES = ["unlabeled", "building", "water", "bare_land"]
 LABELS = scattered_objects(420, 480, 300, seed=21, background=0)
-pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here")
+pytestmark = [
+    pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="Dask is not here"),
+    pytest.mark.slow,  # tests/qgis/test_scheduler.py has a quick one
+]
 
 
 @pytest.fixture(scope="module")
@@ -71,27 +73,6 @@ def test_workers_evaluate_what_qgis_evaluates(run_algorithm, database, label_map
     assert len(numbers["trials"]) == 24 and numbers["scaling"]
 
 
-@pytest.mark.parametrize("algorithm", [ASSESS, EVALUATE])
-def test_a_cancel_leaves_nothing(run_algorithm, database, label_map, tmp_path, feedback, algorithm):
-    def cancel(share):
-        if share > 0:
-            feedback.cancel()
-
-    feedback.progressChanged.connect(cancel)
-    asked = {"DATABASE": database, "LABELS": label_map, "SCHEDULER": "local:1"}
-    if algorithm == ASSESS:
-        del asked["LABELS"]
-    with pytest.raises(QgsProcessingException, match="Canceled"):
-        run_algorithm(algorithm, {**asked, "OUTPUT": str(tmp_path / "found.gpkg")}, feedback)
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_what_is_no_scheduler_is_refused(run_algorithm, database, tmp_path):
-    asked = {"DATABASE": database, "SCHEDULER": "four", "OUTPUT": str(tmp_path / "found.gpkg")}
-    with pytest.raises(QgsProcessingException, match="SCHEDULER is “four”; give local: and a number"):
-        run_algorithm(ASSESS, asked)
-
-
 def test_a_database_that_changes_before_workers_begin_is_noticed(
     run_algorithm, build_area, database, tmp_path, monkeypatch
 ):
@@ -110,21 +91,3 @@ def test_a_database_that_changes_before_workers_begin_is_noticed(
     with pytest.raises(QgsProcessingException, match="area.gpkg was changed while it was read"):
         run_algorithm(ASSESS, asked)
     assert [path.name for path in tmp_path.iterdir()] == ["area.gpkg"]
-
-
-def test_a_label_map_that_changes_before_workers_begin_is_noticed(
-    run_algorithm, database, label_map, tmp_path, monkeypatch
-):
-    from semref.processing.framework.scheduler import Workers
-
-    labels, wait = tmp_path / "labels.tif", Workers.wait
-    labels.write_bytes(Path(label_map).read_bytes())
-
-    def late(run):
-        os.utime(labels, (1, 1))
-        wait(run)
-
-    monkeypatch.setattr(Workers, "wait", late)
-    asked = {"DATABASE": database, "LABELS": str(labels), "TRIALS": 4, "SCHEDULER": "local:1"}
-    with pytest.raises(QgsProcessingException, match="labels.tif was changed while it was read"):
-        run_algorithm(EVALUATE, {**asked, "OUTPUT": str(tmp_path / "never.gpkg")})

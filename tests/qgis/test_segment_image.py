@@ -50,13 +50,6 @@ def test_an_orthophoto_becomes_a_label_map_on_the_same_ground(segment, tmp_path)
     assert QgsRasterLayer(str(tmp_path / "labels.tif")).crs().authid() == "EPSG:25832"
 
 
-def test_a_photo_gives_a_label_image_without_georeference(segment, tmp_path):
-    raster = gdal.Open(segment(write_raster(tmp_path / "a.png", PHOTO, transform=None)))
-    np.testing.assert_array_equal(raster.ReadAsArray(), SEEN)
-    assert raster.GetGeoTransform(can_return_null=True) is None
-    assert raster.GetProjection() == ""
-
-
 def test_a_jpeg_photo_will_do(segment, tmp_path):
     smooth = cv2.resize(painted(LABELS), None, fx=4, fy=4, interpolation=cv2.INTER_NEAREST)
     path = tmp_path / "a.jpg"
@@ -210,21 +203,6 @@ def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):
     labels = scattered_objects(900, 70, 60, seed=8, background=2)
     found = read_pixels(segment(write_raster(tmp_path / "a.tif", bands_of(painted(labels)))))
     np.testing.assert_array_equal(found, labels)
-
-
-@pytest.mark.real_data
-@pytest.mark.parametrize(
-    ("name", "bands"),
-    [
-        ("berlin_urban_gradient/HighResolution_BerlinUrbanGradient.bsq", "3, 2, 1"),
-        ("berlin_urban_gradient/berlin_hires_rgb8.tif", "1, 2, 3"),
-        ("naip_north_dakota/m_4709963_se_14_1_20190904.tif", "1, 2, 3"),
-    ],
-)
-def test_real_rasters_pass_with_their_bands_in_order(segment, real_data, feedback, name, bands):
-    raster = gdal.Open(segment(real_data(name)))
-    assert (raster.ReadAsArray() > 0).mean() > 0.3
-    assert f"bands {bands}" in feedback.textLog()
 
 
 def test_a_model_without_class_names_is_refused_with_the_key_that_gives_them(segment, tmp_path):

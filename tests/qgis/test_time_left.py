@@ -68,13 +68,6 @@ def test_a_long_run_says_how_long_it_still_takes_and_until_when(dialog, clock, t
     assert dialog.texts == ["Localizing", f"Localizing – about 9 min left, until {at}"]
 
 
-def test_an_hour_takes_no_more_lines_of_the_log_than_its_halves(dialog, clock, telling):
-    telling.setProgressText("Localizing")
-    run_for(telling, clock, 3600)
-    assert 6 <= len(dialog.texts) <= 10
-    assert dialog.percents[-1] == 100
-
-
 def test_a_run_that_slows_down_says_so(dialog, clock, telling):
     clock[0] = 30.0
     telling.setProgress(50)

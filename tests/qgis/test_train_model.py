@@ -109,19 +109,6 @@ def test_the_training_gets_tiles_of_image_and_labels(train, tmp_path):
         np.testing.assert_array_equal(read_pixels(path), LABELS[part])
 
 
-def test_polygons_are_burnt_on_the_pixels_of_the_extent(train, tmp_path):
-    kept = tmp_path / "kept"
-    polygons = [(square(100, 300, 80), "building"), (square(300, 300, 90), "water")]
-    layer = write_layer(tmp_path / "drawn.gpkg", polygons)
-    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class"}
-    extent = f"{WEST + 50},{WEST + 550},{NORTH - 450},{NORTH - 50}"
-    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, EXTENT=extent, **annotation)
-    burnt = read_pixels(kept / "labels.tif")
-    assert burnt.shape == (400, 500)
-    np.testing.assert_array_equal(np.bincount(burnt.ravel())[1:], [80 * 80, 90 * 90])
-    assert burnt[250, 50] == 1 and burnt[250, 250] == 2 and burnt[249, 50] == 0
-
-
 def test_the_polygon_of_higher_priority_is_learned_where_two_overlap(train, tmp_path):
     kept = tmp_path / "kept"
     polygons = [(square(200, 200, 90), "building", 60), (square(100, 100, 400), "field", 10)]
@@ -151,29 +138,6 @@ def test_ground_outside_the_mask_is_not_learned_from(train, tmp_path, something_
         np.testing.assert_array_equal(read_pixels(path), np.where(wanted[part], LABELS[part], outside))
     job = json.loads((kept / "job.json").read_text())
     assert job["ground"]["extent"] == [WEST + 100, NORTH - 550, WEST + 600, NORTH - 50]
-
-
-def test_a_coarser_resolution_is_learned_from_fewer_pixels(train, tmp_path):
-    kept = tmp_path / "kept"
-    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, RESOLUTION=150)
-    job = json.loads((kept / "job.json").read_text())
-    assert job["ground"]["pixel_size"] == 1.5
-    assert json.loads((kept / "tiles" / "manifest.json").read_text())["pixel_size"] == 1.5
-
-
-def test_an_image_in_degrees_is_learned_from_in_meters(train, tmp_path):
-    from osgeo import gdal
-
-    kept, turned = tmp_path / "kept", str(tmp_path / "degrees.tif")
-    gdal.Warp(turned, str(tmp_path / "image.tif"), dstSRS="EPSG:4326", resampleAlg="nearest")
-    layer = write_layer(
-        tmp_path / "drawn.gpkg", [(square(100, 300, 200), "building"), (square(400, 300, 200), "water")]
-    )
-    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class"}
-    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, IMAGE=turned, RESOLUTION=100, **annotation)
-    job = json.loads((kept / "job.json").read_text())
-    assert job["ground"]["crs"] == "EPSG:32632" and job["ground"]["pixel_size"] == 1.0
-    np.testing.assert_allclose(np.bincount(read_pixels(kept / "labels.tif").ravel())[1:], 40_000, rtol=0.01)
 
 
 def test_map_tiles_are_drawn_in_the_extent_before_they_are_learned_from(train, tmp_path):
@@ -253,32 +217,6 @@ def test_a_second_training_of_the_same_model_leaves_the_first_one_alone(train, t
     assert len(refused) == 2
     train()
     assert folders(tmp_path) == []
-
-
-ODD_LINES = [
-    '{"event": "later version"}',
-    '{"event": "step"}',
-    '{"event": "step", "share": "much", "epoch": 1, "loss": 1}',
-    '{"event": "step", "share": NaN, "epoch": 1, "loss": 1}',
-    '{"event": "step", "share": 1e999, "epoch": 1, "loss": 1}',
-    '{"event": "epoch", "share": 0.3, "epoch": [], "training_loss": 1, "mean_iou": 1}',
-    '{"event": "begun", "device": 1}',
-    '{"event": "failed"}',
-    '{"event": "failed", "template": 1, "values": []}',
-    '{"event": "broke"}',
-    '{"event": "_init__"}',
-    '{"event": ["step"]}',
-    '{"event": "epoch", "share": ' + "9" * 5000 + ', "epoch": 1, "training_loss": 1, "mean_iou": 1}',
-    "[" * 100_000,
-    "{",
-    "\xff\x00",
-]
-
-
-def test_lines_that_are_no_events_are_ignored(train):
-    lines = f"[print(line, flush=True) for line in {ODD_LINES!r}]; "
-    odd_class = 'tell("epoch", share=0.3, **{**row, "iou_water": "unknown"}); '
-    assert train(training=lines + odd_class + EPOCH)["MEAN_IOU"] == 0.4
 
 
 def test_a_canceled_run_of_other_settings_is_not_gone_on_with(train, tmp_path):

@@ -73,21 +73,6 @@ def test_scenarios_have_rows_that_a_runner_takes(benchmarks):
         assert {one for row in rows for one in (row.database, row.images) if one} <= set(maps), name
 
 
-def test_shares_have_their_interval(benchmarks):
-    rate = benchmarks("results").rate
-    assert rate(299, 300) == "299/300, 100 % (98–100)" and rate(0, 0) == "–"
-    assert rate(0, 30_000) == "0/30000, 0.00 % (0.00–0.01)"
-
-
-def test_ratios_are_of_one_turn(benchmarks):
-    turns = benchmarks("turns")
-    order = []
-    candidates = {name: lambda name=name: order.append(name) or 1.0 for name in ("a", "b")}
-    seconds = turns.take_turns(candidates, 2)
-    assert order == ["a", "b", "b", "a"] and seconds == {"a": [1.0, 1.0], "b": [1.0, 1.0]}
-    assert turns.ratios([2, 9], [1, 3], 1) == "2.5 (2.0–3.0)"
-
-
 def test_the_plain_loop_gives_the_vectors_of_the_paper(benchmarks):
     import numpy as np
 

@@ -57,8 +57,3 @@ def test_what_is_named_to_press_is_there(repository, patterns):
         if text not in known | begun | EMPHASIS and not any(p.fullmatch(text.replace("…", "9")) for p in patterns)
     ]
     assert len(named) > 15 and missing == []
-
-
-def test_a_sentence_that_nobody_says_would_be_found(patterns):
-    assert not is_said("By its GPS this photo is far away.", patterns)
-    assert is_said("By its GPS this photo was taken 474 km from the ground of the database.", patterns)

@@ -65,10 +65,6 @@ def test_shipped_metadata_has_the_news_of_the_changelog_and_every_language_by_ea
     assert shipped["description[zh-Hans]"] == shipped["description[zh]"] != shipped["description"]
 
 
-def test_the_repository_keeps_no_second_list_of_news():
-    assert "changelog=" not in (ROOT / "metadata.txt").read_text(encoding="utf-8")
-
-
 def test_addresses_that_nobody_filled_in_are_named():
     text = "[general]\nemail=a@example.org\nhomepage=https://forge.net/a\nrepository=https://forge.net/a\n"
     assert metadata.placeholders(text) == ["email=a@example.org", "tracker=example.org"]
@@ -136,15 +132,6 @@ HABITS = [*(ROOT / ".github").rglob("*.yml"), ROOT / "CITATION.cff"]
 def test_files_that_a_forge_reads_can_be_read(path):
     yaml = pytest.importorskip("yaml")
     assert isinstance(yaml.safe_load(path.read_text(encoding="utf-8")), dict)
-
-
-def test_every_form_for_faults_asks_for_the_diagnostics():
-    yaml = pytest.importorskip("yaml")
-    for name in ("bug", "position"):
-        form = yaml.safe_load((ROOT / ".github" / "ISSUE_TEMPLATE" / f"{name}.yml").read_text(encoding="utf-8"))
-        asked = {part["id"]: part for part in form["body"] if "id" in part}
-        assert asked["diagnostics"]["validations"]["required"] is True
-        assert "Copy diagnostics" in asked["diagnostics"]["attributes"]["description"]
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="git is not installed")

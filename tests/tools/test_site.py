@@ -73,13 +73,6 @@ def test_links_to_what_has_no_page_become_the_name_of_the_file(tmp_path):
     assert text.endswith("core (`core/errors.py`) [top](README.md#a) [web](https://x.y)\n")
 
 
-def test_what_belongs_to_an_entry_of_a_list_stays_in_it():
-    forge = "1. Do:\n\n   ```sh\n   x\n   ```\n2. Then\n\n- a\n  b\n\nNo entry\n   kept\n"
-    assert site_pages.indented(forge) == (
-        "1. Do:\n\n    ```sh\n    x\n    ```\n2. Then\n\n- a\n    b\n\nNo entry\n   kept\n"
-    )
-
-
 def test_what_a_browser_would_fetch_from_the_web_is_seen_and_links_are_not(tmp_path):
     page = tmp_path / "page.html"
     page.write_text('<a href="https://a.b">x</a><img src="c.png"><link rel=x href=//d.e/f><script src="https://g">')
@@ -119,10 +112,3 @@ def test_the_search_has_every_page_and_works_without_a_server(site, pages):
 def test_every_algorithm_has_a_page_that_leads_to_its_section(site, pages):
     sections = {name for name in pages[site / "guide" / "toolbox.html"].ids if name.startswith("semref")}
     assert {f"semref{path.stem}" for path in (site / "algorithms").iterdir()} == sections
-
-
-@pytest.mark.slow
-def test_the_built_pages_are_known_to_be_up_to_date_until_the_docs_change(site, monkeypatch):
-    assert build_site.is_up_to_date(site)
-    monkeypatch.setattr(build_site, "source_state", lambda root: "another")
-    assert not build_site.is_up_to_date(site)
