@@ -1,4 +1,4 @@
-"""Assessed squares of ground as rows of a layer, and why images fail there; the same for QGIS and for workers."""
+"""Assessed squares of ground as rows of a layer, and why images fail there."""
 
 from __future__ import annotations
 
@@ -109,23 +109,33 @@ def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words
     """
     unlike, inner = _nearest_distinctiveness(windows, cells.centers, footprint), verdict_edges(threshold)[1:-1]
     for n in range(len(cells)):
-        success, error, landmarks = (float(of[n]) for of in (estimates.success, estimates.error, estimates.landmarks))
-        reason = None if success >= threshold else reason_sentence(estimates.reasons[n], landmarks)
+        expected = expectation(estimates, n, threshold, wording)
         yield {
             "footprint": footprint,
-            "success": success,
-            "success_low": float(estimates.low[n]),
-            "success_high": float(estimates.high[n]),
-            "error": error if math.isfinite(error) else None,
-            "objects": landmarks,
-            "classes": int(estimates.classes[n]),
+            **expected,
             "distinctiveness": unlike[n] if math.isfinite(unlike[n]) else None,
-            "look_alikes": float(estimates.look_alikes[n]),
-            "wrong": float(estimates.wrong[n]),
-            "trials": int(estimates.trials[n]),
-            "verdict": VERDICTS[sum(success >= low for low in inner)],
-            "reason": "" if reason is None else wording(reason),
+            "verdict": VERDICTS[sum(expected["success"] >= low for low in inner)],
         }
+
+
+def expectation(
+    estimates: Estimates, n: int, threshold: float, wording: Callable[[Sentence], str] = english
+) -> dict[str, Any]:
+    """What is told of the n-th place of some, by the columns that squares and points along a route share."""
+    success, error, landmarks = (float(of[n]) for of in (estimates.success, estimates.error, estimates.landmarks))
+    reason = None if success >= threshold else reason_sentence(estimates.reasons[n], landmarks)
+    return {
+        "success": success,
+        "success_low": float(estimates.low[n]),
+        "success_high": float(estimates.high[n]),
+        "error": error if math.isfinite(error) else None,
+        "objects": landmarks,
+        "classes": int(estimates.classes[n]),
+        "look_alikes": float(estimates.look_alikes[n]),
+        "wrong": float(estimates.wrong[n]),
+        "trials": int(estimates.trials[n]),
+        "reason": "" if reason is None else wording(reason),
+    }
 
 
 def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: float) -> list[float]:

@@ -24,11 +24,12 @@ from ...core.errors import ParameterError
 from ...storage.route_files import is_waypoint_file
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework import parameters, route_flights
-from ..framework.assessing import AssessAlgorithm, reason_text, setting_rows
+from ..framework.assessing import AssessAlgorithm, setting_rows
 from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
 from ..framework.parameters import with_help
 from ..translation import tr
 from ..wording.numbers import shown
+from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -395,27 +396,19 @@ def _inside(extent: Sequence[float], places: np.ndarray) -> np.ndarray:
 
 
 def _values(route: AssessedRoute, n: int, gap: RouteGap | None, hint: ShiftHint | None) -> dict[str, Any]:
-    points, estimates = route.points, route.estimates
-    success, error = float(estimates.success[n]), float(estimates.error[n])
-    reason = tr("Outside the database’s map.")
-    if route.inside[n]:
-        reason = reason_text(estimates.reasons[n], float(estimates.landmarks[n]))
+    from ...core.assessment.squares import expectation
+
+    expected = expectation(route.estimates, n, route.threshold, worded)
+    if not route.inside[n]:
+        outside = tr("Outside the database’s map.")
+        expected.update(error=None, reason="" if expected["success"] >= route.threshold else outside)
     return {
-        "route": int(points.lines[n]) + 1,
-        "along": float(points.along[n]),
-        "heading": float(points.headings_deg[n]),
-        "success": success,
-        "success_low": float(estimates.low[n]),
-        "success_high": float(estimates.high[n]),
-        "error": error if np.isfinite(error) and route.inside[n] else None,
-        "objects": float(estimates.landmarks[n]),
-        "classes": int(estimates.classes[n]),
-        "look_alikes": float(estimates.look_alikes[n]),
-        "wrong": float(estimates.wrong[n]),
-        "trials": int(estimates.trials[n]),
+        **expected,
+        "route": int(route.points.lines[n]) + 1,
+        "along": float(route.points.along[n]),
+        "heading": float(route.points.headings_deg[n]),
         "gap": gap.length if gap else 0.0,
         "gap_seconds": (gap.length if gap else 0.0) / route.speed if route.speed else None,
         "shift": hint.offset if hint else None,
         "shift_success": hint.success if hint else None,
-        "reason": "" if success >= route.threshold else reason,
     }

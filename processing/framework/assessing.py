@@ -286,11 +286,3 @@ def setting_rows(conditions: Conditions, threshold: float, correlation: bool, se
         (tr("Good enough from (%)"), shown(100 * threshold, "g")),
         (tr("Seed"), str(seed)),
     ]
-
-
-def reason_text(reason: str, landmarks: float) -> str:
-    """A sentence for the reason that keeps most images from a fix, '' for none."""
-    from ...core.assessment.squares import reason_sentence
-
-    sentence = reason_sentence(reason, landmarks)
-    return "" if sentence is None else worded(sentence)

@@ -112,12 +112,12 @@ class AnnotationReport:
         return page.table([tr("class"), *(severity_title(s) for s in SEVERITIES)], rows, numbers=(1, 2, 3))
 
     def _examples(self) -> list[str]:
-        parts = []
+        texts = []
         for kind in self._kinds():
             own = sorted((f for f in self.findings if f.kind == kind), key=lambda f: -(f.area or 0.0))
             title = kind_titles()[kind]
-            parts += [page.paragraph(f"{title}: {sentence(f, self.class_names)}") for f in own[:EXAMPLES]]
-        return parts
+            texts += [page.paragraph(f"{title}: {sentence(f, self.class_names)}") for f in own[:EXAMPLES]]
+        return texts
 
 
 def _count(number: int, severity: str) -> str:

@@ -41,7 +41,7 @@ def test_a_row_tells_verdict_reason_and_what_is_known(windows):
     reasons = (REASONS[0], REASONS[1], REASONS[2], REASONS[3], "")
     rows = list(square_rows(cells, windows, 250.0, estimates(success, reasons), 0.9))
     assert [row["verdict"] for row in rows] == list(VERDICTS)
-    assert all(list(row) == [name for name, _ in FIELDS] for row in rows)
+    assert all(row.keys() == {name for name, _ in FIELDS} for row in rows)
     assert [row["error"] for row in rows] == [None, 2.5, 2.5, 2.5, 2.5]
     assert rows[0]["reason"] == "Too few landmarks: 7 in view on average."
     assert rows[1]["reason"].startswith("Look-alikes") and rows[2]["reason"].startswith("Too little evidence")
