@@ -5,22 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
-from uuid import uuid4
 
-from osgeo import gdal
 from qgis.core import (
     QgsCategorizedSymbolRenderer,
     QgsFeatureRequest,
     QgsFillSymbol,
     QgsMapLayer,
     QgsMarkerSymbol,
-    QgsPalettedRasterRenderer,
     QgsRasterLayer,
     QgsReadWriteContext,
     QgsRendererCategory,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...core.annotation.classes import ClassLookup
@@ -29,7 +25,7 @@ from ...storage.database.reader import stored_style
 from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
 from ...storage.replaceable import MARK_OF_NOTE
 from .layer_metadata import Note, keep_beside
-from .styles import STYLES, apply_style, name_columns
+from .styles import STYLES, apply_style, name_columns, style_document
 
 if TYPE_CHECKING:
     from .annotation import AnnotationSource
@@ -40,7 +36,7 @@ def database_styles(table: ClassTable) -> dict[str, str]:
     windows, references = _fields_only("Polygon", WINDOW_FIELDS), _fields_only("Point", REFERENCE_FIELDS)
     apply_style(windows, "windows")
     references.setRenderer(references_renderer(table))
-    return {"windows": _titled(windows), "references": _titled(references), "overview": _overview_qml(table)}
+    return {"windows": _titled(windows), "references": _titled(references), "overview": label_style(table)}
 
 
 def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorLayer:
@@ -51,7 +47,13 @@ def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorL
 
 def _titled(layer: QgsVectorLayer) -> str:
     name_columns(layer)
-    return _exported(layer, QgsMapLayer.StyleCategory.Fields)
+    document, categories = QDomDocument(), QgsMapLayer.StyleCategory
+    # The other categories hold colors that QGIS draws by lot.
+    shown = categories.Symbology | categories.CustomProperties | categories.Fields
+    error = layer.exportNamedStyle(document, QgsReadWriteContext(), shown)
+    if document.isNull():
+        raise RuntimeError(f"the style of {layer.name()} could not be exported: {error}")
+    return document.toString()
 
 
 def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
@@ -88,6 +90,19 @@ def repaired_renderer(lookup: ClassLookup, source: AnnotationSource) -> QgsCateg
     return QgsCategorizedSymbolRenderer(source.class_expression, categories)
 
 
+def label_style(table: ClassTable) -> str:
+    """QML of a raster of class values: class colors and names, 0 transparent."""
+    document = style_document("labels")
+    palette = document.elementsByTagName("colorPalette").at(0)
+    for one in table:
+        if one.value:
+            entry = document.createElement("paletteEntry")
+            for name, text in (("value", str(one.value)), ("color", one.color), ("label", one.name), ("alpha", "255")):
+                entry.setAttribute(name, text)
+            palette.appendChild(entry)
+    return document.toString()
+
+
 def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> str:
     """Write the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
 
@@ -103,9 +118,7 @@ def write_label_map_style(path: str, table: ClassTable, note: Note | None = None
     """
     if note is not None:
         keep_beside(path, QgsRasterLayer(path, "note"), note)
-    layer = QgsRasterLayer(path, "style")
-    layer.setRenderer(label_renderer(layer, table))
-    return _write_beside(path, _exported(layer))
+    return _write_beside(path, label_style(table))
 
 
 def write_percent_style(path: str, band: int = 1) -> str:
@@ -120,41 +133,9 @@ def _write_beside(path: str, qml: str) -> str:
     return qml
 
 
-def label_renderer(layer: QgsRasterLayer, table: ClassTable) -> QgsPalettedRasterRenderer:
-    """Class colors and names for a raster of class values."""
-    classes = [QgsPalettedRasterRenderer.Class(c.value, QColor(c.color), c.name) for c in table if c.value]
-    return QgsPalettedRasterRenderer(layer.dataProvider(), 1, classes)
-
-
 def apply_overview_style(layer: QgsRasterLayer, database: str) -> None:
     """Gives an overview layer the style in its database; QGIS itself does so for vector layers only."""
     qml = stored_style(database, "overview")
     document = QDomDocument()
     if qml and document.setContent(qml):
         layer.importNamedStyle(document)
-
-
-def _overview_qml(table: ClassTable) -> str:
-    # A style is exported from a layer, and a raster layer needs a raster: one pixel in memory.
-    path = f"/vsimem/semref_style_{uuid4().hex}.tif"
-    try:
-        raster = gdal.GetDriverByName("GTiff").Create(path, 1, 1, 1, gdal.GDT_Byte)
-        raster.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
-        raster.FlushCache()
-        layer = QgsRasterLayer(path, "overview")
-        layer.setRenderer(label_renderer(layer, table))
-        return _exported(layer)
-    finally:
-        gdal.Unlink(path)
-
-
-def _exported(layer: QgsMapLayer, *more: QgsMapLayer.StyleCategory) -> str:
-    document = QDomDocument()
-    # The other categories hold colors that QGIS draws by lot.
-    categories = QgsMapLayer.StyleCategory.Symbology | QgsMapLayer.StyleCategory.CustomProperties
-    for category in more:
-        categories |= category
-    error = layer.exportNamedStyle(document, QgsReadWriteContext(), categories)
-    if document.isNull():
-        raise RuntimeError(f"the style of {layer.name()} could not be exported: {error}")
-    return document.toString()

@@ -93,7 +93,7 @@ def styled(style: str) -> QgsVectorLayer:
 
 
 def test_every_style_is_of_a_layer(qgis_app):
-    assert {path.stem for path in STYLES.iterdir()} == {*LAYERS, "columns", "percent"}
+    assert {path.stem for path in STYLES.iterdir()} == {*LAYERS, "columns", "labels", "percent"}
 
 
 @pytest.mark.parametrize("style", LAYERS)
