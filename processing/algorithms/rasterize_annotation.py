@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from contextlib import ExitStack
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -22,7 +21,7 @@ from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm, filling_polygon
 from ..framework.base import Declared, follow
 from ..framework.parameters import with_help
-from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
+from ..framework.scheduler import require_scheduler, scheduler, workers
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -145,11 +144,8 @@ class RasterizeAnnotation(AnnotationAlgorithm):
         from ...cluster.task_names import BURN
         from ...storage.burning import LabelMapBurning
 
-        with ExitStack() as stack:
-            burn = None
-            if values.has(SCHEDULER):
-                run = stack.enter_context(workers(values, feedback, {}))
-                burn = partial(run.in_order, BURN, shared=(frame.crs,))
+        with workers(values, feedback, {}) as run:
+            burn = None if run is None else partial(run.in_order, BURN, shared=(frame.crs,))
             burning = LabelMapBurning(path, frame, table, polygons, burn)
             follow(burning.steps(), feedback, READING_SHARE, 100)
         return burning.counts.tolist()
