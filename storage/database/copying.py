@@ -14,6 +14,7 @@ from . import schema
 from .connection import require_unchanged_since, snapshot
 
 _OWN = (*schema.LAYERS, schema.OVERVIEW)
+_LOOSE_SHARE = 0.1
 _KEPT_PREFIXES = ("gpkg_", "sqlite_", "rtree_windows_geom", "rtree_references_geom")
 
 
@@ -43,7 +44,14 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
         _drop_foreign_tables(copy)
         for statement in _own_triggers(copy):
             copy.execute(statement)
-        copy.execute("VACUUM")
+        if _is_loose(copy):
+            copy.execute("VACUUM")
+
+
+def _is_loose(copy: sqlite3.Connection) -> bool:
+    """Whether so many pages are free that writing the file once more is worth it: tables of others went, say."""
+    ((free,), (pages,)) = (copy.execute(f"PRAGMA {name}").fetchone() for name in ("freelist_count", "page_count"))
+    return free > _LOOSE_SHARE * pages
 
 
 def _remove_foreign(copy: sqlite3.Connection) -> None:

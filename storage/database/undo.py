@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ...core.errors import DatabaseError, ParameterError
 from ..atomic_output import Batch
-from ..sqlite_copy import copy_whole
+from ..sqlite_copy import WAIT_S, copy_whole
 
 _BEFORE = "_before_update"
 
@@ -30,11 +30,12 @@ def can_undo(path: str) -> bool:
 def replace_keeping(path: str, updated: str) -> None:
     """Put an updated database in the place of the old one, which is kept; both or neither.
 
-    The kept file has a table with the checksums of the updated database: only that one can be undone.
+    The old file itself becomes the kept one where the file system has hard links, and a copy of it elsewhere. The kept
+    file has a table with the checksums of the updated database: only that one can be undone.
 
     Args:
         path: Of the database.
-        updated: A file that the update wrote elsewhere; it is removed.
+        updated: A file that the update wrote elsewhere, best in a folder beside the database; it is moved.
 
     Raises:
         DatabaseError: A database can't be read.
@@ -46,15 +47,16 @@ def replace_keeping(path: str, updated: str) -> None:
     made = _checksums(updated)
     _require_kept_by_us(file_before(path))
     with Batch() as batch:
-        kept = batch.file(file_before(path), tables=(*TABLES, "semref_undo"))
-        fresh = batch.file(path, tables=TABLES)
-        with _copied(path, kept) as copy:
-            copy.execute("DROP TABLE IF EXISTS semref_undo")
-            copy.execute("CREATE TABLE semref_undo (checksums TEXT)")
-            copy.execute("INSERT INTO semref_undo VALUES (?)", (made,))
-        shutil.copyfile(updated, fresh)
-        batch.commit()
-    os.remove(updated)
+        kept, fresh = (batch.file(target, tables=(*TABLES, "semref_undo")) for target in (file_before(path), path))
+        if not _linked(path, kept, made):
+            with _copied(path, kept) as copy:
+                _state(copy, made)
+        shutil.move(updated, fresh)
+        try:
+            batch.commit()
+        except BaseException:
+            _forget_linked(path, kept)
+            raise
 
 
 def undo_update(path: str) -> None:
@@ -86,6 +88,48 @@ def undo_update(path: str) -> None:
         batch.commit()
     with contextlib.suppress(OSError):
         os.remove(before)
+
+
+def _state(kept: sqlite3.Connection, made: str | None) -> None:
+    """Write into the database of before which one followed it."""
+    kept.execute("DROP TABLE IF EXISTS semref_undo")
+    kept.execute("CREATE TABLE semref_undo (checksums TEXT)")
+    kept.execute("INSERT INTO semref_undo VALUES (?)", (made,))
+
+
+def _linked(path: str, kept: str, made: str | None) -> bool:
+    """Give the old database its second name; False where a copy is needed.
+
+    That is where it is a link itself, has other names already, is in use, can't be written or has no hard links.
+    """
+    if os.path.islink(path) or os.stat(path).st_nlink > 1:
+        return False
+    try:
+        with _writable(path) as own:
+            if own.execute("PRAGMA journal_mode=DELETE").fetchone() != ("delete",):
+                return False
+            own.execute("BEGIN IMMEDIATE")
+            _state(own, made)
+            own.execute("COMMIT")
+        os.link(path, kept)
+    except (OSError, sqlite3.Error):
+        return False
+    return True
+
+
+def _forget_linked(path: str, kept: str) -> None:
+    """Take out of the old database what ``_linked`` wrote, as it is not replaced."""
+    with contextlib.suppress(OSError, sqlite3.Error):
+        if os.path.samefile(path, kept):
+            with _writable(path) as own:
+                own.execute("DROP TABLE IF EXISTS semref_undo")
+
+
+def _writable(path: str) -> contextlib.closing[sqlite3.Connection]:
+    uri = f"{Path(path).resolve().as_uri()}?mode=rw"
+    own = sqlite3.connect(uri, uri=True, timeout=WAIT_S, isolation_level=None)
+    own.execute("PRAGMA trusted_schema=OFF")
+    return contextlib.closing(own)
 
 
 def _require_kept_by_us(before: str) -> None:

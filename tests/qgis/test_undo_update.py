@@ -14,6 +14,7 @@ import pytest
 from full_disks import files_of_at_most
 
 from semref.core.errors import SemRefError
+from semref.storage.database import undo
 from semref.storage.database.reader import read_database, store_checksums
 from semref.storage.database.undo import can_undo, file_before, replace_keeping, undo_update
 
@@ -65,6 +66,58 @@ def test_undo_gives_back_what_was_there_before_the_update(path, tmp_path):
     with contextlib.closing(sqlite3.connect(path)) as connection:
         assert list(connection.iterdump()) == before
     assert os.listdir(tmp_path / "maps") == ["area.gpkg"] and not can_undo(path)
+
+
+def test_the_old_file_itself_is_kept_and_the_new_one_moved(path, tmp_path):
+    updated = larger(path, tmp_path, 5)
+    old, new = os.stat(path).st_ino, os.stat(updated).st_ino
+    replace_keeping(path, updated)
+    assert (os.stat(file_before(path)).st_ino, os.stat(path).st_ino) == (old, new)
+    assert not os.path.exists(updated)
+
+
+def no_links(monkeypatch, path):
+    def refused(source, target):
+        raise OSError(95, "Operation not supported")
+
+    monkeypatch.setattr(os, "link", refused)
+
+
+def two_names(monkeypatch, path):
+    os.link(path, f"{path}.mine")
+
+
+def in_wal(monkeypatch, path):
+    monkeypatch.setattr(undo, "_linked", lambda *_: False)
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        connection.execute("PRAGMA journal_mode=WAL")
+
+
+@pytest.mark.parametrize("case", [no_links, two_names, in_wal])
+def test_a_copy_is_kept_where_the_old_file_can_t_be(path, tmp_path, monkeypatch, case):
+    case(monkeypatch, path)
+    was, inode = areas(path), os.stat(path).st_ino
+    replace_keeping(path, larger(path, tmp_path, 5))
+    assert os.stat(file_before(path)).st_ino != inode
+    undo_update(path)
+    np.testing.assert_array_equal(areas(path), was)
+
+
+def test_an_update_that_can_t_be_put_in_place_leaves_the_database_and_no_trace_in_it(path, tmp_path, monkeypatch):
+    updated, was, replace = larger(path, tmp_path, 5), areas(path), os.replace
+
+    def broken(source, target):
+        if str(target).endswith("area_before_update.gpkg"):
+            raise PermissionError(13, "Permission denied")
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", broken)
+    with pytest.raises(SemRefError, match="can't be replaced"):
+        replace_keeping(path, updated)
+    np.testing.assert_array_equal(areas(path), was)
+    assert os.listdir(tmp_path / "maps") == ["area.gpkg"]
+    with contextlib.closing(sqlite3.connect(path)) as connection:
+        assert not connection.execute("SELECT * FROM sqlite_master WHERE name = 'semref_undo'").fetchall()
 
 
 def test_a_copy_of_the_user_s_own_under_the_name_of_the_kept_file_is_not_replaced(path, tmp_path):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import traceback
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessingUtils, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -13,6 +13,9 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...processing.translation import tr
 from .algorithm_run import AlgorithmRun
 from .background import Reader
+
+if TYPE_CHECKING:
+    from ...storage.atomic_output import Batch
 
 RASTERIZE, UPDATE = "semref:rasterizeannotation", "semref:updatedatabase"
 
@@ -65,6 +68,7 @@ class CorrectionRun(QObject):
         self.running = False
         self._wanted: Correction | None = None
         self._folder = self._updated = ""
+        self._workplace: Batch | None = None
         self._first_percent = 0
         self.rasterizing: dict[str, Any] = {}
         self._next = self._rasterize
@@ -89,6 +93,7 @@ class CorrectionRun(QObject):
         """Cancels, and waits until no code of the plugin runs in the background any more."""
         self._reader.shut_down()
         self._run.abandon()
+        self._stop()
 
     def start(self, wanted: Correction) -> None:
         """Begins. The annotation may be edited and removed once it is being rasterized."""
@@ -137,7 +142,7 @@ class CorrectionRun(QObject):
 
     def _update(self, rasterized: dict) -> None:
         self._next, self._first_percent = self._replace, _RASTERIZED_PERCENT
-        self._updated = os.path.join(self._folder, "updated.gpkg")
+        self._updated = self._beside(self._wanted.database) or os.path.join(self._folder, "updated.gpkg")
         parameters = {"DATABASE": self._wanted.database, "LABELS": rasterized["OUTPUT"], "OUTPUT": self._updated}
         self._run.start_algorithm(UPDATE, parameters, tr("Updating the database"))
 
@@ -147,22 +152,40 @@ class CorrectionRun(QObject):
         self._next = self._end
         self._reader.read(tr("Updating the database"), replace_keeping, self._wanted.database, self._updated)
 
-    def _end(self, _nothing: None) -> None:
+    def _beside(self, database: str) -> str:
+        """A path in a private folder beside the database, from where a file is moved without a copy; empty for none."""
+        from ...core.errors import SemRefError
+        from ...storage.atomic_output import Batch
+        from ...storage.database.schema import TABLES
+
+        self._workplace = Batch()
+        try:
+            return self._workplace.file(database, tables=TABLES)
+        except SemRefError:
+            # The same is raised, and shown, where the database is to be replaced.
+            return ""
+
+    def _stop(self) -> None:
         self.running = False
+        if self._workplace is not None:
+            self._workplace.close()
+
+    def _end(self, _nothing: None) -> None:
+        self._stop()
         self.done.emit(self._wanted.database)
 
     # --- ends before its time ---
 
     def _fail(self, sentence: str) -> None:
-        self.running = False
+        self._stop()
         self.failed.emit(sentence)
 
     def _break(self, report: str) -> None:
-        self.running = False
+        self._stop()
         self.broke.emit(report)
 
     def _cancel(self) -> None:
-        self.running = False
+        self._stop()
         self.canceled.emit()
 
     def _show_progress(self, percent: float) -> None:
