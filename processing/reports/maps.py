@@ -26,8 +26,8 @@ RADIUS = 4.0
 NEEDLE = 13.0
 """From its center to where the image's top points, pixels."""
 
-HALO = "paint-order:stroke;stroke:var(--ground);stroke-width:4"
-"""Of letters, on whatever lies below them."""
+HALO = "font-size:18px;paint-order:stroke;stroke:var(--ground);stroke-width:4"
+"""Of letters, on whatever lies below them; paper has a sketch half as large."""
 
 ROUTE_HEIGHT = 400
 """Of a route's sketch at least: what lies beside it matters, too."""
