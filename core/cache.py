@@ -26,11 +26,10 @@ from typing import BinaryIO
 
 import numpy as np
 
+from . import limits
+
 Arrays = dict[str, np.ndarray]
 """By name."""
-
-LARGEST_BYTES = 16 << 30
-"""Of all files together: a database of 10⁷ landmarks and 10⁵ km² needs 5 GB. The files used last remain."""
 
 _ABANDONED_AFTER_S = 600
 """A temporary file that was not written to for this long belongs to a writer that was killed."""
@@ -164,7 +163,7 @@ def _store(name: str, secret: bytes, arrays: Arrays) -> None:
     header += b" " * (-(_MAC_BYTES + 4 + len(header)) % _ALIGNMENT)
     pieces = [len(header).to_bytes(4, "little"), header, *pieces]
     folder = cache_folder()
-    if offset > LARGEST_BYTES:
+    if offset > limits.CACHE_BYTES:
         raise _os_error(errno.EFBIG)
     _write(folder / name, [_mac(name, secret, pieces), *pieces])
     _remove_oldest(folder)
@@ -186,7 +185,7 @@ def _write(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
 
 
 def _remove_oldest(folder: Path) -> None:
-    """Remove abandoned temporary files, and the files used longest ago until the rest is within LARGEST_BYTES."""
+    """Remove abandoned temporary files, and the files used longest ago until the rest is within the limit."""
     with contextlib.suppress(OSError):
         files = [(file, file.stat(follow_symlinks=False)) for file in os.scandir(folder)]
         total = 0
@@ -194,7 +193,7 @@ def _remove_oldest(folder: Path) -> None:
             is_cache = file.name.endswith(_SUFFIX) and stat.S_ISREG(status.st_mode)
             total += status.st_size if is_cache else 0
             is_abandoned = file.name.endswith(_TEMPORARY) and status.st_mtime < time.time() - _ABANDONED_AFTER_S
-            if is_abandoned or (is_cache and total > LARGEST_BYTES):
+            if is_abandoned or (is_cache and total > limits.CACHE_BYTES):
                 with contextlib.suppress(OSError):
                     os.unlink(file.path)
 

@@ -7,25 +7,13 @@ import math
 import re
 from typing import Any
 
-LONGEST_NAME = 255
-"""Characters of a name, a version or a hash: what file systems and OGR's fields hold as well."""
-
-LONGEST_TEXT = 100_000
-"""Characters of any other text, such as a CRS; the longest of EPSG's has 30,000."""
-
-LONGEST_JSON = 64 << 20
-"""Characters of a JSON text: the block hashes of a map of 900,000 × 900,000 pixels, a plan of a million waypoints."""
-
-DEEPEST_JSON = 32
-"""Lists in lists of a JSON text; SemRef's own have three, QGroundControl's plans eight."""
-
-_LONGEST_NUMBER = 64
+from . import limits
 
 _JSON_STRING = re.compile(r'"(?:[^"\\]|\\.?)*"?', re.DOTALL)
 """A string, also one that does not end: a pattern that can't fail never goes back, so the search is linear."""
 
 
-def read_json(text: str, longest: int = LONGEST_JSON) -> Any:  # noqa: ANN401 -- JSON is of any type
+def read_json(text: str, longest: int = limits.JSON_CHARACTERS) -> Any:  # noqa: ANN401 -- JSON is of any type
     """What a JSON text says.
 
     Args:
@@ -40,13 +28,13 @@ def read_json(text: str, longest: int = LONGEST_JSON) -> Any:  # noqa: ANN401 --
     depth = 0
     for bracket in re.finditer(r"[][{}]", _JSON_STRING.sub("", text)):
         depth += 1 if bracket[0] in "[{" else -1
-        if depth > DEEPEST_JSON:
-            raise ValueError(f"it has lists in more than {DEEPEST_JSON} lists")
+        if depth > limits.JSON_DEPTH:
+            raise ValueError(f"it has lists in more than {limits.JSON_DEPTH} lists")
     return json.loads(text, parse_int=_whole)
 
 
 def _whole(text: str) -> int:
-    if len(text) > _LONGEST_NUMBER:
+    if len(text) > limits.NUMBER_DIGITS:
         raise ValueError(f"a number has {len(text)} digits")
     return int(text)
 
@@ -70,7 +58,7 @@ def number(
     return float(value)
 
 
-def short_text(value: Any, name: str, longest: int = LONGEST_NAME) -> str:  # noqa: ANN401 -- as it came
+def short_text(value: Any, name: str, longest: int = limits.NAME_CHARACTERS) -> str:  # noqa: ANN401 -- as it came
     """``value`` if it is a text of at most ``longest`` characters; raises ValueError for anything else."""
     if len(checked(value, str, name)) > longest:
         raise ValueError(f"{name} has {len(value)} characters, more than {longest}")
@@ -79,7 +67,7 @@ def short_text(value: Any, name: str, longest: int = LONGEST_NAME) -> str:  # no
 
 def shown(value: object) -> str:
     """A value as it may stand in a sentence, cut to what can be read."""
-    if isinstance(value, int) and abs(value) > 10**_LONGEST_NUMBER:
+    if isinstance(value, int) and abs(value) > 10**limits.NUMBER_DIGITS:
         return "a number of too many digits"
     text = repr(value)
-    return text if len(text) <= _LONGEST_NUMBER else text[:_LONGEST_NUMBER] + "…"
+    return text if len(text) <= limits.NUMBER_DIGITS else text[: limits.NUMBER_DIGITS] + "…"

@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
+from ..core import limits
 from ..core.errors import ParameterError
 from ..core.geometry.frame import MapFrame
 
 Bounds = tuple[float, float, float, float]
 """Left, bottom, right, top."""
-
-MAXIMUM_PIXELS = 1_000_000_000_000
-"""Beyond this a pixel size is taken for a mistake (a country at 1 cm)."""
 
 
 def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
@@ -27,7 +25,7 @@ def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
     left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
     right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
     width, height = max(right - left, 1), max(top - bottom, 1)
-    if width * height > MAXIMUM_PIXELS or max(width, height) > 2**31 - 1:
+    if width * height > limits.MAP_PIXELS or max(width, height) > 2**31 - 1:
         raise ParameterError(
             "The label map would have {width} × {height} pixels; choose larger pixels or a smaller extent.",
             width=width,

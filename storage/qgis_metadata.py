@@ -6,14 +6,10 @@ import contextlib
 import sqlite3
 from pathlib import Path
 
+from ..core import limits
+
 QGIS_STANDARD = "http://mrcc.com/qgis.dtd"
 """What QGIS calls the standard of its own metadata in a GeoPackage."""
-
-LONGEST_NOTE = 1_000_000
-"""Bytes of a note that is read."""
-
-MOST_SOURCES = 200
-"""That are asked for their notes: photos, of which there are thousands, have none."""
 
 _STEPS_TO_READ = 200_000
 """Of SQLite's machine: a note is found in some hundred; who made the file may have made it hard on purpose."""
@@ -30,7 +26,7 @@ def metadata_text(source: str) -> str:
         if path.lower().endswith(".gpkg") and Path(path).is_file():
             return _note_in_geopackage(path, rest.partition("layername=")[2].partition("|")[0])
         beside = Path(path).with_suffix(".qmd")
-        if beside.is_file() and beside.stat().st_size <= LONGEST_NOTE:
+        if beside.is_file() and beside.stat().st_size <= limits.METADATA_BYTES:
             return beside.read_text(encoding="utf-8")
     return ""
 
@@ -45,6 +41,6 @@ def _note_in_geopackage(path: str, table: str) -> str:
             "SELECT m.metadata FROM gpkg_metadata m JOIN gpkg_metadata_reference r ON r.md_file_id = m.id "
             "WHERE m.md_standard_uri = ? AND length(m.metadata) <= ? AND (? = '' OR r.table_name = ?) "
             "ORDER BY m.id LIMIT 1",
-            (QGIS_STANDARD, LONGEST_NOTE, table, table),
+            (QGIS_STANDARD, limits.METADATA_BYTES, table, table),
         ).fetchone()
     return str(row[0]) if row else ""

@@ -12,6 +12,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 
+from ..core import limits
 from ..core.errors import LabelMapError, UnwritableError
 from ..core.labels.class_table import (
     ClassTable,
@@ -70,9 +71,6 @@ _ERDAS = b"EHFA_HEADER_TAG"
 
 _OVERVIEW_FILE = "OVERVIEW_FILE", "OVERVIEWS"
 """Item and domain of metadata, in a TIFF or in ``.aux.xml``, by which a raster names another one, also of a host."""
-
-_MOST_SIDE_CAR_BYTES = 20_000_000
-"""Of ``.aux.xml``: histograms and attribute tables take some megabytes; GDAL builds a tree of all of it."""
 
 _FARTHEST = 1e9
 """Map units from the origin, and of a pixel; the false eastings of zoned CRS come to 6e7."""
@@ -174,7 +172,7 @@ def _require_own_side_cars(path: str) -> None:
     for side_car in _side_cars(path):
         is_metadata = side_car.lower().endswith(".aux.xml")
         state = os.stat(side_car)
-        if not stat.S_ISREG(state.st_mode) or is_metadata and state.st_size > _MOST_SIDE_CAR_BYTES:
+        if not stat.S_ISREG(state.st_mode) or is_metadata and state.st_size > limits.SIDE_CAR_BYTES:
             raise LabelMapError(
                 "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
                 "files; remove it.",

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from osgeo import gdal, ogr
 
+from ..core import limits
 from ..core.errors import ParameterError
 from ..core.sentences import Sentence
 from ..core.values import read_json
@@ -21,8 +22,6 @@ WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
 
 _DRIVERS = {".gpx": ("GPX",), ".kml": ("LIBKML", "KML"), ".kmz": ("LIBKML",)}
 """Of GDAL, by suffix: others read descriptions of files that lie elsewhere."""
-
-LARGEST_FILE_BYTES = 64 << 20
 
 _POSITION_COMMANDS = (16, 17, 18, 19, 21, 22, 31, 82, 84, 85)
 """MAVLink commands that fly to a place: waypoint, loiter (4), land, take-off, spline, VTOL take-off and landing."""
@@ -41,9 +40,9 @@ def read_waypoint_file(path: str) -> list[np.ndarray]:
     """
     if not os.path.isfile(path):
         raise ParameterError("There is no file {path}; choose another route.", path=path)
-    if os.path.getsize(path) > LARGEST_FILE_BYTES:
+    if os.path.getsize(path) > limits.ROUTE_BYTES:
         raise ParameterError(
-            "{path} is larger than {most_mb} MB; no route is.", path=path, most_mb=LARGEST_FILE_BYTES >> 20
+            "{path} is larger than {most_mb} MB; no route is.", path=path, most_mb=limits.ROUTE_BYTES >> 20
         )
     suffix = Path(path).suffix.lower()
     if suffix == ".plan":

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from ..core import limits
 from ..core.errors import ClassTableError, ParameterError
-from ..core.flight.table import MOST_BYTES, bytes_of
+from ..core.flight.table import bytes_of
 from ..core.labels.class_table import ClassTable, class_table_from_csv
 from ..core.labels.openstreetmap import Rules, rules_from_csv
 
@@ -23,7 +24,7 @@ def read_rules(path: str) -> Rules:
 
 def _table_text(path: str) -> str:
     try:
-        data = bytes_of(path, MOST_BYTES)
+        data = bytes_of(path, limits.TABLE_BYTES)
     except ParameterError as error:
         raise ClassTableError(error.sentence) from None
     try:

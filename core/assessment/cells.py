@@ -8,11 +8,9 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from .. import limits
 from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
-
-MOST_CELLS = 100_000
-"""Squares of an assessment; more take hours and show no more."""
 
 
 @dataclass(frozen=True)
@@ -55,8 +53,8 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
         raise ParameterError("The edge of a square is {size:g}; give it in map units.", size=size)
     x0, y_low, x1, y0 = database.parameters.extent
     width, height = (max(math.ceil((b - a) / size - 1e-6), 1) for a, b in ((x0, x1), (y_low, y0)))
-    if width * height > MOST_CELLS:
-        least = math.sqrt((x1 - x0) * (y0 - y_low) / MOST_CELLS)
+    if width * height > limits.SQUARES:
+        least = math.sqrt((x1 - x0) * (y0 - y_low) / limits.SQUARES)
         raise ParameterError(
             "The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.",
             size=size,

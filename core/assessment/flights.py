@@ -14,6 +14,7 @@ from typing import cast
 
 import numpy as np
 
+from .. import limits
 from ..database.model import ReferenceDatabase
 from ..errors import DatabaseError, ParameterError
 from ..flight.model import FlightImage, FlightPose
@@ -34,9 +35,6 @@ TURN_DEG, SCALE = 0.3, 0.003
 
 SIZE_KNOWN = 1.1
 """Ratio to either side that the pixel size is told with: a height over ground known to 10 %."""
-
-MOST_IMAGES = 20_000
-"""Of all flights together; more take days."""
 
 
 @dataclass(frozen=True)
@@ -149,12 +147,12 @@ class FlownRoutes:
             ParameterError: There are too many images.
         """
         flights, count = self._plan.flights, len(points)
-        if flights * count > MOST_IMAGES:
+        if flights * count > limits.FLOWN_IMAGES:
             raise ParameterError(
                 "The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or "
                 "a larger distance between images.",
                 count=flights * count,
-                most=MOST_IMAGES,
+                most=limits.FLOWN_IMAGES,
             )
         placed, lost = np.zeros((2, flights, count), bool)
         radii, errors = np.full((2, flights, count), np.nan)

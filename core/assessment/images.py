@@ -13,6 +13,7 @@ from typing import cast
 
 import numpy as np
 
+from .. import limits
 from ..constellation.hypotheses import SMALLEST_OBJECT_PX
 from ..constellation.solver import localize as solve
 from ..database.model import ReferenceDatabase
@@ -27,9 +28,6 @@ from ..simulation.label_errors import spoil_labels
 from ..simulation.landmark_errors import joined, spoil_landmarks, with_moved_boundaries
 from ..simulation.noise import JITTER_LENGTH_PX
 from ..simulation.views import View, cut, image_coordinates
-
-LARGEST_IMAGE_PX = 2000
-"""Edge of a simulated image; a larger footprint is shown with larger pixels."""
 
 SMALL_SHARE = 0.35
 """Objects too small for the catalogue that an image shows besides, as a share of its landmarks: a database doesn't know
@@ -77,7 +75,7 @@ class ImageSimulator:
         self._database = database
         self.footprint = footprint
         parameters, settings = database.parameters, localizer.settings.constellation
-        self.size_px = min(max(round(footprint / parameters.pixel_size), 1), LARGEST_IMAGE_PX)
+        self.size_px = min(max(round(footprint / parameters.pixel_size), 1), limits.SIMULATED_EDGE_PX)
         self.pixel = footprint / self.size_px
         self._pixel_sizes = localizer.pixel_sizes((self.size_px, self.size_px), settings.limits.scales)
         self._prior = Prior(pixel_size_range=self._pixel_sizes)

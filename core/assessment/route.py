@@ -8,10 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .. import limits
 from ..errors import ParameterError
-
-MOST_POINTS = 20_000
-"""Points of a route; more take hours."""
 
 SHIFTS = (-1.0, -0.5, 0.5, 1.0)
 """Where else a stretch is tried, as shares of the largest shift; left of the direction of flight below 0."""
@@ -104,8 +102,8 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
         raise ParameterError("The route has no line with a length; draw one through two points at least.")
     lengths = tuple(float(_steps(line).sum()) for line in lines)
     count = sum(math.ceil(length / spacing) + 1 for length in lengths)
-    if count > MOST_POINTS:
-        least = sum(lengths) / MOST_POINTS
+    if count > limits.ROUTE_POINTS:
+        least = sum(lengths) / limits.ROUTE_POINTS
         raise ParameterError(
             "The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.",
             spacing=spacing,

@@ -11,6 +11,7 @@ from dataclasses import replace
 import cv2
 import numpy as np
 
+from .. import limits
 from .class_pyramid import EvidenceLevel, MapPyramid
 from .refine import (
     DAMPING,
@@ -23,9 +24,6 @@ from .refine import (
     moved,
     parameter_units,
 )
-
-LARGEST_RASTER = 32_766
-"""OpenCV samples rasters with shorter edges than 2¹⁵."""
 
 
 def refine_many(
@@ -68,11 +66,11 @@ def _maps_under(image: EvidenceLevel, pyramid: MapPyramid, poses: list[ScoredPos
     for number in np.unique(levels):
         chosen = np.flatnonzero(levels == number)
         level = pyramid.stored(int(number))
-        if level is None or max(level.known.shape) > LARGEST_RASTER:
+        if level is None or max(level.known.shape) > limits.WARPED_EDGE_PX:
             for n in chosen:
                 patches[n], known[n] = map_under(image, pyramid, poses[n])
             continue
-        for part in np.array_split(chosen, -(-len(chosen) * height // LARGEST_RASTER)):
+        for part in np.array_split(chosen, -(-len(chosen) * height // limits.WARPED_EDGE_PX)):
             columns, rows = _places(image, [poses[n] for n in part], level.pixel[0])
             found = cv2.remap(level.evidence, columns, rows, cv2.INTER_LINEAR)
             patches[part] = found.reshape(len(part), height, width, -1)

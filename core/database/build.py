@@ -8,6 +8,7 @@ from math import gcd
 
 import numpy as np
 
+from .. import limits
 from ..errors import LabelMapError, WindowError
 from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
@@ -40,9 +41,6 @@ REGIONS_A_TASK = 200
 COMPARED_A_TASK = 4096
 """Windows that one task compares with all."""
 
-_LONGEST = 1e9
-"""Map units; no map is larger."""
-
 
 @dataclass(frozen=True)
 class BuildSettings:
@@ -71,7 +69,7 @@ class BuildSettings:
 
     def __post_init__(self) -> None:
         """Refuses values that can't be used."""
-        if not all(0 <= length < _LONGEST for length in (self.window_size, self.stride)):
+        if not all(0 <= length < limits.LENGTH for length in (self.window_size, self.stride)):
             raise WindowError(
                 "The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, "
                 "above 0.",
@@ -88,7 +86,7 @@ class BuildSettings:
                 count=self.references_per_vector,
                 least=MINIMUM_REFERENCES,
             )
-        if not self.levels or not all(0 < level < _LONGEST for level in self.levels):
+        if not self.levels or not all(0 < level < limits.LENGTH for level in self.levels):
             raise WindowError("The levels must be positive multipliers of the window size, for example 1;2.")
         # One that is given twice counts once.
         object.__setattr__(self, "levels", tuple(dict.fromkeys(self.levels)))

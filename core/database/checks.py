@@ -4,21 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from .. import limits
 from ..labels.class_table import ClassTable
 from .model import MapLandmarks, Windows
 from .parameters import BuildParameters
-
-MAXIMUM_WINDOWS = 10_000_000
-MAXIMUM_LANDMARKS = 50_000_000
-"""Beyond these a file is refused: the whole of a country fits."""
-
-LARGEST_VECTOR_ELEMENT = 1e6
-"""Elements of a topology vector are shares, some way beyond 1 for long thin landmarks."""
-
-LARGEST_AREA_M2 = 1e15
-"""Twice the surface of the Earth."""
-
-_MOST_COUNTED = 1 << 31
 
 _OFF_MAP_PX = 1.0
 """Pixels by which rounding may put a landmark over the map's edge."""
@@ -38,29 +27,31 @@ def require_sound(windows: Windows, landmarks: MapLandmarks, parameters: BuildPa
 
 
 def _require_sound_windows(windows: Windows, parameters: BuildParameters) -> None:
-    if len(windows) > MAXIMUM_WINDOWS:
+    if len(windows) > limits.WINDOWS:
         raise ValueError(f"it has {len(windows)} windows")
     _require_on_map(windows.centers, "a window", parameters)
     _require(
         (windows.levels >= 1) & (windows.levels <= len(parameters.levels)), "a window has a level that is not there"
     )
-    _require((windows.counts >= 0) & (windows.counts < _MOST_COUNTED), "a window has an impossible number of landmarks")
+    _require(
+        (windows.counts >= 0) & (windows.counts < limits.COUNTED), "a window has an impossible number of landmarks"
+    )
     width, height = parameters.map_width_px, parameters.map_height_px
     _require(
         (windows.sizes > 0) & (windows.sizes < (min(width, height) + 1) * parameters.pixel_size),
         "a window has an impossible size",
     )
-    _require(np.abs(windows.vectors) < LARGEST_VECTOR_ELEMENT, "a vector has values that are no numbers")
+    _require(np.abs(windows.vectors) < limits.VECTOR_ELEMENT, "a vector has values that are no numbers")
     if windows.distinctiveness is not None:
         found = windows.distinctiveness[~np.isnan(windows.distinctiveness)]
         _require((found >= 0) & (found < np.inf), "a window has an impossible distinctiveness")
 
 
 def _require_sound_landmarks(landmarks: MapLandmarks, parameters: BuildParameters, table: ClassTable) -> None:
-    if len(landmarks) > MAXIMUM_LANDMARKS:
+    if len(landmarks) > limits.LANDMARKS:
         raise ValueError(f"it has {len(landmarks)} landmarks")
     _require_on_map(landmarks.positions, "a landmark", parameters)
-    _require((landmarks.areas_m2 > 0) & (landmarks.areas_m2 < LARGEST_AREA_M2), "a landmark has an impossible area")
+    _require((landmarks.areas_m2 > 0) & (landmarks.areas_m2 < limits.AREA_M2), "a landmark has an impossible area")
     _require(np.isin(landmarks.classes, table.reference_values), "a landmark has a class that is no reference class")
 
 

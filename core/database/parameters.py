@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
+from .. import limits
 from ..errors import DatabaseError
 from ..geometry.error_settings import MAP_ACCURACY
 from ..geometry.frame import MapFrame
-from ..values import LONGEST_TEXT, checked, number, short_text, shown
+from ..values import checked, number, short_text, shown
 
 FORMAT_VERSION = 1
 
@@ -23,20 +24,8 @@ _JSON_TYPES: dict[str, type | tuple[type, ...]] = {
 
 _LENGTHS = ("pixel_size", "window_size", "stride", "minimum_area")
 _COUNTS = ("map_width_px", "map_height_px", "overview_factor", "references_per_vector")
-_MOST = 1 << 31
-"""Pixels along an edge of a map are 32-bit numbers in GDAL and OpenCV."""
-
-LONGEST_VECTOR = 1000
-"""Landmarks that a topology vector may hold."""
-
-_MOST_LEVELS = 255
-"""Levels are bytes on board."""
-
 _FARTHEST = 1e9
 """Map units from the origin; the false eastings of zoned CRS come to 6e7."""
-
-_MOST_UNITS = 1e12
-"""Map units or square meters of a length or an area."""
 
 
 @dataclass(frozen=True)
@@ -125,19 +114,19 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     for item in fields(BuildParameters):
         known[item.name] = checked(values[item.name], _JSON_TYPES[str(item.type)], item.name)
         if item.type == "str":
-            short_text(known[item.name], item.name, LONGEST_TEXT)
+            short_text(known[item.name], item.name, limits.TEXT_CHARACTERS)
     known["geotransform"] = tuple(number(value, "geotransform") for value in known["geotransform"])
-    known["levels"] = tuple(number(value, "levels", above=0, most=_MOST_UNITS) for value in known["levels"])
+    known["levels"] = tuple(number(value, "levels", above=0, most=limits.UNITS) for value in known["levels"])
     known["block_hashes"] = tuple(short_text(value, "block_hashes") for value in known["block_hashes"])
-    if not 0 < len(known["levels"]) <= _MOST_LEVELS:
+    if not 0 < len(known["levels"]) <= limits.LEVELS:
         raise ValueError(f"levels are {shown(known['levels'])}")
     for name in _LENGTHS:
-        number(known[name], name, above=0, most=_MOST_UNITS)
-    number(known["map_accuracy"], "map_accuracy", above=-1e-9, most=_MOST_UNITS)
+        number(known[name], name, above=0, most=limits.UNITS)
+    number(known["map_accuracy"], "map_accuracy", above=-1e-9, most=limits.UNITS)
     for name in _COUNTS:
-        if not 0 < known[name] < _MOST:
+        if not 0 < known[name] < limits.EDGE_PIXELS:
             raise ValueError(f"{name} is {shown(known[name])}")
-    if known["references_per_vector"] > LONGEST_VECTOR:
+    if known["references_per_vector"] > limits.VECTOR_LANDMARKS:
         raise ValueError(f"references_per_vector is {known['references_per_vector']}")
     _require_north_up(known["geotransform"])
     found = BuildParameters(**known)

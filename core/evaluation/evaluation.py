@@ -12,6 +12,7 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
+from .. import limits
 from ..database.model import ReferenceDatabase
 from ..errors import ParameterError
 from ..geometry.error_settings import NETWORK_SPREAD, KnownBiases
@@ -50,9 +51,6 @@ NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
 
 TABLE_WINDOWS = 3
 """Windows that are scaled and turned for the two tables."""
-
-LARGEST_IMAGE_PX = 2000
-"""Edge of a query; larger windows are shown with larger pixels."""
 
 
 @dataclass(frozen=True)
@@ -167,7 +165,7 @@ class Evaluation:
         self._biases = KnownBiases(class_spread=NETWORK_SPREAD if ranges.shifted[1] > 0 else 0.0)
         self._frame = frame.of_shape(source.shape_hw)
         self._edge = float(database.windows.sizes.min()) if len(database.windows) else 0.0
-        self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), LARGEST_IMAGE_PX)
+        self.image_px = min(max(round(self._edge / database.parameters.pixel_size), 1), limits.SIMULATED_EDGE_PX)
         self._windows = self._usable_windows(minimum_references)
         if not len(self._windows):
             raise ParameterError(

@@ -6,12 +6,9 @@ import os
 import stat
 from collections.abc import Iterator
 
+from .. import limits
 from ..errors import ParameterError
-from ..labels.class_table import LONGEST_LINE
 from .table import Check, Columns, Row
-
-LONGEST_LINE_BYTES = 4 * LONGEST_LINE
-"""A character has four bytes at most."""
 
 
 class GrowingTable:
@@ -53,8 +50,8 @@ class GrowingTable:
             with open(self.path, "rb") as file:
                 file.seek(self._place)
                 while True:
-                    line = file.readline(LONGEST_LINE_BYTES)
-                    is_whole = line.endswith(b"\n") or len(line) == LONGEST_LINE_BYTES
+                    line = file.readline(limits.LINE_BYTES)
+                    is_whole = line.endswith(b"\n") or len(line) == limits.LINE_BYTES
                     if not line or not (is_whole or is_ended):
                         # What is half written is taken at the next look.
                         return
@@ -69,13 +66,13 @@ class GrowingTable:
         """One line as a row; nothing of the header and of an empty line."""
         was_within, self._is_within_line = self._is_within_line, not line.endswith(b"\n")
         self._number += not was_within
-        if was_within or len(line) == LONGEST_LINE_BYTES:
+        if was_within or len(line) == limits.LINE_BYTES:
             # One that never ends is told once, not held.
             if not was_within:
                 yield ParameterError(
                     "{path} has a line of more than {most} characters; choose another file.",
                     path=self.path,
-                    most=LONGEST_LINE,
+                    most=limits.LINE_CHARACTERS,
                 )
             return
         try:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .. import limits
 from ..correlation.class_pyramid import EvidenceLevel, mirrored_level
 from ..localization import Prior
 from .evidence import SeenImage
@@ -54,12 +55,8 @@ def packed(past: Past) -> dict[str, np.ndarray]:
     return arrays
 
 
-LARGEST = 1e12
-"""No number of a state is larger: meters, their squares, logarithms, pixels."""
-
-
 def checked_array(
-    arrays: Mapping[str, np.ndarray], name: str, *shape: int | None, above: float = -LARGEST
+    arrays: Mapping[str, np.ndarray], name: str, *shape: int | None, above: float = -limits.STATE_NUMBER
 ) -> np.ndarray:
     """Return one of several arrays as float64, whatever type of number it has.
 
@@ -75,7 +72,7 @@ def checked_array(
     """
     found = np.array(arrays[name])
     fits = found.ndim == len(shape) and all(wanted in (None, n) for wanted, n in zip(shape, found.shape))
-    if not fits or found.dtype.kind not in "biuf" or not ((found > above) & (found <= LARGEST)).all():
+    if not fits or found.dtype.kind not in "biuf" or not ((found > above) & (found <= limits.STATE_NUMBER)).all():
         raise ValueError(f"{name} is none")
     return found.astype(np.float64)
 

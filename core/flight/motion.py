@@ -18,11 +18,9 @@ from enum import Enum
 
 import numpy as np
 
+from .. import limits
 from ..errors import ParameterError
 from ..geometry.pose import turn_of
-
-MOST_LOG_SCALE = 10.0
-"""Of a link: no two images of a flight differ more in the size of their pixels than 1 : 22,000."""
 
 Matrix = tuple[tuple[float, ...], ...]
 """A small matrix, row by row: results that hold one can be compared."""
@@ -85,7 +83,7 @@ class Link:
             )
         numbers = np.array([*self.translation, self.turn, self.log_scale])
         known = np.array(self.covariance, np.float64)
-        if not np.isfinite(numbers).all() or abs(self.log_scale) > MOST_LOG_SCALE:
+        if not np.isfinite(numbers).all() or abs(self.log_scale) > limits.LINK_LOG_SCALE:
             raise ParameterError(
                 "The motion from image {first} to image {second} has numbers that are none.",
                 first=self.first,

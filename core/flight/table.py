@@ -11,12 +11,9 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Callable
 
+from .. import limits
 from ..errors import ParameterError
-from ..labels.class_table import LONGEST_LINE
 from ..sentences import Sentence
-
-MOST_BYTES = 64_000_000
-"""Of a table: ten hours at 100 rows a second have 3.6 million rows, hardly anybody writes as many."""
 
 
 def text_of(path: str) -> str:
@@ -25,7 +22,7 @@ def text_of(path: str) -> str:
     Raises:
         ParameterError: It can't be read, is no regular file, is too large or is no text.
     """
-    data = bytes_of(path, MOST_BYTES)
+    data = bytes_of(path, limits.TABLE_BYTES)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -155,11 +152,11 @@ class Columns:
         Raises:
             ParameterError: The line is none of a table.
         """
-        if len(line) > LONGEST_LINE:
+        if len(line) > limits.LINE_CHARACTERS:
             raise ParameterError(
                 "{path} has a line of more than {most} characters; choose another file.",
                 path=self.path,
-                most=LONGEST_LINE,
+                most=limits.LINE_CHARACTERS,
             )
         place = Sentence("{source}, line {line}", source=self.path, line=number)
         try:
@@ -185,9 +182,11 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
         ParameterError: The file can't be used.
     """
     numbered = [(n, line) for n, line in enumerate(text_of(path).splitlines(), start=1) if line.strip()]
-    if any(len(line) > LONGEST_LINE for _, line in numbered):
+    if any(len(line) > limits.LINE_CHARACTERS for _, line in numbered):
         raise ParameterError(
-            "{path} has a line of more than {most} characters; choose another file.", path=path, most=LONGEST_LINE
+            "{path} has a line of more than {most} characters; choose another file.",
+            path=path,
+            most=limits.LINE_CHARACTERS,
         )
     columns = Columns.of(path, numbered[0][1] if numbered else "")
     check(columns)

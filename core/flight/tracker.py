@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .. import limits
 from ..errors import ParameterError
 from ..localization import Method, Prior, Status, log_odds_of, risk_of
 from ..localizer.localizer import Localizer, default_scales
@@ -18,7 +19,7 @@ from .evidence import SeenImage, best_of, seen_image
 from .measurement import Measurement, measured_near, shared_after, shared_variance
 from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
 from .model import FlightImage, FlightPose
-from .motion import MOST_LOG_SCALE, Link, LinkSource, as_rows
+from .motion import Link, LinkSource, as_rows
 from .pool import OWN_MOST, Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
 from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
@@ -368,7 +369,7 @@ def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]
 
 def _require_sizes(states: np.ndarray) -> None:
     """Raises ValueError for states (n, 4 or more) with a pixel size that no image has."""
-    if (np.abs(states[:, 3]) > MOST_LOG_SCALE).any():
+    if (np.abs(states[:, 3]) > limits.LINK_LOG_SCALE).any():
         raise ValueError("a pixel size is none")
 
 

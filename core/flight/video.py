@@ -18,6 +18,7 @@ from typing import TextIO
 
 import cv2
 
+from .. import limits
 from ..errors import ParameterError, SemRefError
 from .logs.files import read_log
 from .table import bytes_of, stem_of
@@ -25,9 +26,6 @@ from .telemetry import Telemetry, log_cameras
 
 TABLE = "cameras.csv"
 LEAST_STEP_S, MOST_STEP_S = 0.02, 3600.0
-MOST_FRAMES = 100_000
-"""Images that are written of one video."""
-
 _QUALITY = 95
 _STARTS = ((4, b"ftyp"), (0, b"\x1a\x45\xdf\xa3"), (8, b"AVI "), (0, b"\x47"), (0, b"\0\0\1\xba"))
 """How MP4 and QuickTime, Matroska, AVI, and MPEG streams begin; playlists and descriptions of streams would be followed
@@ -63,7 +61,7 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     times: list[float] = []
     wanted, number = 0.0, 0
     try:
-        while len(names) < MOST_FRAMES and capture.grab():
+        while len(names) < limits.FRAMES and capture.grab():
             # Before the first frame is taken the time is 0; from then on it is that of the frame taken last.
             time_s, number = capture.get(cv2.CAP_PROP_POS_MSEC) / 1000, number + 1
             if not math.isfinite(time_s) or time_s < wanted - 1e-6:

@@ -15,11 +15,9 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 
+from .. import limits
 from ..errors import LabelMapError, ParameterError
 from .lens_distortion import LensDistortion, border
-
-LONGEST_FOCAL_LENGTH_PX = 1e9
-"""Pixels; a camera with a longer one sees nothing."""
 
 STEEPEST_VIEW_DEG = 75.0
 """A corner of the image may look so far from straight down. There the same solid angle covers 1/cos³ 75° = 58 times the
@@ -27,9 +25,6 @@ ground that it covers straight below, and at 90° is the horizon. A tilt of 35°
 
 STRIP_ROWS = 256
 """Rows of a level image that a bent lens is looked up for at a time."""
-
-LONGEST_EDGE_PX = 32_766
-"""OpenCV warps images with edges shorter than 2¹⁵."""
 
 DIAGONAL_OF_35MM_FILM = float(np.hypot(36, 24))
 """Of a 36 × 24 mm picture: a “focal length in 35 mm film” keeps the angle across the diagonal (CIPA DCG-001)."""
@@ -272,11 +267,11 @@ def leveling(
         LabelMapError: The image is empty or too large to warp.
     """
     height, width = shape_hw
-    if not 0 < focal_length_px <= LONGEST_FOCAL_LENGTH_PX:
+    if not 0 < focal_length_px <= limits.FOCAL_LENGTH_PX:
         raise ParameterError(
             "The focal length is {focal_length_px:g} pixels; it must be above 0, up to {most:g}.",
             focal_length_px=focal_length_px,
-            most=LONGEST_FOCAL_LENGTH_PX,
+            most=limits.FOCAL_LENGTH_PX,
         )
     if not height or not width:
         raise LabelMapError("The image has no pixels.")
@@ -303,7 +298,7 @@ def leveling(
     left, bottom = np.floor((ground.real.min(), ground.imag.min()))
     right, top = np.ceil((ground.real.max(), ground.imag.max()))
     size = int(top - bottom), int(right - left)
-    if max(*size, *shape_hw) > LONGEST_EDGE_PX:
+    if max(*size, *shape_hw) > limits.WARPED_EDGE_PX:
         raise LabelMapError(
             "The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may "
             "have {most} at most; reduce it first.",
@@ -311,7 +306,7 @@ def leveling(
             height=height,
             level_width=size[1],
             level_height=size[0],
-            most=LONGEST_EDGE_PX,
+            most=limits.WARPED_EDGE_PX,
         )
     from_pixels = np.array([[1, 0, -width / 2], [0, -1, height / 2], [0, 0, focal_length_px]])
     to_pixels = np.array([[1, 0, -left], [0, -1, top], [0, 0, 1]])

@@ -10,9 +10,10 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from .. import limits
 from ..errors import ClassTableError
 from ..sentences import Sentence
-from ..values import LONGEST_NAME, shown
+from ..values import shown
 from .class_colors import known_color, shades
 
 UNLABELED = 0
@@ -30,9 +31,6 @@ BENEATH_ALL = -1_000_000.0
 
 OTHER = "other"
 """Name of such a class, as networks have it that learned ground without a label as something else."""
-
-LONGEST_LINE = 10_000
-"""Characters of a line of a class table; csv itself stops at 131,072 a field."""
 
 LIST_SEPARATOR = ";"
 """Separates the items of lists given as text (REFERENCE_CLASSES=building;water)."""
@@ -95,11 +93,11 @@ class LandCoverClass:
                 value=shown(self.value),
                 most=MAXIMUM_VALUE,
             )
-        if len(self.name) > LONGEST_NAME:
+        if len(self.name) > limits.NAME_CHARACTERS:
             raise ClassTableError(
                 "The class {value} has a name of more than {most} characters; give it a shorter one.",
                 value=self.value,
-                most=LONGEST_NAME,
+                most=limits.NAME_CHARACTERS,
             )
         if not self.name:
             raise ClassTableError("The class with value {value} has no name; give it one.", value=self.value)
@@ -291,11 +289,11 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
             "{source} has no classes; it needs a header value,name,color,role and a line a class.", source=source
         )
     separator = max(",;\t", key=lines[0].count)
-    if max(map(len, lines)) > LONGEST_LINE:
+    if max(map(len, lines)) > limits.LINE_CHARACTERS:
         raise ClassTableError(
             "{source} has a line of more than {most} characters, which no class table has; choose another file.",
             source=source,
-            most=LONGEST_LINE,
+            most=limits.LINE_CHARACTERS,
         )
     reader = csv.DictReader(lines, delimiter=separator, skipinitialspace=True)
     header = [(name or "").strip().lower() for name in reader.fieldnames or []]

@@ -17,21 +17,16 @@ from PIL import Image
 from PIL.PngImagePlugin import PngImageFile
 from PIL.TiffImagePlugin import TiffImageFile
 
+from .. import limits
 from ..errors import ImageError, LabelMapError, SemRefError
 from ..sentences import Sentence
 from .class_table import ClassTable
 from .color_labels import decode_colors
 from .image_source import ArrayImage, Photo
 from .photo_tags import photo_tags
-from .tiff import MOST_TAG_BYTES, ORIENTATION, STARTS, BoundedFile, Tags, nodata_of, pixel_size_m, value_of
+from .tiff import ORIENTATION, STARTS, BoundedFile, Tags, nodata_of, pixel_size_m, value_of
 
 IMAGE_EXTENSIONS = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
-
-MAXIMUM_IMAGE_PIXELS = 400_000_000
-"""A query image is held in memory; larger ones are refused."""
-
-MAXIMUM_IMAGE_BYTES = 4 * MAXIMUM_IMAGE_PIXELS
-"""What the largest image has uncompressed, in four bands of 8 bits."""
 
 _PNG = b"\x89PNG\r\n\x1a\n"
 _KINDS = {
@@ -201,14 +196,14 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
                         "Image {path} is no regular file but a folder, pipe or device; choose an image file.", path=path
                     )
                 )
-            if state.st_size > MAXIMUM_IMAGE_BYTES:
+            if state.st_size > limits.IMAGE_BYTES:
                 raise kind(
                     Sentence(
                         "Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to "
                         "what one photo shows.",
                         path=path,
                         size_mb=state.st_size // 1_000_000,
-                        most_mb=MAXIMUM_IMAGE_BYTES // 1_000_000,
+                        most_mb=limits.IMAGE_BYTES // 1_000_000,
                     )
                 )
             # No more than was there: a file that grows meanwhile is read again by whoever watches it.
@@ -256,7 +251,7 @@ def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Ima
         ) from None
     # Pieces of a TIFF may be left out or shared.
     _require_size((image.height, image.width), len(data) if is_png else None, path, kind)
-    file.left = MOST_TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
+    file.left = limits.TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
     try:
         image.load()
     except Exception:  # as above
@@ -293,7 +288,7 @@ def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
 def _require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
     """Refuse more pixels than an image may have, or than a file of so many bytes can hold."""
     height, width = shape_hw
-    if height * width > MAXIMUM_IMAGE_PIXELS:
+    if height * width > limits.IMAGE_PIXELS:
         raise kind(
             Sentence(
                 "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut "
@@ -301,7 +296,7 @@ def _require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, 
                 path=path,
                 width=width,
                 height=height,
-                most_million=MAXIMUM_IMAGE_PIXELS // 1_000_000,
+                most_million=limits.IMAGE_PIXELS // 1_000_000,
             )
         )
     if file_bytes is not None and height * width > _PIXELS_A_BYTE * file_bytes:

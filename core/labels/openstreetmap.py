@@ -7,10 +7,10 @@ import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from .. import limits
 from ..errors import ParameterError
 from ..sentences import Sentence
-from ..values import LONGEST_NAME, read_json
-from .class_table import LONGEST_LINE
+from ..values import read_json
 
 ANY = "*"
 """As a rule's value: whatever the tag's value is."""
@@ -21,7 +21,6 @@ THEME_KEYS = ("fclass", "type")
 TAG_COLUMNS = ("other_tags", "all_tags", "tags")
 """Columns that hold further tags, as GDAL's hstore or as JSON."""
 
-MOST_RULES = 10_000
 _COLUMNS = ("key", "value", "class", "priority")
 _QUOTED = r'"((?:[^"\\]|\\.?)*)("?)'
 _HSTORE = re.compile(rf"{_QUOTED}(?:\s*=>\s*(?:{_QUOTED}|NULL))?", re.DOTALL)
@@ -98,13 +97,13 @@ def rules_from_csv(text: str, source: str) -> Rules:
         ParameterError: The table is malformed; tells ``source`` and the line.
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
-    if not 1 < len(lines) <= MOST_RULES + 1 or max(map(len, lines)) > LONGEST_LINE:
+    if not 1 < len(lines) <= limits.RULES + 1 or max(map(len, lines)) > limits.LINE_CHARACTERS:
         raise ParameterError(
             "{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at "
             "most {longest} characters.",
             source=source,
-            most=MOST_RULES,
-            longest=LONGEST_LINE,
+            most=limits.RULES,
+            longest=limits.LINE_CHARACTERS,
         )
     reader = csv.DictReader(lines, delimiter=max(",;\t", key=lines[0].count), skipinitialspace=True)
     reader.fieldnames = [(name or "").strip().lower() for name in reader.fieldnames or []]
@@ -158,11 +157,11 @@ def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
     key, value, name, priority = (str(row.get(column) or "").strip() for column in _COLUMNS)
     if not key or not value:
         raise ParameterError("{where}: a rule needs a key and a value; * stands for any value.", where=where)
-    if len(name) > LONGEST_NAME:
+    if len(name) > limits.NAME_CHARACTERS:
         raise ParameterError(
             "{where}: the class has a name of more than {most} characters; give a shorter one.",
             where=where,
-            most=LONGEST_NAME,
+            most=limits.NAME_CHARACTERS,
         )
     if not re.fullmatch(r"-?[0-9]{1,6}", priority):
         raise ParameterError("{where}: “{text}” is not a whole number for priority.", where=where, text=priority)

@@ -15,13 +15,8 @@ from dataclasses import dataclass
 from math import inf
 from typing import BinaryIO
 
-from .tiff import MOST_TAG_BYTES, ORIENTATION, STARTS, BoundedFile, Tags, read_directory, value_of
-
-MOST_SEGMENTS = 500
-"""Of a JPEG that are looked at."""
-
-MOST_XMP_BYTES = 500_000
-"""Of an XMP packet that are kept; those of cameras have 5,000."""
+from .. import limits
+from .tiff import ORIENTATION, STARTS, BoundedFile, Tags, read_directory, value_of
 
 _EXIF, _XMP = b"Exif\0\0", b"http://ns.adobe.com/xap/1.0/\0"
 _APP1, _SCAN, _END = 0xE1, 0xDA, 0xD9
@@ -87,7 +82,7 @@ def read_tags(path: str) -> PhotoTags:
         if not stat.S_ISREG(os.stat(path).st_mode):
             return PhotoTags()
         with open(path, "rb") as file:
-            head = file.read(MOST_TAG_BYTES)
+            head = file.read(limits.TAG_BYTES)
             # A TIFF's directories may stand behind its pixels.
             return _tiff_tags(file) if head.startswith(STARTS) else photo_tags(head)
     except OSError:
@@ -108,7 +103,7 @@ def photo_tags(data: bytes) -> PhotoTags:
 def _jpeg_tags(data: bytes) -> PhotoTags:
     exif, xmp, shape = PhotoTags(), "", None
     place = 2
-    for _ in range(MOST_SEGMENTS):
+    for _ in range(limits.JPEG_SEGMENTS):
         if place + 4 > len(data) or data[place] != 0xFF or data[place + 1] in (_SCAN, _END):
             break
         marker, (length,) = data[place + 1], struct.unpack_from(">H", data, place + 2)
@@ -160,8 +155,8 @@ def _number(tags: Tags, tag: int) -> float | None:
 
 def _string(tags: Tags, tag: int) -> str:
     found = value_of(tags, tag)
-    return found.partition("\0")[0].strip()[:MOST_XMP_BYTES] if isinstance(found, str) else ""
+    return found.partition("\0")[0].strip()[: limits.XMP_BYTES] if isinstance(found, str) else ""
 
 
 def _text(content: bytes) -> str:
-    return content[:MOST_XMP_BYTES].split(b"\0")[0].decode("utf-8", "replace").strip()
+    return content[: limits.XMP_BYTES].split(b"\0")[0].decode("utf-8", "replace").strip()

@@ -9,11 +9,10 @@ from typing import Any, BinaryIO
 
 from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
+from .. import limits
+
 STARTS = (b"II*\0", b"MM\0*", b"II+\0")
 """How a TIFF begins: of either byte order, or with places of 64 bits."""
-
-MOST_TAG_BYTES = 4_000_000
-"""Of all tags of a file together. Tags may share bytes: 65,535 tags could claim the whole file each."""
 
 ORIENTATION, NODATA = 274, 42113
 _BYTES_A_READ = 64
@@ -42,7 +41,7 @@ class BoundedFile:
         left: Bytes that may still be read.
     """
 
-    def __init__(self, file: BinaryIO, left: float = MOST_TAG_BYTES) -> None:
+    def __init__(self, file: BinaryIO, left: float = limits.TAG_BYTES) -> None:
         """Read nothing yet."""
         self._file, self.left = file, left
 

@@ -16,10 +16,10 @@ from typing import BinaryIO
 import numpy as np
 from numpy.lib import format as npy_format
 
+from .. import limits
+
 UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
 """What reading a zip that is damaged or hostile may raise."""
-
-LONGEST_NPY_HEADER = 1024
 
 _DEFLATE_RATIO = 1032
 """What deflate makes of one byte at most; a member that claims more is damaged or hostile."""
@@ -38,7 +38,7 @@ def npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], np.dtype, bool
 
     Args:
         name: As told.
-        start: Its first ``LONGEST_NPY_HEADER`` bytes, or all of it.
+        start: Its first ``limits.NPY_HEADER_BYTES``, or all of it.
 
     Raises:
         BadZipFile: It is no plain array.
@@ -74,7 +74,7 @@ def number_arrays(source: str | BinaryIO, most: int) -> dict[str, np.ndarray]:
             left -= info.file_size
             name = info.filename[: -len(".npy")]
             data = archive.read(info)
-            shape, dtype, is_fortran, first = npy_header(name, data[:LONGEST_NPY_HEADER])
+            shape, dtype, is_fortran, first = npy_header(name, data[: limits.NPY_HEADER_BYTES])
             if dtype.kind not in "biuf" or first + math.prod(shape) * dtype.itemsize != len(data):
                 raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
             found[name] = np.frombuffer(data, dtype, offset=first).reshape(shape, order="F" if is_fortran else "C")

@@ -13,6 +13,7 @@ from typing import Any
 
 import cv2
 
+from .. import limits
 from ..errors import DatabaseError, ParameterError, SemRefError
 from ..flight.settings import FLIGHT
 from ..labels.image_files import image_files
@@ -41,15 +42,6 @@ ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
 
 INTERRUPTED = 130
 """As of any program that was ended by Ctrl+C."""
-
-MOST_THREADS = 256
-"""More than any computer on board has; each costs memory before it does anything."""
-
-MOST_RISK = 0.5
-"""A place that is more likely wrong than right is no fix."""
-
-MOST_SYSTEMS = 255
-"""MAVLink counts aircraft from 1 to this."""
 
 FARTHEST = 1e9
 """Map coordinates and radii beyond are no place on Earth, in any unit of a map."""
@@ -101,8 +93,10 @@ def _ended(options: argparse.Namespace, sentence: str, code: int) -> int:
 def _check_values(options: argparse.Namespace) -> None:
     """Refuses values of options that are out of range, before any work; raises ParameterError."""
     threads, near = getattr(options, "threads", 1), getattr(options, "near", None)
-    if not 1 <= threads <= MOST_THREADS:
-        raise ParameterError("--threads is {threads}; it must be from 1 to {most}.", threads=threads, most=MOST_THREADS)
+    if not 1 <= threads <= limits.THREADS:
+        raise ParameterError(
+            "--threads is {threads}; it must be from 1 to {most}.", threads=threads, most=limits.THREADS
+        )
     if near and not all(math.isfinite(value) and abs(value) <= FARTHEST for value in near):
         raise ParameterError(
             "--near is {near}; it must be three numbers up to {most:g}.",
@@ -110,12 +104,12 @@ def _check_values(options: argparse.Namespace) -> None:
             most=FARTHEST,
         )
     risk = getattr(options, "risk", RISK)
-    if not LEAST_RISK <= risk <= MOST_RISK:
+    if not LEAST_RISK <= risk <= limits.RISK:
         raise ParameterError(
             "--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.",
             risk=risk,
             least=LEAST_RISK,
-            most=MOST_RISK,
+            most=limits.RISK,
         )
     sun = getattr(options, "sun", None)
     if sun is not None and not 0 <= sun <= 360:
@@ -147,11 +141,11 @@ def _check_apart(options: argparse.Namespace) -> None:
 def _check_mavlink(options: argparse.Namespace) -> None:
     """Refuses what can't be said to an autopilot; raises ParameterError."""
     check_place(options.mavlink)
-    if not 1 <= options.mavlink_system <= MOST_SYSTEMS:
+    if not 1 <= options.mavlink_system <= limits.SYSTEMS:
         raise ParameterError(
             "--mavlink-system is {system}; it must be from 1 to {most}.",
             system=options.mavlink_system,
-            most=MOST_SYSTEMS,
+            most=limits.SYSTEMS,
         )
     if options.mavlink_origin is not None:
         latitude, longitude = options.mavlink_origin

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from .. import limits
 from ..errors import ParameterError
 from ..flight.memory import checked_array
 from ..flight.model import FlightImage
@@ -27,7 +28,7 @@ from ..flight.tracker import FlightTracker
 from ..pipeline import ImageResult
 from ..values import checked, read_json
 from .finder import FinderSettings, time_of
-from .format import MAXIMUM_HEADER_BYTES, export_date
+from .format import export_date
 from .log import say
 from .state_file import StateFile
 from .tables import OdometryTable
@@ -179,7 +180,7 @@ class FlightFinding(FinderSettings):
         """
         arrays = state.read()
         try:
-            header = read_json(arrays["header"].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
+            header = read_json(arrays["header"].tobytes().decode("utf-8"), limits.HEADER_BYTES)
             is_ours = header["format"] == FORMAT and header["version"] == VERSION
             known_hash, after = header["content_hash"], header["after"]
             if after is not None:

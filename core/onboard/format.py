@@ -22,8 +22,6 @@ ONBOARD_VERSION = 1
 PRECISION_PX = 0.01
 """Default of the largest rounding error of a landmark's x and y, in pixels of the label map."""
 
-MAXIMUM_HEADER_BYTES = 1 << 20
-
 AREA_STEPS = 65_535
 VECTOR_STEPS = 255
 

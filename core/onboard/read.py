@@ -15,20 +15,20 @@ from typing import Any
 
 import numpy as np
 
-from ..database.checks import MAXIMUM_LANDMARKS, MAXIMUM_WINDOWS, require_sound
+from .. import limits
+from ..database.checks import require_sound
 from ..database.model import MapLandmarks, ReferenceDatabase, Windows
-from ..database.parameters import LONGEST_VECTOR, BuildParameters, build_parameters
+from ..database.parameters import BuildParameters, build_parameters
 from ..errors import ClassTableError, DatabaseError
 from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
 from ..labels.class_table import ClassTable, class_table_from_csv
 from ..values import checked, number, read_json
-from .arrays import LONGEST_NPY_HEADER, UNREADABLE, npy_header, require_honest
+from .arrays import UNREADABLE, npy_header, require_honest
 from .format import (
     FORMAT,
     HASH,
     HEADER,
     KINDS,
-    MAXIMUM_HEADER_BYTES,
     ONBOARD_VERSION,
     SIGNATURE,
     VECTOR_STEPS,
@@ -39,14 +39,8 @@ from .format import (
 )
 from .signature import is_signed_with, read_key
 
-MAXIMUM_OVERVIEW_PIXELS = 1 << 30
-"""Beyond this a file is refused: the whole of a country fits."""
-
 _ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
 """All members together may take so much memory, and so much more for each byte of the file."""
-
-_LARGEST_LOG = 50.0
-"""Logarithms of areas beyond it would leave the range that areas may have, or overflow."""
 
 
 def read_onboard(path: str, with_overview: bool = True, key_file: str | None = None) -> OnboardDatabase:
@@ -81,7 +75,7 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
             raise ValueError("its content hash is another")
         if key is not None:
             _require_signature(files, members, key, path, key_file)
-        header = read_json(members[HEADER].tobytes().decode("utf-8"), MAXIMUM_HEADER_BYTES)
+        header = read_json(members[HEADER].tobytes().decode("utf-8"), limits.HEADER_BYTES)
         _check_version(header, path)
         found = _onboard(members, header, path, with_overview)
         return found if key is None else replace(found, signature=SignatureStatus.VERIFIED)
@@ -143,7 +137,7 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
         require_honest(info, _largest_bytes(name))
         with archive.open(info) as file:
             # The header first: what it says must be the size that the directory states, before the rest is unpacked.
-            start = file.read(min(info.file_size, LONGEST_NPY_HEADER))
+            start = file.read(min(info.file_size, limits.NPY_HEADER_BYTES))
             shape, first = _kind_header(name, start)
             if first + math.prod(shape) * _item_bytes(name) != info.file_size:
                 raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
@@ -155,11 +149,11 @@ def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
 
 def _largest_bytes(name: str) -> int:
     if name in (HEADER, HASH, SIGNATURE):
-        return MAXIMUM_HEADER_BYTES + LONGEST_NPY_HEADER
+        return limits.HEADER_BYTES + limits.NPY_HEADER_BYTES
     if name == "overview_labels":
-        return MAXIMUM_OVERVIEW_PIXELS
-    count = MAXIMUM_WINDOWS if name.startswith("windows") else MAXIMUM_LANDMARKS
-    return count * _item_bytes(name) * (3 * LONGEST_VECTOR if name == "windows_vectors" else 2)
+        return limits.OVERVIEW_PIXELS
+    count = limits.WINDOWS if name.startswith("windows") else limits.LANDMARKS
+    return count * _item_bytes(name) * (3 * limits.VECTOR_LANDMARKS if name == "windows_vectors" else 2)
 
 
 def _item_bytes(name: str) -> int:
@@ -182,7 +176,7 @@ def _kind_header(name: str, start: bytes) -> tuple[tuple[int, ...], int]:
 
 
 def _array(name: str, data: bytes) -> np.ndarray:
-    shape, first = _kind_header(name, data[:LONGEST_NPY_HEADER])
+    shape, first = _kind_header(name, data[: limits.NPY_HEADER_BYTES])
     return np.frombuffer(data, np.dtype(KINDS[name][0]), offset=first).reshape(shape)
 
 
@@ -271,7 +265,7 @@ def _references(members: Mapping[str, np.ndarray], header: dict, table: ClassTab
     logs = number(header["log_area_lowest"], "log_area_lowest") + areas * number(
         header["log_area_step"], "log_area_step", 0.0
     )
-    if not (np.abs(logs) < _LARGEST_LOG).all():
+    if not (np.abs(logs) < limits.LOG_AREA).all():
         raise ValueError("a landmark has an impossible area")
     return MapLandmarks(
         positions=np.array(origin) + steps * number(header["position_step"], "position_step", 0.0),

@@ -17,14 +17,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .. import limits
 from ..cache import user_secret
 from ..errors import ParameterError
 from ..labels.image_files import open_at_once
 from .arrays import UNREADABLE, number_arrays
 from .signature import read_key
-
-MOST_STATE_BYTES = 256_000_000
-"""A state has some ten images at a few hundred pixels an edge; a larger file is none."""
 
 _PURPOSE = b"semref flight state 2\0"
 """Keeps the code from being one of something else that is made with the same key."""
@@ -120,7 +118,7 @@ class StateFile:
         """
         with open(self.path, "rb", opener=open_at_once) as file:
             status = os.fstat(file.fileno())
-            if not stat.S_ISREG(status.st_mode) or status.st_size > MOST_STATE_BYTES:
+            if not stat.S_ISREG(status.st_mode) or status.st_size > limits.STATE_BYTES:
                 raise ParameterError(
                     "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path
                 )
@@ -133,7 +131,7 @@ class StateFile:
                 path=self.path,
             )
         try:
-            return number_arrays(io.BytesIO(data), MOST_STATE_BYTES)
+            return number_arrays(io.BytesIO(data), limits.STATE_BYTES)
         except UNREADABLE as error:
             raise ParameterError(
                 "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path

@@ -9,15 +9,13 @@ import logging
 import time
 from typing import Callable, Generic, TypeVar
 
+from .. import limits
 from ..errors import ParameterError
 from ..flight.growing import GrowingTable
 from ..flight.motion import Link
 from ..flight.odometry import OdometryRow, check_odometry, link_over, step_of
 from ..flight.table import Check, Row, image_of
 from .log import say
-
-MOST_ROWS = 50_000
-"""Rows that are held: some 30 MB. Of a table that is longer the oldest are forgotten."""
 
 ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05
 """A row may be written so much later than its image, while it is looked for every so often."""
@@ -110,8 +108,8 @@ class TableOfImages(Generic[Told]):
         self._is_cut = False
         self._numbers[image] = self._first + len(self._rows)
         self._rows.append(told)
-        if len(self._rows) > MOST_ROWS:
-            self._forget(MOST_ROWS // 2)
+        if len(self._rows) > limits.HELD_ROWS:
+            self._forget(limits.HELD_ROWS // 2)
 
     def _forget(self, count: int) -> None:
         del self._rows[:count]

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from .. import limits
 from ..database.model import ReferenceDatabase, Windows
 from ..errors import DatabaseError
 from ..geometry.lon_lat import LonLatPolynomial
@@ -21,7 +22,6 @@ from .format import (
     HASH,
     HEADER,
     KINDS,
-    MAXIMUM_HEADER_BYTES,
     NOT_ON_BOARD,
     ONBOARD_VERSION,
     PRECISION_PX,
@@ -79,11 +79,11 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
         header["exported"] = exported.isoformat(timespec="seconds")
     text = json.dumps(header, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
     members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
-    if len(members[HEADER]) > MAXIMUM_HEADER_BYTES:
+    if len(members[HEADER]) > limits.HEADER_BYTES:
         raise DatabaseError(
             "The header would have {size} bytes, more than {most}.",
             size=len(members[HEADER]),
-            most=MAXIMUM_HEADER_BYTES,
+            most=limits.HEADER_BYTES,
         )
     files = {name: _npy(array) for name, array in members.items()}
     members[HASH] = np.frombuffer(digest(files), np.uint8)

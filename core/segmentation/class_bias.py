@@ -9,15 +9,13 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 
+from .. import limits
 from ..errors import ModelError
 from ..geometry.error_settings import NETWORK_SPREAD, ClassBias, KnownBiases
 from ..labels.class_table import ClassTable
-from ..values import LONGEST_NAME, read_json
+from ..values import read_json
 
 KEY = "class_bias"
-
-LARGEST_M = 1000.0
-"""A network that is farther off sees something else."""
 
 _LENGTHS = ("east", "north", "right", "down", "spread")
 _SUN = "sun"
@@ -77,7 +75,11 @@ def _object(found: object) -> dict[str, object]:
 def _read_one(entry: object) -> ClassBias:
     stated = _object(entry)
     for name, number in stated.items():
-        least, most = (0.0 if name == "spread" else -LARGEST_M, LARGEST_M) if name in _LENGTHS else (0.0, 360.0)
+        least, most = (
+            (0.0 if name == "spread" else -limits.CLASS_BIAS_M, limits.CLASS_BIAS_M)
+            if name in _LENGTHS
+            else (0.0, 360.0)
+        )
         if name not in (*_LENGTHS, _SUN) or isinstance(number, bool) or not isinstance(number, (int, float)):
             raise ValueError
         if not least <= number <= most:
@@ -93,7 +95,7 @@ def _refused(texts: Mapping[str, str], source: str) -> ModelError:
         "names of its classes, and east, north, right, down, spread in meters up to {most:g}, sun in degrees: mend or "
         "remove it.",
         source=source,
-        text=texts[KEY][:LONGEST_NAME],
+        text=texts[KEY][: limits.NAME_CHARACTERS],
         key=KEY,
-        most=LARGEST_M,
+        most=limits.CLASS_BIAS_M,
     )

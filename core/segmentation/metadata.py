@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from .. import limits
 from ..errors import ClassTableError, ModelError
 from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, chosen_colors
-from ..values import LONGEST_NAME, read_json
+from ..values import read_json
 from .class_bias import KEY as CLASS_BIAS
 
 DEFAULT_OVERLAP = 0.2
@@ -24,19 +25,11 @@ MAXIMUM_OVERLAP = 0.75
 DEFAULT_THRESHOLD = 0.5
 """Probability from which on a pixel has the class, for networks with one output (Deepness: seg_thresh)."""
 
-LONGEST_METADATA = 100_000
-"""Characters of a value: 255 classes with names of 255 characters each."""
-
 TEMPERATURE = "temperature"
 """The metadata key of what scores are divided by, so that their softmax is the probability of each class."""
 
 LEAST_TEMPERATURE = 0.01
 """Scores that tell so little, or so much, are no logits."""
-
-_MOST_BRACKETS = 1000
-
-_LARGEST = 1e30
-"""Of standardization: float32 holds its square root's square."""
 
 _KEYS = (
     *("model_type", "class_names", "names", "resolution", "tile_size", "tiles_size", "tiles_overlap", "seg_thresh"),
@@ -100,13 +93,13 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
     ``source``: the model's name in messages. Raises ModelError naming the key that is wrong.
     """
     for key, text in texts.items():
-        if key in _KEYS and len(text) > LONGEST_METADATA:
+        if key in _KEYS and len(text) > limits.VALUE_CHARACTERS:
             raise ModelError(
                 "{source} has {count} characters of metadata as {key}; no segmentation network needs more than {most}.",
                 source=source,
                 key=key,
                 count=len(text),
-                most=LONGEST_METADATA,
+                most=limits.VALUE_CHARACTERS,
             )
     kind = _literal(texts.get("model_type", "Segmentor"))
     if str(kind).casefold() != "segmentor":
@@ -230,7 +223,7 @@ def _by_channel(texts: Mapping[str, str], key: str, source: str, count: int | No
         raise ModelError(
             '{source} has “{text}” as {key}; it must be JSON with one entry for each output, like {{"0": …, "1": …}}.',
             source=source,
-            text=texts[key][:LONGEST_NAME],
+            text=texts[key][: limits.NAME_CHARACTERS],
             key=key,
         )
     return found
@@ -254,7 +247,7 @@ def _number(texts: Mapping[str, str], key: str, source: str, least: float, most:
         raise ModelError(
             "{source} has “{text}” as {key}; it must be a number from {least:g} to {most:g}: mend or remove it.",
             source=source,
-            text=texts[key][:LONGEST_NAME],
+            text=texts[key][: limits.NAME_CHARACTERS],
             key=key,
             least=least,
             most=most,
@@ -267,20 +260,20 @@ def _three(texts: Mapping[str, str], key: str, source: str, default: float) -> t
         return (default,) * 3
     found = _literal(texts[key])
     if isinstance(found, (list, tuple)) and len(found) == 3:
-        numbers = all(isinstance(v, (int, float)) and abs(v) < _LARGEST for v in found)
+        numbers = all(isinstance(v, (int, float)) and abs(v) < limits.STANDARDIZATION for v in found)
         if numbers and (key != "standardization_std" or min(found) > 0):
             return tuple(float(v) for v in found)
     if key == "standardization_std":
         raise ModelError(
             "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue, above 0.",
             source=source,
-            text=texts[key][:LONGEST_NAME],
+            text=texts[key][: limits.NAME_CHARACTERS],
             key=key,
         )
     raise ModelError(
         "{source} has “{text}” as {key}; it must be a list of three numbers, for red, green and blue.",
         source=source,
-        text=texts[key][:LONGEST_NAME],
+        text=texts[key][: limits.NAME_CHARACTERS],
         key=key,
     )
 
@@ -295,7 +288,7 @@ def _literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
 
 def _python_literal(text: str) -> Any:  # noqa: ANN401 - as in JSON
     # Nested ones deeper than any metadata: ast itself would fall into its own recursion.
-    if sum(map(text.count, "([{")) > _MOST_BRACKETS:
+    if sum(map(text.count, "([{")) > limits.BRACKETS:
         return text
     try:
         return ast.literal_eval(text)

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import cv2
 import numpy as np
 
+from .. import limits
 from ..errors import ModelError
 from ..labels.class_table import ClassTable
 from ..sentences import Sentence
@@ -21,9 +22,6 @@ from .session import available_providers, failures_of_a_run, open_session, reaso
 
 DEFAULT_TILE_SIZE_PX = 512
 """Edge of a tile for networks that take any size and don't say which they were trained on."""
-
-LARGEST_TILE_PX = 8192
-"""Edge of a tile: its three bands as floats are 800 MB then, and the network's own results many times as much."""
 
 TILES_AT_ONCE = 4
 """Tiles given to a graphics card together, where the network takes several; the CPU gains nothing by it."""
@@ -217,14 +215,14 @@ class SegmentationModel:
                     height=fixed[0],
                 )
             )
-        if not all(0 < size <= LARGEST_TILE_PX for size in fixed):
+        if not all(0 < size <= limits.TILE_PX for size in fixed):
             raise ModelError(
                 "{path} takes images of {width} × {height} pixels; a segmentation network takes up to {most} × "
                 "{most}: export it with a smaller or free size.",
                 path=self.path,
                 width=fixed[1],
                 height=fixed[0],
-                most=LARGEST_TILE_PX,
+                most=limits.TILE_PX,
             )
         fixed_batch = isinstance(shape[0], int)
         self.tiles_at_once = 1 if fixed_batch or self.device is CPU else TILES_AT_ONCE

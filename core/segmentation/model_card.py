@@ -13,16 +13,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from .. import limits
 from ..errors import ModelError
 from ..sentences import Sentence
-from ..values import LONGEST_NAME, read_json
-from .metadata import LONGEST_METADATA, named_channels, read_settings
+from ..values import read_json
+from .metadata import named_channels, read_settings
 from .onnx_file import read_header, read_metadata
 
 KEY = "model_card"
-
-_LONGEST_SENTENCE = 2000
-_MOST_PLACES = 100
 
 
 @dataclass(frozen=True)
@@ -136,9 +134,9 @@ def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
         _grounds(told.get("tested_on")),
         _shares(_json(texts, "validation_iou", dict)),
         _matrix(_json(texts, "validation_confusion", list), len(classes)),
-        _text(told.get("good_for"), _LONGEST_SENTENCE),
-        _text(told.get("not_for"), _LONGEST_SENTENCE),
-        _text(told.get("license"), _LONGEST_SENTENCE),
+        _text(told.get("good_for"), limits.CARD_CHARACTERS),
+        _text(told.get("not_for"), limits.CARD_CHARACTERS),
+        _text(told.get("license"), limits.CARD_CHARACTERS),
         _number(training.get("minutes")) if isinstance(training, dict) else None,
         bool(_json(texts, "architecture", dict)),
     )
@@ -147,13 +145,13 @@ def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
 def _json(texts: Mapping[str, str], key: str, kind: type) -> Any:  # noqa: ANN401 - of the kind
     """What is said under a key where it is of a kind, else an empty one."""
     try:
-        found = read_json(texts.get(key, ""), LONGEST_METADATA)
+        found = read_json(texts.get(key, ""), limits.VALUE_CHARACTERS)
     except ValueError:
         found = None
     return found if isinstance(found, kind) else kind()
 
 
-def _text(value: object, longest: int = LONGEST_NAME) -> str:
+def _text(value: object, longest: int = limits.NAME_CHARACTERS) -> str:
     return value[:longest] if isinstance(value, str) else ""
 
 
@@ -181,7 +179,7 @@ def _matrix(rows: list, size: int) -> tuple[tuple[float, ...], ...]:
 
 
 def _grounds(value: object) -> tuple[Ground, ...]:
-    entries = [one for one in value[:_MOST_PLACES] if isinstance(one, dict)] if isinstance(value, list) else []
+    entries = [one for one in value[: limits.CARD_PLACES] if isinstance(one, dict)] if isinstance(value, list) else []
     return tuple(
         Ground(_text(one.get("place")), _text(one.get("about")), one.get("how") == "left out", _shares(one.get("iou")))
         for one in entries

@@ -16,8 +16,8 @@ from qgis.core import (
     QgsProcessingParameterString,
 )
 
+from ...core import limits
 from ...core.errors import ParameterError
-from ...core.values import LONGEST_NAME
 from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_POLYGON, is_null
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
 from ..framework.parameters import with_help
@@ -102,9 +102,11 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
 
         rules = read_rules(values.file(self.RULES) or str(RULES_PATH))
         other = values.text(self.OTHER_CLASS).strip()
-        if len(other) > LONGEST_NAME:
+        if len(other) > limits.NAME_CHARACTERS:
             raise ParameterError(
-                "{key} has more than {most} characters; give a shorter name.", key=self.OTHER_CLASS, most=LONGEST_NAME
+                "{key} has more than {most} characters; give a shorter name.",
+                key=self.OTHER_CLASS,
+                most=limits.NAME_CHARACTERS,
             )
         counts: Counter[str] = Counter()
         left_out = 0

@@ -12,8 +12,7 @@ from qgis.core import QgsMapLayer, QgsNetworkAccessManager, QgsNetworkRequestPar
 from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtNetwork import QNetworkReply, QNetworkRequest
 
-MOST_ANSWER_BYTES = 20_000_000
-"""Of one answer: a tile has 0.1 MB, a map of 1024 × 1024 pixels without compression 4 MB."""
+from ...core import limits
 
 _SCHEMES = {"http", "https"}
 _OF_RASTERS = re.compile(r"Qgs(Wms|Wcs|Ams|ArcGis|Xyz)")
@@ -27,7 +26,7 @@ class Downloads:
     Attributes:
         schemes: Of addresses that may be asked.
         refused: An address of another scheme that a server sent QGIS to; empty for none.
-        is_too_large: Whether an answer was larger than MOST_ANSWER_BYTES.
+        is_too_large: Whether an answer was larger than ``limits.ANSWER_BYTES``.
     """
 
     schemes: set[str] = field(default_factory=lambda: set(_SCHEMES))
@@ -91,13 +90,13 @@ def _limit_reply(request: QNetworkRequest, reply: QNetworkReply) -> None:
     def look() -> None:
         # QGIS reads a reply only when it is whole.
         watched = tuple(_watched)
-        if reply.bytesAvailable() >= MOST_ANSWER_BYTES or any(downloads.is_too_large for downloads in watched):
+        if reply.bytesAvailable() >= limits.ANSWER_BYTES or any(downloads.is_too_large for downloads in watched):
             for downloads in watched:
                 downloads.is_too_large = True
             reply.abort()
 
     # Qt reads no further than this ahead, however fast the server is.
-    reply.setReadBufferSize(2 * MOST_ANSWER_BYTES)
+    reply.setReadBufferSize(2 * limits.ANSWER_BYTES)
     # Not downloadProgress: Qt leaves out some of its signals, perhaps that for the bytes that fill the buffer, after
     # which QGIS would wait for its timeout.
     reply.readyRead.connect(look)

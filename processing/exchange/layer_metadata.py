@@ -27,7 +27,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtXml import QDomDocument
 
-from ...storage.qgis_metadata import MOST_SOURCES, QGIS_STANDARD, metadata_text
+from ...core import limits
+from ...storage.qgis_metadata import QGIS_STANDARD, metadata_text
 from ...storage.replaceable import MARK_OF_NOTE
 from ...storage.vector_files import leave_wal
 from ..translation import tr
@@ -129,7 +130,7 @@ def _inputs(
         value = parameters.get(definition.name())
         if definition.isDestination() or definition.type() not in (*_LAYERS, "file"):
             continue
-        for one in (list(value) if isinstance(value, (list, tuple)) else [value])[:MOST_SOURCES]:
+        for one in (list(value) if isinstance(value, (list, tuple)) else [value])[: limits.SOURCES]:
             if isinstance(one, QgsProcessingFeatureSourceDefinition):
                 one = one.source.staticValue()
             layer = one if isinstance(one, QgsMapLayer) else None

@@ -27,23 +27,18 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QBuffer, QEventLoop, QIODevice, QSize, QTimer
 from qgis.PyQt.QtGui import QColor, QImage
 
+from ...core import limits
 from ...core.errors import ImageError
 from ...core.geometry.frame import MapFrame
 from ...storage.pictures import ColorPicture
 from ..compat import MAP_TILE, is_metric, wkt_for_gdal
-from .downloads import MOST_ANSWER_BYTES, Downloads, install, watched_downloads
+from .downloads import Downloads, install, watched_downloads
 from .reference_systems import describe_crs, utm_zone
-
-MOST_PIXELS = 64_000_000
-"""Of one drawing: 8,000 × 8,000 pixels, some thousand tiles of a server. Whoever needs more should have the file."""
 
 TILE_PX = 1024
 """Edge of what is drawn at a time; a cancel ends the drawing of one within CANCEL_EVERY_MS."""
 
 CANCEL_EVERY_MS = 200
-
-LONGEST_S = 300.0
-"""For one such piece, some twenty tiles; a server that takes longer sends nothing of use."""
 
 PICTURE_DPI = 192
 """Of a map's picture on paper, by which symbols and texts have their size."""
@@ -113,8 +108,8 @@ def plan_drawing(
             crs=describe_crs(extent_crs),
         )
     width, height = (max(1, ceil(side / pixel_size_m)) for side in (ground.width(), ground.height()))
-    if width * height > MOST_PIXELS:
-        most = MOST_PIXELS // 1_000_000
+    if width * height > limits.DRAWN_PIXELS:
+        most = limits.DRAWN_PIXELS // 1_000_000
         raise ImageError(
             "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; "
             "choose a smaller EXTENT, or get the image as a file from whoever offers it.",
@@ -173,7 +168,7 @@ def _require_plain_answers(layer: str, downloads: Downloads) -> None:
         raise ImageError(
             "The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.",
             layer=layer,
-            most_mb=MOST_ANSWER_BYTES // 1_000_000,
+            most_mb=limits.ANSWER_BYTES // 1_000_000,
         )
     if downloads.refused:
         raise ImageError(
@@ -252,7 +247,7 @@ def _draw_piece(
     job = QgsMapRendererSequentialJob(settings)
     loop, timer = QEventLoop(), QTimer()
     job.finished.connect(loop.quit)
-    end = time.monotonic() + LONGEST_S
+    end = time.monotonic() + limits.DRAWING_S
 
     def look() -> None:
         if canceled() or downloads.is_broken or time.monotonic() > end:
@@ -269,7 +264,7 @@ def _draw_piece(
             "The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another "
             "layer.",
             layer=layer,
-            most_s=int(LONGEST_S),
+            most_s=int(limits.DRAWING_S),
         )
     return job.renderedImage(), [error.message for error in job.errors()]
 

@@ -21,9 +21,9 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
+from ...core import limits
 from ...core.errors import ParameterError
 from ...core.labels.class_table import split_list
-from ...core.values import LONGEST_NAME
 from .destinations import Destination, destination_of, with_destination
 
 if TYPE_CHECKING:
@@ -127,7 +127,9 @@ class Values:
             return [float(part.replace(",", ".")) for part in self.parts(key)]
         except ValueError:
             raise ParameterError(
-                "{key}: “{text}” is not a list of numbers such as 1;2.", key=key, text=self.text(key)[:LONGEST_NAME]
+                "{key}: “{text}” is not a list of numbers such as 1;2.",
+                key=key,
+                text=self.text(key)[: limits.NAME_CHARACTERS],
             ) from None
 
     # --- places ---

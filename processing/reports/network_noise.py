@@ -8,6 +8,7 @@ import re
 from collections.abc import Mapping
 from html import unescape
 
+from ...core import limits
 from ...core.errors import ParameterError
 from ...core.flight.table import bytes_of
 
@@ -21,8 +22,6 @@ LEAST_LANDMARKS = 20
 
 _HEAD_BYTES = 100_000
 """The line stands in a report's head; what else somebody gives is read no further."""
-
-_MOST_BYTES = 64 << 20
 
 _LINE = re.compile(f'<meta name="{NAME}" content="([^"]*)">')
 
@@ -39,7 +38,7 @@ def read_network(path: str) -> dict[str, float]:
     Raises ParameterError for a file that is no such report or can't be read, and for one of too few landmarks.
     """
     try:
-        text = bytes_of(path, _MOST_BYTES, _HEAD_BYTES).decode("utf-8", errors="replace")
+        text = bytes_of(path, limits.COMPARISON_BYTES, _HEAD_BYTES).decode("utf-8", errors="replace")
     except ParameterError:
         raise ParameterError(
             "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "

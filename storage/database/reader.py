@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from osgeo import gdal
 
+from ...core import limits
 from ...core.cache import digest
 from ...core.database.checks import require_sound
 from ...core.database.model import ReferenceDatabase
@@ -35,9 +36,6 @@ from .connection import DatabaseChangedError, Snapshot, damaged, open_table, req
 from .rows import read_references, read_windows
 
 _LONGEST_REASON = 200
-
-_LONGEST_STYLE = 16 << 20
-"""Characters of a layer's style; QGIS's own for these layers have some thousand."""
 
 
 def read_database(path: str, with_overview: bool = False, with_bounds: bool = False) -> ReferenceDatabase:
@@ -222,7 +220,7 @@ def stored_style(path: str, table: str) -> str | None:
     query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
         with snapshot(path) as connection:
-            row = connection.execute(query, (table, _LONGEST_STYLE)).fetchone()
+            row = connection.execute(query, (table, limits.STYLE_CHARACTERS)).fetchone()
     except DatabaseError:
         return None
     return row[0] if row else None

@@ -13,7 +13,7 @@ import zlib
 import numpy as np
 import pytest
 
-from semref.core import cache
+from semref.core import cache, limits
 from semref.core.cache import cache_folder, digest, load_or_build, user_secret
 
 KEY = digest([b"area"])
@@ -231,7 +231,7 @@ def test_the_files_used_last_remain_when_the_cache_is_full(path, monkeypatch):
     foreign = path.parent / "notes.txt"
     foreign.write_bytes(bytes(3 * size))
     os.utime(foreign, (0, 0))
-    monkeypatch.setattr(cache, "LARGEST_BYTES", 3 * size + 100)
+    monkeypatch.setattr(limits, "CACHE_BYTES", 3 * size + 100)
     loaded(3, keys[3])
     left = {file.name[6:70] for file in path.parent.glob("index-*")}
     assert left == {keys[0], keys[2], keys[3]} and foreign.exists()
@@ -239,7 +239,7 @@ def test_the_files_used_last_remain_when_the_cache_is_full(path, monkeypatch):
 
 def test_arrays_that_are_larger_than_the_cache_may_be_push_nothing_out(path, monkeypatch):
     loaded()
-    monkeypatch.setattr(cache, "LARGEST_BYTES", path.stat().st_size)
+    monkeypatch.setattr(limits, "CACHE_BYTES", path.stat().st_size)
     found = load_or_build("index", digest([b"large"]), lambda: {"large": np.zeros(1 << 16)}, lambda _: True)
     assert len(found["large"]) == 1 << 16
     assert_same(loaded(1), arrays())

@@ -52,7 +52,7 @@ PARTS = {
 NEVER = {"processing": ("qgis.gui", "qgis.PyQt.QtWidgets")}
 """Algorithms run without windows."""
 
-FOR_ALL = {"errors", "named_files", "sentences", "values"}
+FOR_ALL = {"errors", "limits", "named_files", "sentences", "values"}
 """Rooms of core that every other one may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
@@ -61,6 +61,7 @@ MAY_IMPORT = {
     "core": {
         "sentences": set(),
         "errors": set(),
+        "limits": set(),
         "values": set(),
         "named_files": set(),
         "geometry": set(),

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from semref.core.values import DEEPEST_JSON, checked, number, read_json, short_text, shown
+from semref.core import limits
+from semref.core.values import checked, number, read_json, short_text, shown
 
 
 def test_json_is_read_up_to_its_longest_and_deepest():
     assert read_json('{"a": [1, 2.5, "]]"]}') == {"a": [1, 2.5, "]]"]}
     assert read_json("[1, 2]", longest=6) == [1, 2]
-    deepest = "[" * DEEPEST_JSON + "]" * DEEPEST_JSON
+    deepest = "[" * limits.JSON_DEPTH + "]" * limits.JSON_DEPTH
     read_json(deepest)
     with pytest.raises(ValueError, match="7 characters, more than 6"):
         read_json("[1, 22]", longest=6)

@@ -140,9 +140,9 @@ def test_tiles_on_the_disk_that_the_user_named_are_drawn(segment, tmp_path):
 
 
 def test_a_server_that_never_ends_a_tile_is_given_up_after_a_while(segment, tiles, monkeypatch):
-    from semref.processing.exchange import rendering
+    from semref.core import limits
 
-    monkeypatch.setattr(rendering, "LONGEST_S", 1.0)
+    monkeypatch.setattr(limits, "DRAWING_S", 1.0)
     with pytest.raises(QgsProcessingException, match="took longer than 1 s for one part"):
         segment(tiles(delay_s=30))
 

@@ -10,8 +10,8 @@ import pytest
 from made_inputs import scattered_objects, write_raster
 from qgis.core import QgsProcessingException
 
+from semref.core import limits
 from semref.core.errors import SemRefError
-from semref.core.flight.table import MOST_BYTES
 
 LABELS = scattered_objects(150, 200, 40, seed=2)
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -66,7 +66,7 @@ def test_a_table_is_not_read_that_is_huge_or_no_file(qgis_app, tmp_path, kind):
     read = {"cameras": partial(read_cameras, ["a.png"]), "class table": read_class_table, "rules": read_rules}[kind]
     huge, pipe = tmp_path / "huge.csv", tmp_path / "pipe.csv"
     with open(huge, "wb") as file:
-        file.truncate(MOST_BYTES + 1)
+        file.truncate(limits.TABLE_BYTES + 1)
     os.mkfifo(pipe)
     refusals = {huge: "is larger than", pipe: "is no file", tmp_path: "is no file", "a\0b": "can't be read"}
     for path, said in refusals.items():

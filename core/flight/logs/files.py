@@ -7,8 +7,9 @@ from typing import Callable
 
 import numpy as np
 
+from ... import limits
 from ...errors import ParameterError
-from ..table import MOST_BYTES, bytes_of
+from ..table import bytes_of
 from ..telemetry import Telemetry
 from .dataflash import MAGIC as DATAFLASH
 from .dataflash import read_dataflash
@@ -55,7 +56,7 @@ def _read(data: mmap.mmap, canceled: Callable[[], bool]) -> Telemetry | None:
         return read_dataflash(data, canceled)
     if is_tlog(data):
         return read_tlog(data, canceled)
-    if len(data) > MOST_BYTES:
+    if len(data) > limits.TABLE_BYTES:
         return None
     text = data[:].decode("utf-8-sig", "replace")
     if is_srt(text):

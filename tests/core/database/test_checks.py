@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from onboard_blobs import TABLE, build_blobs
 
-from semref.core.database import checks
+from semref.core import limits
 from semref.core.database.checks import require_sound
 
 
@@ -72,8 +72,8 @@ def test_a_landmark_that_no_build_makes_is_refused(database, name, value, said):
 @pytest.mark.parametrize("what", ["WINDOWS", "LANDMARKS"])
 def test_more_rows_than_any_map_has_are_refused(database, monkeypatch, what):
     columns = database.windows if what == "WINDOWS" else database.references
-    monkeypatch.setattr(checks, f"MAXIMUM_{what}", len(columns) - 1)
+    monkeypatch.setattr(limits, what, len(columns) - 1)
     with pytest.raises(ValueError, match=f"^it has {len(columns)} {what.lower()}$"):
         require_sound(database.windows, database.references, database.parameters, TABLE)
-    monkeypatch.setattr(checks, f"MAXIMUM_{what}", len(columns))
+    monkeypatch.setattr(limits, what, len(columns))
     require_sound(database.windows, database.references, database.parameters, TABLE)

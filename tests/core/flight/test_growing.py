@@ -6,8 +6,9 @@ import os
 
 import pytest
 
+from semref.core import limits
 from semref.core.errors import ParameterError
-from semref.core.flight.growing import LONGEST_LINE_BYTES, GrowingTable
+from semref.core.flight.growing import GrowingTable
 from semref.core.flight.odometry import check_odometry
 
 HEADER = "image,dx_m,dy_m,dheading_deg\n"
@@ -72,7 +73,7 @@ def test_a_table_that_is_written_anew_is_read_from_its_first_line(path):
 
 
 def test_a_line_that_is_none_is_told_in_its_place_and_others_come(path):
-    append(path, HEADER.encode() + b"a,,,\n\xff\xfe,1,2,3\n" + b"x" * (3 * LONGEST_LINE_BYTES) + b"\nb,1,2,3\n")
+    append(path, HEADER.encode() + b"a,,,\n\xff\xfe,1,2,3\n" + b"x" * (3 * limits.LINE_BYTES) + b"\nb,1,2,3\n")
     found = images(table(path))
     assert (found[0], found[3]) == ("a", "b") and len(found) == 4
     assert "not text in UTF-8" in found[1] and "more than" in found[2]

@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from semref.core import limits
 from semref.core.errors import ClassTableError
 from semref.core.labels.class_table import (
     ClassTable,
@@ -15,7 +16,6 @@ from semref.core.labels.class_table import (
     split_list,
 )
 from semref.core.sentences import english
-from semref.core.values import LONGEST_NAME
 
 TABLE = ClassTable(
     (
@@ -307,7 +307,7 @@ def test_colors_are_read_as_red_green_blue():
         ({"draw_order": float("nan")}, "The class {name} has a draw_order that is no number; give one such as 3."),
         ({"draw_order": float("inf")}, "The class {name} has a draw_order that is no number; give one such as 3."),
         (
-            {"name": "n" * (LONGEST_NAME + 1)},
+            {"name": "n" * (limits.NAME_CHARACTERS + 1)},
             "The class {value} has a name of more than {most} characters; give it a shorter one.",
         ),
     ],
@@ -316,7 +316,7 @@ def test_what_no_file_could_hold_is_refused(values, code):
     with pytest.raises(ClassTableError) as refused:
         LandCoverClass(**{"value": 1, "name": "house", "color": "#ff0000", **values})
     assert refused.value.sentence.template == code
-    assert LandCoverClass(1, "n" * LONGEST_NAME, "#ff0000", draw_order=1e300).draw_order == 1e300
+    assert LandCoverClass(1, "n" * limits.NAME_CHARACTERS, "#ff0000", draw_order=1e300).draw_order == 1e300
 
 
 def test_a_line_too_long_for_any_table_is_refused():

@@ -15,6 +15,7 @@ import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngImageFile
 
+from semref.core import limits
 from semref.core.errors import ImageError, LabelMapError
 from semref.core.labels import image_files
 from semref.core.labels.class_table import ClassTable, LandCoverClass
@@ -301,10 +302,10 @@ def test_gray_with_opacity_is_no_label_image_and_a_first_chunk_that_is_another_i
 
 def test_an_image_of_too_many_pixels_or_bytes_is_refused(image, monkeypatch):
     path = image("gray.png")
-    monkeypatch.setattr(image_files, "MAXIMUM_IMAGE_PIXELS", LABELS.size - 1)
+    monkeypatch.setattr(limits, "IMAGE_PIXELS", LABELS.size - 1)
     with pytest.raises(LabelMapError, match="100 × 100"):
         read_label_image(path, TABLE)
-    monkeypatch.setattr(image_files, "MAXIMUM_IMAGE_BYTES", 10)
+    monkeypatch.setattr(limits, "IMAGE_BYTES", 10)
     with pytest.raises(LabelMapError, match="MB"):
         read_label_image(path, TABLE)
 

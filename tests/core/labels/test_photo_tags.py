@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from semref.core import limits
 from semref.core.labels.photo_tags import PhotoTags, photo_tags, read_tags
-from semref.core.labels.tiff import MOST_TAG_BYTES
 
 
 def entry(tag, kind, count, value):
@@ -41,14 +41,14 @@ def test_a_tiff_tells_size_orientation_and_xmp():
 
 def test_a_large_tiff_is_read_where_its_directory_stands_behind_the_pixels(tmp_path):
     path = tmp_path / "large.tif"
-    path.write_bytes(tiff(MOST_TAG_BYTES + 1000))
+    path.write_bytes(tiff(limits.TAG_BYTES + 1000))
     assert read_tags(str(path)).number("RelativeAltitude") == 52.5
 
 
 def test_a_photo_that_is_cut_short_while_it_is_read_does_not_end_the_process(tmp_path):
     """A mapped file that is written again kills the process that reads it, on board in the air."""
     path = tmp_path / "large.tif"
-    path.write_bytes(tiff(MOST_TAG_BYTES + 1_000_000))
+    path.write_bytes(tiff(limits.TAG_BYTES + 1_000_000))
     script = f"""
 import os, sys
 sys.path.insert(0, {str(Path(__file__).resolve().parents[3])!r})

@@ -8,7 +8,8 @@ import struct
 import numpy as np
 import pytest
 
-from semref.core.labels.tiff import MOST_TAG_BYTES, NODATA, BoundedFile, nodata_of, pixel_size_m, read_directory
+from semref.core import limits
+from semref.core.labels.tiff import NODATA, BoundedFile, nodata_of, pixel_size_m, read_directory
 
 CODES = {2: "s", 3: "H", 4: "I", 12: "d"}
 SHAPE_HW = (100, 200)
@@ -95,8 +96,8 @@ def test_of_a_file_that_ends_too_early_nothing_is_guessed():
 
 def test_tags_that_all_claim_the_whole_file_are_not_kept():
     """65,535 tags of 4 MB would be 262 GB."""
-    content = bytes(MOST_TAG_BYTES)
+    content = bytes(limits.TAG_BYTES)
     count = 1000
     entries = b"".join(struct.pack("<HHII", 1000 + n, 7, len(content) // 2, 20_000) for n in range(count))
     tags = tags_of(struct.pack("<4sIH", b"II*\0", 8, count) + entries + bytes(4) + content)
-    assert sum(len(tags[tag]) for tag in tags) <= 2 * MOST_TAG_BYTES
+    assert sum(len(tags[tag]) for tag in tags) <= 2 * limits.TAG_BYTES

@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from semref.core import limits
 from semref.core.errors import ParameterError
 from semref.core.flight.motion import LinkSource
 from semref.core.flight.odometry import odometry_links, read_odometry
@@ -122,7 +123,7 @@ def test_a_table_that_is_gone_is_told_once_and_heard_again_when_it_is_back(path,
 
 
 def test_how_much_is_held_does_not_grow_with_the_table(path, monkeypatch):
-    monkeypatch.setattr(tables, "MOST_ROWS", 50)
+    monkeypatch.setattr(limits, "HELD_ROWS", 50)
     table = begun(path, "0,,,,")
     for number in range(1, 400):
         append(path, f"{number},0,60,0,1")

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from onboard_blobs import TABLE
 
+from semref.core import limits
 from semref.core.database.model import Windows
 from semref.core.errors import DatabaseError
 from semref.core.labels.class_table import ClassTable, LandCoverClass
-from semref.core.onboard import write
 from semref.core.onboard.read import read_onboard
 from semref.core.onboard.write import write_onboard
 
@@ -107,7 +107,7 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
     }
     for code, odd in cases.items():
         if code == "The header would have {size} bytes, more than {most}.":
-            monkeypatch.setattr(write, "MAXIMUM_HEADER_BYTES", 100)
+            monkeypatch.setattr(limits, "HEADER_BYTES", 100)
         with pytest.raises(DatabaseError) as refused:
             write_onboard(str(tmp_path / "odd.npz"), odd, None)
         assert refused.value.sentence.template == code
