@@ -98,16 +98,6 @@ def test_a_neighbors_corner_on_a_straight_edge_becomes_a_vertex():
     assert (1, 1) in {(int(x), int(y)) for x, y in shapely.get_coordinates(left)}
 
 
-def test_without_a_neighbor_straight_edges_have_no_vertices_between():
-    _, (only,) = outlines_of(np.ones((4, 9), np.uint8))
-    assert shapely.get_coordinates(only).tolist() == [[0, 0], [0, 4], [9, 4], [9, 0], [0, 0]]
-
-
-def test_ground_without_a_label_has_no_polygon():
-    values, polygons = outlines_of(np.zeros((4, 5), np.uint8))
-    assert len(values) == len(polygons) == 0
-
-
 @pytest.mark.parametrize("answers", range(4))
 def test_told_to_stop_anywhere_it_finds_nothing_rather_than_a_part(answers):
     labels = np.random.default_rng(3).integers(0, 4, (60, 70)).astype(np.uint8)

@@ -47,13 +47,6 @@ def test_strips_joined_are_the_runs_of_the_whole():
         np.testing.assert_array_equal(getattr(joined, name), getattr(whole, name))
 
 
-def test_a_raster_without_regions_has_no_runs():
-    runs = join_runs([runs_of_strip(np.zeros((4, 5), int), 0)])
-    assert len(runs) == 0
-    assert count_pieces(runs, 3).tolist() == [0, 0, 0]
-    assert merged_regions(runs, np.array([-1, 1, 1])).shape == (0, 2)
-
-
 def test_runs_say_where_they_begin_and_end_in_the_raster():
     runs = runs_of_strip(np.array([[0, 7, 7, 2], [2, 0, 0, 0]]), 10)
     assert list(zip(runs.rows, runs.starts, runs.stops, runs.regions)) == [(10, 1, 3, 7), (10, 3, 4, 2), (11, 0, 1, 2)]

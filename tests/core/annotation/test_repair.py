@@ -126,10 +126,6 @@ def test_only_gaps_are_covered_that_were_not(kind, seed):
 # --- single rules ---
 
 
-def test_nothing_gives_nothing():
-    assert (repair([]).polygons, repair([]).changes) == ([], [])
-
-
 def test_features_without_class_or_area_give_no_polygon():
     line = shapely.from_wkt("POLYGON ((0 0, 5 5, 0 0))")
     done = repair(numbered([feature(None), feature(line), feature(square(0, 0, 5), NOTHING)]))
@@ -205,10 +201,6 @@ def test_touching_polygons_of_one_class_take_the_attributes_of_the_largest():
     assert [polygon.feature for polygon in done.polygons] == [1, 2]
     (change,) = done.changes
     assert (change.kind, change.feature_id, change.number) == (DISSOLVED, 1, 2)
-
-
-def test_polygons_that_touch_at_a_corner_stay_two():
-    assert len(repair(numbered([feature(square(0, 0, 2)), feature(square(2, 2, 2))])).polygons) == 2
 
 
 def test_parts_of_a_multipolygon_become_polygons_of_the_same_feature():

@@ -41,17 +41,6 @@ def test_the_fullest_cells_are_found_though_others_share_their_groups(monkeypatc
         assert clustered([mixed], False, 2).votes.tolist() == [500, 400]
 
 
-def test_of_few_cells_with_very_many_poses_each_the_fullest_are_found_in_few_steps(monkeypatch):
-    """As on a map of regular plots."""
-    poses = made_poses(np.random.default_rng(9), 60_000, 3)
-    steps, keyed = [], clusters._keyed
-    monkeypatch.setattr(clusters, "_keyed", lambda *args: (steps.append(1), keyed(*args))[1])
-    counted = clustered([poses], False, 40)
-    assert 2 <= len(steps) < 40
-    monkeypatch.setattr(clusters, "_SORTED_AT_ONCE", 10**9)
-    np.testing.assert_array_equal(counted.centers, clustered([poses], False, 40).centers)
-
-
 def test_clusters_of_portions_are_those_of_all_poses_together():
     poses = made_poses(np.random.default_rng(5), 30_000, 60)
     parts = [poses.select(part) for part in np.split(np.arange(30_000), [0, 100, 20_000])]
@@ -81,16 +70,6 @@ def test_poses_lie_in_cells_that_grow_with_the_pixel_size_by_steps():
         headings = np.floor((np.angle(turns) + np.pi) / (2 * np.pi) * around + shift / 2) % around
         np.testing.assert_array_equal(turned, headings)
     assert len(poses_in_cells(centers[:0], turns[:0], centers[:0], diagonal)) == 0
-
-
-def test_poses_of_next_to_no_pixel_size_are_counted_as_the_farthest():
-    """Two landmarks at one spot, but for rounding, make triangles that no image shows."""
-    centers, turns = np.array([1e6 - 2e6j, 10 + 10j, 12 + 10j]), np.array([1e-12j, 1, 1])
-    with np.errstate(all="raise"):
-        poses = poses_in_cells(centers, turns, centers, 900.0)
-        seeds = clustered([poses], False, 2)
-    assert poses.places[:2, 0].tolist() == [2**30, -(2**30)]
-    assert seeds.votes.tolist() == [2, 1] and seeds.centers[0] == 11 + 10j
 
 
 def test_poses_of_one_cell_are_one_cluster_at_their_mean(monkeypatch):

@@ -41,12 +41,6 @@ def test_each_of_its_own_triangles_is_found(index, asked):
     assert len(hits) < 40 * 10
 
 
-def test_a_triangle_whose_place_differs_is_not_found(index, asked):
-    chosen, numbers, ranks = asked
-    source, hits = hits_of(index, numbers * [1, -1, 1, 1, 1], ranks)
-    assert not {(k, one) for k, one in enumerate(chosen) if abs(numbers[k, 1]) > 0.05} & set(zip(source, hits))
-
-
 def test_objects_in_a_box_equal_those_of_a_search_through_all(index):
     low, high = -300 - 150j, 420 + 610j
     x, y = index.points.real, index.points.imag

@@ -108,14 +108,6 @@ def test_a_search_that_looks_farther_goes_on_from_what_was_looked_up(index, cut,
     assert again == once_more == both
 
 
-def test_what_is_known_besides_leaves_the_seeds_that_it_leaves_from_the_beginning(index, cut):
-    query, besides = cut(*TRUE).query, Prior(pixel_size_range=(0.9, 1.3))
-    anywhere = lookup_of(index, query, None)
-    same_seeds(find_seeds(anywhere, 10**7, None, besides), seeds_of(index, query, besides))
-    # And is not kept.
-    same_seeds(find_seeds(anywhere, 10**7), seeds_of(index, query, None))
-
-
 def test_the_mirrored_image_is_looked_up_as_such_with_no_heading_known(index, cut):
     query, prior = cut(*TRUE).query, Prior(None, None, 70.0, 5.0, SCALES)
     mirrored = lookup_of(index, query, prior).mirrored()

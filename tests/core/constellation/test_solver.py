@@ -241,17 +241,6 @@ def test_a_cap_does_not_count_triangles_that_a_prior_excludes(ground, place):
         np.testing.assert_allclose(getattr(there, name), getattr(everything, name), rtol=1e-12)
 
 
-def test_more_poses_are_told_where_more_are_asked_for(ground):
-    view = seen_from(700, 2200, 70.0, 1.1)
-    query = make_query(ground.see(view, NOISE, 5), ground.index, (SIZE, SIZE))
-    lookup = Lookup(ground.index, query, query_triangles(query, CONSTELLATION), PRIOR)
-    usual = find_seeds(lookup, 10**9)
-    more = find_seeds(lookup, 10**9, 5 * CONSTELLATION.limits.seeds)
-    assert len(more.centers) > 4 * len(usual.centers)
-    np.testing.assert_array_equal(more.votes[: len(usual.votes) // 2], usual.votes[: len(usual.votes) // 2])
-    assert (np.diff(more.votes) <= 0).all()
-
-
 def test_a_place_that_capped_searches_leave_out_is_found_by_one_that_looks_everything_up(ground):
     view = seen_from(1400, 1600, 77.0)
     limits = dataclasses.replace(CONSTELLATION.limits, maximum_hits=(0, 0, 10**9))

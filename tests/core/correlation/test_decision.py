@@ -12,7 +12,6 @@ from semref.core.correlation.decision import (
     fisher_z,
     lead,
     position_error_95,
-    ranked,
     risk_of_peaks,
     surprises,
 )
@@ -103,15 +102,6 @@ def test_of_two_places_that_stand_out_neither_surprises():
     alone, *_ = surprises([20.0, 1.0, 1.2], [1.0] * 8)
     twice = surprises([20.0, 20.0, 1.2], [1.0] * 8)
     assert alone > 25 and max(twice) < alone / 3
-
-
-def test_detail_puts_a_place_first_that_scores_a_little_less():
-    places, mirrored = [(0.42, 1.0), (0.41, 18.0), (0.3, 0.5)], [(0.4, 2.0), (0.35, 0.8)]
-    order, peaks = ranked(places, mirrored)
-    assert order == [1, 0, 2] and (peaks.score, peaks.runner_up, peaks.mirror) == (0.41, 0.42, 0.4)
-    assert peaks.detail > 10 > peaks.runner_up_detail
-    assert ranked([(0.6, 1.0), *places[1:]], mirrored)[0][0] == 1
-    assert ranked([(0.9, 1.0), *places[1:]], mirrored)[0][0] == 0
 
 
 def test_the_error_radius_grows_as_image_and_map_agree_less():

@@ -57,20 +57,6 @@ def test_an_image_of_one_place_holds_everywhere(labels, pyramid, noise, center):
     assert found.is_fix and found.reason is None
 
 
-def test_a_part_without_labels_tells_nothing(labels, pyramid):
-    image = view(labels, HERE, 40, 1.0)
-    place = localize(image, pyramid, PRIOR).best
-    image[PARTS["left"]] = 0
-    assert part_against(image, pyramid, place) is None
-
-
-def test_what_the_edge_of_the_map_cuts_off_tells_nothing(labels, pyramid):
-    image = view(labels, (380.0, 900.0), 0, 1.0)
-    assert (view(labels, (380.0, 900.0), 0, 1.0)[:, :40] == 0).all()
-    found = localize(image, pyramid, PRIOR)
-    assert found.is_fix and found.reason is None
-
-
 def test_a_place_of_another_method_is_compared_part_by_part_too(labels, pyramid):
     image = view(labels, HERE, 40, 1.0)
     place = localize(image, pyramid, PRIOR).best

@@ -14,7 +14,6 @@ from semref.core.correlation.places import (
     missing_information,
     near_size,
     search_space,
-    size_for,
 )
 from semref.core.correlation.refine import ScoredPose
 from semref.core.localization import Prior
@@ -110,8 +109,3 @@ def test_an_image_without_labels_or_of_one_class_tells_no_place(patch_pyramid, p
     labels = patches[:200, :200] if value is None else np.full((200, 200), value, np.uint8)
     missing = missing_information(evidence_level(labels, patch_pyramid.space, (32, 32)), patch_pyramid)
     assert (missing and missing.template) == code
-
-
-def test_a_reduced_image_keeps_its_shape_and_never_gains_pixels():
-    assert size_for((400, 1600), 32) == (64, 16)
-    assert size_for((10, 20), 32) == (20, 10)

@@ -8,7 +8,6 @@ from made_patches import FRAME, ORIGIN, PRIOR, error_m, made_map, spoiled, view
 
 from semref.core.correlation import refine, refine_many, search, view_effects
 from semref.core.correlation.class_pyramid import MapPyramid, class_fractions
-from semref.core.correlation.places import comparisons, image_evidence, reduced_image, search_space
 from semref.core.correlation.settings import CORRELATION
 from semref.core.correlation.solver import agreement_at, localize
 from semref.core.errors import LabelMapError
@@ -168,21 +167,6 @@ def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, lar
     # Lead and opponents are found by other ways, but tell about the same.
     assert chosen.peaks.score == pytest.approx(all_places.peaks.score, abs=0.005)
     assert chosen.peaks.mirror == pytest.approx(all_places.peaks.mirror, abs=0.1)
-
-
-def test_a_look_at_larger_pixels_is_counted_by_its_own_places(labels, pyramid):
-    image, prior = view(labels, (1300, 1000), 40, 1.0), Prior(pixel_size_range=(0.8, 1.25))
-    coarse = reduced_image(image_evidence(image, pyramid), CORRELATION.coarse_edge)
-    most = comparisons(search_space(pyramid, prior), coarse) / 2
-    for at_once, is_found in ((0, True), (2 * most + 1, False)):
-        settings = replace(CORRELATION, most_at_once=at_once, most_comparisons=most)
-        found = localize(image, MapPyramid(pyramid.labels, pyramid.frame, settings), prior)
-        assert found.is_fix == is_found
-        assert (
-            is_found
-            or found.reason.template
-            == "The image shows too little ground to search this whole map for it; give a prior position."
-        )
 
 
 def test_a_fix_tells_how_exactly_position_heading_and_pixel_size_are_known(labels, pyramid):

@@ -58,9 +58,3 @@ def test_the_more_labels_err_the_less_is_known_of_the_camera(patches, patch_pyra
     image, level = seen(patches, patch_pyramid)
     sure, unsure = (view_effect(image, patch_pyramid, level, factor, ERRORS) for factor in (0.3, 30.0))
     assert unsure.covariance[0, 0] > 10 * sure.covariance[0, 0]
-
-
-def test_where_nothing_tells_the_pose_nothing_is_said_of_the_camera(patches, patch_pyramid):
-    image, level = seen(patches, patch_pyramid)
-    alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
-    assert view_effect(alike, patch_pyramid, level, FACTOR, ERRORS) is None

@@ -9,8 +9,6 @@ import pytest
 from semref.core.database.build import BuildSettings, build_from_labels
 from semref.core.errors import ParameterError
 from semref.core.evaluation.evaluation import (
-    MAP,
-    MIRRORED,
     NOISE_LEVELS,
     ROTATION,
     ROTATIONS_DEG,
@@ -106,23 +104,11 @@ def test_a_map_with_finer_pixels_gives_the_same_images(evaluate):
         assert (evaluate(**CLEAN).image(query) == fine.image(same)).mean() > 0.999
 
 
-def test_a_mirrored_image_is_the_mirrored_map(evaluate):
-    _, query = evaluate(**CLEAN).trials(1, 1)
-    assert query.kind == MIRRORED
-    np.testing.assert_array_equal(
-        evaluate().image(query)[:, ::-1], evaluate().image(replace(query, kind=MAP, view=query.view.plain()))
-    )
-
-
 def test_a_seed_repeats_queries_and_images_and_another_one_does_not(evaluate):
     first, again, other = (list(evaluate(seed=seed).trials(4, 2)) for seed in (5, 5, 6))
     assert first == again and not {q.view for q in first} & {q.view for q in other}
     for query in first:
         np.testing.assert_array_equal(evaluate(seed=5).image(query), evaluate(seed=5).image(query))
-
-
-def test_more_trials_begin_with_the_same_ones(evaluate):
-    assert list(evaluate().trials(3, 0)) == list(evaluate().trials(6, 0))[:3]
 
 
 def test_the_grid_of_noise_has_every_pair_of_levels_at_the_same_places(evaluate):

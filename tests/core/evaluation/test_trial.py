@@ -34,11 +34,6 @@ def test_right_is_within_two_percent_of_the_ground_shown(away, right):
     assert trial.error_share == pytest.approx(away / 160)
 
 
-def test_right_is_within_what_was_asked_for():
-    assert told(away=(9.9, 0.0), right_within=10.0).is_right
-    assert told(away=(10.1, 0.0), right_within=10.0).is_wrong
-
-
 def test_errors_of_heading_and_scale_are_measured_the_short_way_and_relative():
     trial = told(heading_deg=359.0, pixel_size_m=0.51)
     assert trial.heading_error_deg == pytest.approx(2) and trial.scale_error == pytest.approx(0.02)

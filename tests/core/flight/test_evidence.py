@@ -74,7 +74,3 @@ def test_an_image_of_one_class_says_nothing(localizer, flown):
     flat = seen_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
     assert flat.evidence is None
     assert best_of(flat, localizer.pyramid, 20, APART) == []
-
-
-def test_random_places_are_the_same_every_time(seen, localizer):
-    assert random_poses(localizer.pyramid, seen.prior, 5) == random_poses(localizer.pyramid, seen.prior, 5)

@@ -38,13 +38,6 @@ def test_corners_lie_where_the_image_shows_something():
     assert photo_features(speckled((200, 300)), is_known).points[:, 0].max() <= 1
 
 
-def test_unlabeled_ground_is_not_known():
-    labels = np.ones((50, 60), np.uint8)
-    assert label_features(labels).is_known_hw is None
-    labels[:, :10] = 0
-    assert label_features(labels).is_known_hw.sum() == 50 * 50
-
-
 @pytest.mark.parametrize(
     "image",
     [np.zeros((0, 5), np.uint8), np.zeros((4, 4), np.float32), np.zeros((4, 4, 4), np.uint8), np.zeros(9, np.uint8)],

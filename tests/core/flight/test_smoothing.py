@@ -84,13 +84,6 @@ def test_later_images_tell_of_earlier_ones():
     assert deviation(found[0]).max() < 10
 
 
-def test_motion_in_meters_needs_no_pixel_size():
-    start = first_estimate(np.array([0, 0, np.pi / 2, 3.0]), np.array([1, 1, 0.0, 1.0]), 1.0, DRIFT)
-    step = step_over(start, Link.of_odometry(0, 1, 0.0, 100.0, 0.0, 1.0, 0.0), 1.0, FLIGHT)
-    assert step.predicted.state[:2] == pytest.approx((100.0, 0.0))
-    assert deviation(step.predicted).max() < 3
-
-
 def track_of(count=6):
     """Filtered and smoothed estimates of a straight track, its measurements, and what they share."""
     link = Link(0, 1, (0.0, -100.0), 0.0, 0.0, as_rows(np.diag([9.0, 9.0, 1e-4, 1e-4])))

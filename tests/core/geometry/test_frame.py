@@ -15,17 +15,6 @@ def test_pixels_come_back_from_the_map_in_whatever_shape_they_come(points):
     np.testing.assert_array_equal(found, points)
 
 
-def test_rows_grow_to_the_south_from_the_corner_of_the_first_pixel():
-    np.testing.assert_array_equal(FRAME.to_map((0, 0)), (600000, 5200000))
-    np.testing.assert_array_equal(FRAME.to_map((2, 10)), (600001, 5199995))
-    np.testing.assert_array_equal(FRAME.to_pixels((600001, 5199995)), (2, 10))
-
-
-def test_the_extent_is_where_the_last_pixels_end():
-    assert FRAME.extent == (600000, 5199850, 600200, 5200000)
-    assert FRAME.of_shape((1, 1)).extent == (600000, 5199999.5, 600000.5, 5200000)
-
-
 def test_a_part_lies_where_the_whole_has_it():
     part = FRAME.part(10, 20, (30, 40))
     assert part == MapFrame.at((600005.0, 5199990.0), 0.5, (30, 40), "a metric CRS")

@@ -74,13 +74,6 @@ def test_a_tilted_view_leveled_with_its_true_attitude_is_the_level_view(tilt, di
     assert seen.sum() == pytest.approx(area, rel=0.02)
 
 
-def test_a_level_camera_changes_nothing():
-    labels = np.random.default_rng(1).integers(0, 9, SHAPE, dtype=np.uint8)
-    way = leveling(Attitude(0, 0), FOCAL, SHAPE)
-    assert way.shape_hw == SHAPE and way.middle == way.nadir == 0
-    np.testing.assert_array_equal(way.level(labels), labels)
-
-
 def test_pitch_leans_towards_the_top_and_roll_towards_the_right():
     pitched, rolled = (leveling(attitude, FOCAL, SHAPE) for attitude in (Attitude(0, 10), Attitude(10, 0)))
     assert pitched.nadir.imag < -20 and pitched.nadir.real == pytest.approx(0)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from semref.core.labels import block_hashes
-from semref.core.labels.block_hashes import BlockHasher, block_hash, blocks_shape, map_hash
+from semref.core.labels.block_hashes import BlockHasher, block_hash, map_hash
 
 
 @pytest.fixture(autouse=True)
@@ -46,13 +46,6 @@ def test_one_changed_pixel_changes_its_block_alone():
     now[40, 10] = 3
     changed = [old != new for old, new in zip(hashes_in_bands(before, 64), hashes_in_bands(now, 64))]
     assert changed == [False, False, True, False]
-
-
-@pytest.mark.parametrize(
-    ("shape_hw", "blocks"), [((1, 1), (1, 1)), ((32, 32), (1, 1)), ((33, 32), (2, 1)), ((70, 90), (3, 3))]
-)
-def test_blocks_at_the_edges_count_as_well(shape_hw, blocks):
-    assert blocks_shape(shape_hw) == blocks
 
 
 def test_shape_place_and_labels_of_a_map_are_part_of_its_hash():

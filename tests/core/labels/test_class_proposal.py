@@ -57,8 +57,3 @@ def test_every_text_of_the_layer_finds_a_class_of_its_own():
 def test_more_classes_than_a_label_map_has_values_are_refused():
     with pytest.raises(ClassTableError, match="256"):
         proposed_table([FoundClass(str(n), f"class {n}") for n in range(256)])
-
-
-def test_all_values_can_be_taken():
-    table = proposed_table([FoundClass(f"c{n}", f"c{n}") for n in range(254)] + [FoundClass("x", "x", "", 255)])
-    assert sorted(c.value for c in table) == list(range(1, 256))

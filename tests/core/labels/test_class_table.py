@@ -106,68 +106,41 @@ def test_a_missing_column_is_named(header, missing):
         csv("1,2", header=header)
 
 
-@pytest.mark.parametrize("value", ["", "x", "1.5", "1e2"])
-def test_a_value_that_is_no_whole_number_is_refused(value):
-    with refuses(f"classes.csv, line 3: “{value}” is not a whole number for value."):
-        csv("1,building", f"{value},water", header="value,name")
-
-
-@pytest.mark.parametrize("value", [-20, -1, 256, 1000])
-@pytest.mark.parametrize("color", ["", "#000000"])
-def test_a_value_outside_a_byte_is_refused(value, color):
-    with refuses(f"classes.csv, line 2: Class “water” has the value {value}; class values go from 0 to 255."):
-        csv(f"{value},water,{color},background")
-
-
-def test_a_class_without_name_is_refused():
-    with refuses("classes.csv, line 2: The class with value 1 has no name; give it one."):
-        csv("1,,#000000,background")
-
-
-def test_a_line_that_ends_early_is_read_or_refused_by_its_sentence():
-    assert csv("1,building").classes[0].role == "background"
-    with refuses("classes.csv, line 2: The class with value 1 has no name; give it one."):
-        csv("1")
-
-
-def test_cells_beyond_the_header_are_ignored():
-    assert csv("1,building,#000000,reference,,,,left,over").classes[0].name == "building"
-
-
-@pytest.mark.parametrize("color", ["red", "#12345", "#1234567", "123456", "#gggggg"])
-def test_a_color_that_is_none_is_refused(color):
-    with refuses(f"classes.csv, line 2: Class “water” has the color “{color}”; write it as #rrggbb."):
-        csv(f"1,water,{color},background")
-
-
-def test_an_unknown_role_is_refused():
-    with refuses("classes.csv, line 2: Class “water” has the role “landmark”; it must be “reference” or “background”."):
-        csv("1,water,#000000,landmark")
-
-
-def test_value_zero_can_be_a_class_but_no_reference():
-    assert csv("0,other,#000000,background").by_value(0).name == "other"
-    with refuses("classes.csv, line 2: Class “other” has the value 0, which means unlabeled; it can't be a reference."):
-        csv("0,other,#000000,reference")
-
-
-def test_a_draw_order_that_is_no_number_is_refused():
-    with refuses("classes.csv, line 2: “top” is not a number for draw_order."):
-        csv("1,water,#000000,background,top")
-
-
-@pytest.mark.parametrize("cells", ["10 20 30,", ",10 20 30"])
-def test_half_an_hsv_range_is_refused(cells):
-    with refuses("classes.csv, line 2: Class “water” has only one of hsv_min and hsv_max; give both or none."):
-        csv(f"1,water,#000000,background,,{cells}")
-
-
 @pytest.mark.parametrize(
-    "hsv", ["181 0 0", "0 256 0", "0 0 256", "1 2", "1 2 3 4", "a b c", "-1 2 3", "1.5 2 3", "² 2 3"]
+    ("row", "sentence"),
+    [
+        *((f"{value},water", f"“{value}” is not a whole number for value.") for value in ("", "x", "1.5", "1e2")),
+        *(
+            (f"{value},water", f"Class “water” has the value {value}; class values go from 0 to 255.")
+            for value in (-20, -1, 256, 1000)
+        ),
+        *((row, "The class with value 1 has no name; give it one.") for row in ("1,,#000000,background", "1")),
+        *(
+            (f"1,water,{color}", f"Class “water” has the color “{color}”; write it as #rrggbb.")
+            for color in ("red", "#12345", "#1234567", "123456", "#gggggg")
+        ),
+        ("1,water,,landmark", "Class “water” has the role “landmark”; it must be “reference” or “background”."),
+        ("0,other,,reference", "Class “other” has the value 0, which means unlabeled; it can't be a reference."),
+        ("1,water,,background,top", "“top” is not a number for draw_order."),
+        *(
+            (f"1,water,,,,{cells}", "Class “water” has only one of hsv_min and hsv_max; give both or none.")
+            for cells in ("10 20 30,", ",10 20 30")
+        ),
+        *(
+            (f"1,water,,,,{hsv},1 2 3", f"“{hsv}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).")
+            for hsv in ("181 0 0", "0 256 0", "0 0 256", "1 2", "1 2 3 4", "a b c", "-1 2 3", "1.5 2 3", "² 2 3")
+        ),
+    ],
 )
-def test_hsv_outside_opencvs_ranges_is_refused(hsv):
-    with refuses(f"classes.csv, line 2: “{hsv}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255)."):
-        csv(f"1,water,#000000,background,,{hsv},1 2 3")
+def test_a_line_that_is_no_class_is_refused(row, sentence):
+    with refuses(f"classes.csv, line 2: {sentence}"):
+        csv(row)
+
+
+def test_a_line_may_end_early_or_go_on_and_a_class_may_have_the_value_zero():
+    assert csv("1,building").classes[0].role == "background"
+    assert csv("1,building,#000000,reference,,,,left,over").classes[0].name == "building"
+    assert csv("0,other,#000000,background").by_value(0).name == "other"
 
 
 @pytest.mark.parametrize(

@@ -43,11 +43,6 @@ def test_of_equally_frequent_labels_the_smallest_wins(count, label):
     assert most_frequent_labels(block.reshape(4, 4), 4).tolist() == [[label]]
 
 
-def test_unlabeled_and_255_count_like_every_other_label():
-    labels = np.array([[0, 0, 255, 255], [0, 1, 255, 0]], np.uint8)
-    assert most_frequent_labels(labels, 2).tolist() == [[0, 255]]
-
-
 def test_a_map_wider_than_a_vector_register_is_reduced_right_everywhere():
     labels = random_labels(8, 24, 1030, 30)
     for factor in (2, 3, 4, 8):

@@ -40,10 +40,6 @@ def test_validation_holds_about_the_fraction_of_the_labels(fraction):
     assert labeled[taken].sum() / labeled.sum() == pytest.approx(fraction, abs=0.02)
 
 
-def test_a_fraction_of_zero_sets_nothing_aside():
-    assert not validation_blocks(np.ones((5, 5), int), 0).any()
-
-
 @pytest.mark.parametrize("labeled", [[[7]], [[0, 0, 9]], [[0, 5], [0, 0]]])
 def test_one_labeled_block_is_never_set_aside(labeled):
     assert not validation_blocks(np.array(labeled), 0.9).any()

@@ -63,12 +63,6 @@ def test_how_ragged_edges_are_is_found(jitter):
     assert errors(LabelNoise(jitter=jitter)).ragged_px() == pytest.approx(jitter, rel=0.3)
 
 
-def test_a_shift_of_classes_is_not_raggedness():
-    shifts = tuple((value, 1.2, 0.9) for value in CLASSES)
-    found = errors(LabelNoise(jitter=1.0, class_shifts=shifts))
-    assert found.ragged_px(1.5) < found.ragged_px() and found.ragged_px(1.5) == pytest.approx(1.0, abs=0.5)
-
-
 def test_what_is_not_annotated_is_not_invented():
     rng = np.random.default_rng(3)
     predicted = ground(rng)

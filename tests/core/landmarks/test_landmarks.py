@@ -151,15 +151,6 @@ def test_a_region_in_the_hole_of_another_is_an_object_of_its_own():
     assert objects.touches_edge.tolist() == [True, False, False]
 
 
-def test_a_region_of_another_class_in_a_hole_changes_nothing():
-    labels = np.zeros((20, 20), np.uint8)
-    labels[2:15, 2:15] = 1
-    labels[6:9, 4:8] = 2
-    objects = extract_landmarks(labels, [1, 2], 1.0)
-    assert objects.classes.tolist() == [1, 2]
-    assert objects.areas_px.tolist() == [144.0, 6.0]
-
-
 @pytest.mark.parametrize(
     ("row", "column", "touches"), [(5, 5, False), (0, 5, True), (5, 0, True), (7, 5, True), (5, 7, True), (1, 1, False)]
 )
@@ -167,13 +158,6 @@ def test_an_object_that_reaches_the_border_says_so(row, column, touches):
     labels = np.zeros((10, 10), np.uint8)
     labels[row : row + 3, column : column + 3] = 1
     assert extract_landmarks(labels, [1], 1.0).touches_edge.tolist() == [touches]
-
-
-def test_only_the_asked_classes_are_extracted():
-    labels = np.zeros((12, 40), np.uint8)
-    for n, value in enumerate((1, 2, 3, 254, 255)):
-        labels[4:8, 8 * n : 8 * n + 4] = value
-    assert extract_landmarks(labels, [255, 2, 254], 1.0).classes.tolist() == [2, 254, 255]
 
 
 def test_objects_come_by_class_and_then_from_top_to_bottom():

@@ -12,7 +12,7 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.localization import Localization, Method, Place, Prior, Status
-from semref.core.localizer.combined import agreed, checked_by_areas, confirmed, near, neither, worth_of
+from semref.core.localizer.combined import agreed, checked_by_areas, confirmed, near, neither
 from semref.core.localizer.localizer import Localizer
 from semref.core.localizer.settings import LOCALIZER
 from semref.core.sentences import Sentence
@@ -196,10 +196,6 @@ def test_a_reason_says_what_was_searched(localizer):
     assert reason.endswith("headings within 20° of 10°, the ground within 250 of 500000, 5200000.")
 
 
-def test_pixel_sizes_lie_around_window_size_over_image_size(localizer):
-    assert localizer.pixel_sizes((280, 800), (0.7, 1.4)) == pytest.approx((1.4, 2.8))
-
-
 def test_a_prior_holds_for_both_methods(localizer):
     image = view(GROUND, NOTHING_BUILT)
     here = Prior(position=(ORIGIN[0] + 1150, ORIGIN[1] - 950), radius=150.0)
@@ -258,11 +254,6 @@ def test_what_a_fix_of_map_correlation_does_not_hold_for_stays_told_at_a_finer_p
     assert confirmed(replace(AREAS, reason=SAID), STARS, around(20.0)).reason == SAID
     doubted = replace(STARS, status=Status.NO_MATCH, confidence=None, is_doubted=True)
     assert agreed(doubted, replace(AREAS, reason=SAID), 1000).reason == SAID
-
-
-def test_agreement_is_worth_more_the_closer_it_is():
-    values = [worth_of(agreement) for agreement in (-1.0, 0.0, 0.3, 0.5, 0.7, 1.0)]
-    assert values == sorted(values) and values[0] < -10 and 0 < values[-1] < 10
 
 
 def test_two_roads_that_searched_alone_and_found_one_place_are_surer_than_each():

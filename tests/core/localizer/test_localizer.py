@@ -108,12 +108,6 @@ def test_an_image_cut_on_a_window_is_found_however_it_is_turned_by_right_angles(
         assert result.reason is None
 
 
-def test_a_fix_names_the_middle_of_the_window_in_map_coordinates(localizer):
-    result = localizer.localize_by_topology_vector(cut(MAP, "40_60"))
-    assert result.position == (600000 + 2 * (40 + 30), 5200000 - 2 * (60 + 30))
-    assert (result.heading_deg, result.pixel_size_m, result.error_95_m) == (None, None, None)
-
-
 @pytest.mark.parametrize("factor", [2, 3, 5])
 def test_an_image_of_finer_pixels_is_found(factor):
     """Plots of 5 to 12 pixels, each in a cell of its own: their centers of gravity do not hang on the pixels' size."""

@@ -50,8 +50,3 @@ def test_any_other_reason_follows_what_the_network_was_trained_on():
 def test_label_images_and_networks_that_say_nothing_are_not_blamed(found):
     assert name_network(found, None, CLASSES) == found
     assert "trained" not in str(name_network(found, (), CLASSES).reason)
-
-
-def test_a_fix_keeps_its_remark():
-    fix = replace(NO_MATCH, status=Status.FIX)
-    assert name_network(fix, PLACES, CLASSES) == fix

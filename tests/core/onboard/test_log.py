@@ -33,12 +33,6 @@ def test_a_line_tells_time_level_event_and_details(lines):
     assert line == {"level": "warning", "event": "image failed", "path": "a.png", "tries": 2}
 
 
-def test_what_is_below_the_level_is_not_written(lines):
-    written = lines("warning")
-    say(logging.INFO, "image found")
-    assert written() == []
-
-
 def test_the_traceback_of_an_error_is_told_where_asked(lines):
     written = lines("info")
     try:

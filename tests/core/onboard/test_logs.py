@@ -11,9 +11,9 @@ import time
 import pytest
 
 from semref.core.flight.logs.mavlink import checksum
-from semref.core.onboard import logs, tables
+from semref.core.onboard import logs
 from semref.core.onboard.cameras import opened_cameras
-from semref.core.onboard.logs import GrowingLog, is_growing_log
+from semref.core.onboard.logs import GrowingLog
 
 LONG_S = 30.0
 
@@ -105,15 +105,6 @@ def test_a_log_that_vanishes_ends_nothing(path, start_s):
     assert heading(log, start_s) == pytest.approx(10, abs=0.01)
     path.unlink()
     assert heading(log, start_s) == pytest.approx(10, abs=0.01)
-
-
-def test_only_where_it_may_grow_a_log_is_followed(path, start_s, monkeypatch):
-    monkeypatch.setattr(tables, "ROW_WITHIN_S", 0.0)
-    assert is_growing_log(str(path))
-    followed = opened_cameras(None, str(path), is_ended=False, is_strict=True)
-    whole = opened_cameras(None, str(path), is_ended=True, is_strict=True)
-    assert followed.growing is not None and followed.log is None
-    assert whole.growing is None and whole.log is not None
 
 
 def test_a_growing_log_gives_headings_of_images(path, start_s, tmp_path):

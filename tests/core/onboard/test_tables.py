@@ -54,11 +54,6 @@ def test_a_table_that_grows_tells_what_one_given_whole_does(path):
         assert one.source == LinkSource.ODOMETRY and one.in_meters
 
 
-def test_rows_of_images_that_never_came_are_gone_through(path):
-    table = begun(path, "a,,,,", "b,0,60,0,1", "c,0,50,0,1")
-    assert table.link("a", "c").translation == pytest.approx((0, -110))
-
-
 def test_a_row_that_says_nothing_and_images_without_rows_give_no_link(path):
     table = begun(path, "a,,,,", "b,,,,", "c,0,50,0,1")
     assert table.link("a", "b") is None and table.link("a", "c") is None and table.link("x", "b") is None

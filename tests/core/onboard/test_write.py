@@ -54,12 +54,6 @@ def test_a_database_of_no_windows_and_no_overview_comes_back(database, tmp_path)
     assert len(found.database.references) == len(database.references)
 
 
-def test_the_same_database_gives_the_same_bytes(database, lon_lat, written, tmp_path):
-    again = tmp_path / "again.npz"
-    write_onboard(str(again), database, lon_lat)
-    assert again.read_bytes() == written.read_bytes()
-
-
 def test_windows_and_references_keep_to_their_budget(database, written):
     with zipfile.ZipFile(written) as archive:
         size = {info.filename: info.compress_size for info in archive.infolist()}
@@ -112,10 +106,3 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
             write_onboard(str(tmp_path / "odd.npz"), odd, None)
         assert refused.value.sentence.template == code
     assert not list(tmp_path.iterdir())
-
-
-def test_landmarks_of_one_size_come_back(database, tmp_path):
-    one = landmarks_of(database, areas_m2=np.full(len(database.references), 77.0))
-    write_onboard(str(tmp_path / "alike.npz"), one, None)
-    areas = read_onboard(str(tmp_path / "alike.npz")).database.references.areas_m2
-    np.testing.assert_allclose(areas, 77.0, rtol=1e-6)

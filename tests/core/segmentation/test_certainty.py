@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from made_models import brightest_color, metadata, painted, write_model, writer
+from made_models import brightest_color, metadata, write_model, writer
 
 from semref.core.labels.image_source import ArrayImage, MaskedImage
 from semref.core.segmentation.certainty import NO_DATA, Certainty, Sureness, are_probabilities, softmax
@@ -99,14 +99,6 @@ def test_where_nothing_was_looked_at_there_is_no_percent(made):
     np.testing.assert_array_equal((each == NO_DATA).all(axis=0), ~has_data)
 
 
-def test_what_is_not_wanted_is_not_made(made):
-    model, image = made(), ArrayImage(photo())
-    rows = [rows for _, rows in segment(model, image, VALUES, 0.25, Certainty(of_label=True)) if rows is not None]
-    assert all(r.percents_chw is None and r.percent_hw.shape == r.labels_hw.shape for r in rows)
-    rows = [rows for _, rows in segment(model, image, VALUES, 0.25) if rows is not None]
-    assert all(r.percents_chw is None and r.percent_hw is None for r in rows)
-
-
 @pytest.mark.parametrize("overlap", [0, 0.25])
 def test_how_sure_the_network_is_is_the_mean_percent_of_the_labels(made, overlap):
     has_data = np.ones((150, 190), bool)
@@ -165,9 +157,3 @@ def test_what_lies_outside_a_mask_is_not_even_read():
 
     pixels, has_data = MaskedImage(Unread(), Corner()).read(300, 300, 64, 64)
     assert not pixels.any() and not has_data.any()
-
-
-def test_painted_ground_is_sure_where_colors_are(made):
-    labels = np.random.default_rng(2).integers(1, 4, (80, 90)).astype(np.uint8)
-    percent = segmented(made(), ArrayImage(painted(labels)))[1]
-    assert percent.min() == percent.max() == 67  # softmax of (220, 40, 40) as the metadata standardize them

@@ -15,7 +15,6 @@ from semref.core.segmentation.devices import (
     DEVICES,
     DIRECTML,
     KEYS,
-    OPENVINO,
     device_of,
     devices_to_try,
 )
@@ -86,12 +85,6 @@ def test_automatic_tries_what_is_there_the_cpu_last():
     assert devices_to_try("something of another version", [CPU.provider]) == [CPU]
 
 
-def test_a_device_that_was_chosen_is_tried_alone():
-    assert devices_to_try("openvino", EVERY) == [OPENVINO, CPU]
-    assert devices_to_try("cpu", EVERY) == [CPU]
-    assert devices_to_try("cuda", [CPU.provider]) == [CPU]
-
-
 def test_keys_are_those_of_the_devices():
     assert KEYS == ("auto", "cpu", "cuda", "directml", "coreml", "openvino")
     assert [device_of(key) for key in KEYS] == [None, *DEVICES]
@@ -101,11 +94,6 @@ def test_the_first_that_starts_runs_the_network(load, monkeypatch):
     fake = FakeOnnxruntime(monkeypatch, EVERY)
     model = load()
     assert (model.device, model.fallbacks, fake.opened) == (CUDA, [], [CUDA.provider])
-
-
-def test_what_was_chosen_runs_the_network_even_where_a_better_one_is_there(load, monkeypatch):
-    FakeOnnxruntime(monkeypatch, EVERY)
-    assert [load(key).device for key in KEYS[1:]] == list(DEVICES)
 
 
 def test_on_a_card_the_network_gets_several_tiles_and_one_run(load, monkeypatch):

@@ -93,12 +93,6 @@ def test_a_table_given_has_the_last_word_by_name():
     assert [c.role for c in found.table] == ["background", "reference"]
 
 
-def test_a_table_given_names_the_channels_of_a_silent_model():
-    given = class_table_from_csv("value,name\n5,b\n2,a\n")
-    assert read_classes({}, 2, "m.onnx", given).names == ("a", "b")
-    assert read_classes({}, 3, "m.onnx", given).values == (0, 2, 5)
-
-
 def test_channels_are_mapped_to_a_database_by_name():
     classes = read_classes({"class_names": '["Building", "water", "snow"]'}, 3, "m.onnx")
     database = class_table_from_csv("value,name,role\n4,water,reference\n6,building,reference\n7,field,background\n")

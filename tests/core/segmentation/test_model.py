@@ -50,14 +50,6 @@ def test_fixed_sizes_go_before_the_metadata_and_that_is_said(load):
     assert "tile_size in the model's metadata is 64, but the network takes 48 × 32" in str(model.notes[0])
 
 
-def test_a_network_of_half_floats_will_do(load):
-    network = writer.Network().add("Cast", to=writer.FLOAT)
-    kernels = np.zeros((3, 3, 1, 1), np.float32)
-    kernels[[0, 1, 2], [0, 2, 1]] = 1
-    network.convolution(kernels, np.zeros(3))
-    np.testing.assert_array_equal(seen_by(load(network, input_type=writer.FLOAT16)), LABELS)
-
-
 @pytest.mark.parametrize("keep", [0, 1])
 def test_class_numbers_are_taken_as_they_are(load, keep):
     network = brightest_color().add("ArgMax", axis=1, keepdims=keep)

@@ -26,11 +26,6 @@ def test_labels_lie_on_the_photos_own_pixels(model, pixel_size_m):
     np.testing.assert_array_equal(PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found(), LABELS)
 
 
-def test_the_network_sees_the_photo_at_its_own_resolution(model):
-    assert PhotoLabels(model, PHOTO, (1, 2, 3), (0.25, 0.25)).image.shape_hw == (50, 70)
-    assert PhotoLabels(model, PHOTO, (1, 2, 3)).image is PHOTO
-
-
 def test_the_steps_tell_the_share_done(model):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3))
     shares = list(labels.steps())

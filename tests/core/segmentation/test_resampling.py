@@ -25,10 +25,6 @@ def test_an_image_stays_as_it_is_where_a_resolution_is_unknown_or_both_are_the_s
     assert at_resolution(image, pixel_size_m, resolution_m) is image
 
 
-def test_pixels_that_are_not_square_become_square():
-    assert at_resolution(ArrayImage(PHOTO), (0.25, 1.0), 0.5).shape_hw == (122, 48)
-
-
 @pytest.mark.parametrize("turn", [1, np.exp(0.3j)])
 def test_pixels_of_a_whole_number_stay_squares_around_the_middle(turn):
     columns, rows = 5 * turn, -5j * turn

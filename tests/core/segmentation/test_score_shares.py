@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.segmentation.certainty import NO_DATA, percents
-from semref.core.segmentation.score_shares import ScoreShares, grid_of
+from semref.core.segmentation.score_shares import ScoreShares
 from semref.core.segmentation.tiling import SegmentedRows
 
 VALUES = (3, 0, 7, 3)
@@ -59,10 +59,3 @@ def test_pixels_without_data_are_unknown(seen):
 def test_rows_without_percents_are_refused():
     with pytest.raises(ValueError):
         ScoreShares((1,), (4, 4), (2, 2)).add(SegmentedRows(0, np.ones((4, 4), np.uint8)))
-
-
-@pytest.mark.parametrize(
-    ("shape_hw", "wanted"), [((100, 200), (200, 100)), ((2048, 2048), (512, 512)), ((512, 2048), (1024, 256))]
-)
-def test_the_grid_is_never_finer_than_the_image(shape_hw, wanted):
-    assert grid_of(shape_hw) == wanted

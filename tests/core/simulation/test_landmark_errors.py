@@ -5,7 +5,7 @@ import pytest
 
 from semref.core.landmarks.landmarks import Landmarks, extract_landmarks
 from semref.core.simulation.label_errors import spoil_labels
-from semref.core.simulation.landmark_errors import joined, spoil_landmarks, with_moved_boundaries
+from semref.core.simulation.landmark_errors import spoil_landmarks, with_moved_boundaries
 from semref.core.simulation.noise import LabelNoise
 
 SIZE = 1000, 1000
@@ -60,11 +60,6 @@ def test_moved_boundaries_move_centers_as_they_do_in_labels():
     off = np.array([before.centers_xy[np.hypot(*(before.centers_xy - c).T).argmin()] - c for c in seen.centers_xy])
     moved = with_moved_boundaries(before, noise, np.random.default_rng(1))
     assert (moved.centers_xy - before.centers_xy).std() == pytest.approx(off.std(), rel=0.4)
-
-
-def test_joined_landmarks_follow_each_other():
-    both = joined(many_landmarks(3), many_landmarks(2))
-    assert len(both) == 5 and both.bounds.shape == (5, 4)
 
 
 def test_a_shifted_class_is_shifted_as_one():

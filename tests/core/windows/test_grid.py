@@ -29,12 +29,6 @@ def test_only_windows_that_lie_wholly_on_the_map_count(width, height, size, stri
     assert len(grid) == len(columns) * len(rows)
 
 
-@pytest.mark.parametrize(("size", "stride"), [(0, 0), (0, 1), (10, 0), (-5, 1), (10, -1)])
-def test_windows_and_strides_below_a_pixel_are_refused(size, stride):
-    with refuses(f"Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them."):
-        WindowGrid(100, 100, size, stride)
-
-
 def test_a_stride_larger_than_the_window_is_refused():
     with refuses(
         "The stride (31 px) is larger than the window (30 px), so ground between the windows would be missed; "
