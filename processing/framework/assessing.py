@@ -74,14 +74,14 @@ def noise_ranges(
     factor, path = NETWORK_FACTORS[values.choice(parameters.NETWORK)], values.file(parameters.COMPARISON)
     compared = read_network(path) if path else {}
 
-    def found(key: str) -> tuple[float, float]:
+    def range_of(key: str) -> tuple[float, float]:
         if key in compared and key in OF_NETWORKS:
             return compared[key], compared[key]
         if factor is not None and key in OF_NETWORKS:
             return factor * usual[key][0], factor * usual[key][1]
         return read(key)
 
-    return {key: found(key) for key in usual}
+    return {key: range_of(key) for key in usual}
 
 
 def _noise(key: str, title: str, text: str) -> QgsProcessingParameterDefinition:
@@ -234,18 +234,18 @@ class AssessAlgorithm(SemRefAlgorithm):
         from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
         from ...core.assessment.job import job_of
 
-        def found(task: str, here: Callable[..., Trial], asked: list[tuple[int, PlaceQuery]], size: int) -> Iterator:
+        def answers(task: str, here: Callable[..., Trial], asked: list[tuple[int, PlaceQuery]], size: int) -> Iterator:
             if run is None:
                 return (here(assessments[n], query) for n, query in asked)
             pieces = [(assessments[n].footprint, query) for n, query in asked]
             return run.answers(task, job_of(assessments), pieces, assessments[0].database, size)
 
-        def simulated(assessment: Assessment, query: PlaceQuery) -> Trial:
+        def simulate_one(assessment: Assessment, query: PlaceQuery) -> Trial:
             # Milliseconds each, so that a thread for every one would cost more than it helps.
             check_canceled(feedback)
             return assessment.run(query)
 
-        def correlated(assessment: Assessment, query: PlaceQuery) -> Trial:
+        def correlate_one(assessment: Assessment, query: PlaceQuery) -> Trial:
             return cancelable(assessment.run_correlation, query, feedback=feedback)
 
         feedback.setProgressText(tr("Localizing simulated images"))
@@ -253,7 +253,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         middle = first + (last - first) * (0.3 if with_correlation else 1.0)
         asked = [(n, query) for n, queries in enumerate(planned) for query in queries]
         trials = iter(
-            list(counted(found(ASSESS, simulated, asked, _SIMULATED_A_TASK), len(asked), feedback, first, middle))
+            list(counted(answers(ASSESS, simulate_one, asked, _SIMULATED_A_TASK), len(asked), feedback, first, middle))
         )
         tried: list[tuple[list[Trial], dict[int, Trial]]] = [(list(islice(trials, len(one))), {}) for one in planned]
         chosen = [
@@ -262,7 +262,7 @@ class AssessAlgorithm(SemRefAlgorithm):
             for number in to_correlate(seed, some, max(len(some) // CORRELATED_SHARE, 1))
         ]
         if chosen:
-            again = found(CORRELATE, correlated, [(n, planned[n][number]) for n, number in chosen], 1)
+            again = answers(CORRELATE, correlate_one, [(n, planned[n][number]) for n, number in chosen], 1)
             for (n, number), trial in zip(chosen, counted(again, len(chosen), feedback, middle, last)):
                 tried[n][1][number] = trial
         text = tr("{count} images simulated in {seconds:.0f} s.")
