@@ -107,9 +107,8 @@ def read_photo(path: str) -> Photo:
     data = _read(path, ImageError)
     if not data.startswith((_PNG, *STARTS)):
         values = _jpeg_values(data, path, ImageError)
-        return Photo(
-            ArrayImage(cv2.cvtColor(values, cv2.COLOR_GRAY2RGB if values.ndim == 2 else cv2.COLOR_BGR2RGB)), None
-        )
+        order = cv2.COLOR_GRAY2RGB if values.ndim == 2 else cv2.COLOR_BGR2RGB
+        return Photo(ArrayImage(cv2.cvtColor(values, order)), None)
     image, raw_mode, tags = _decoded(data, path, ImageError)
     if image.mode == "P" or "transparency" in image.info:
         image = image.convert("RGBA")
@@ -242,25 +241,14 @@ def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Ima
         image = PngImageFile(file) if is_png else TiffImageFile(file)
         raw_mode = image.tile[0][3] if is_png else image.tile[0][3][0]
         tags = {} if is_png else {tag: value_of(image.tag_v2, tag) for tag in image.tag_v2}
-    except Exception:  # Pillow has many for damaged files
-        raise kind(
-            Sentence(
-                "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.",
-                path=path,
-            )
-        ) from None
-    # Pieces of a TIFF may be left out or shared.
-    _require_size((image.height, image.width), len(data) if is_png else None, path, kind)
-    file.left = limits.TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
-    try:
+        # Pieces of a TIFF may be left out or shared.
+        _require_size((image.height, image.width), len(data) if is_png else None, path, kind)
+        file.left = limits.TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
         image.load()
-    except Exception:  # as above
-        raise kind(
-            Sentence(
-                "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.",
-                path=path,
-            )
-        ) from None
+    except SemRefError:
+        raise
+    except Exception:  # Pillow has many for damaged files
+        raise kind(_not_decoded(path)) from None
     turn = _UPRIGHT.get(tags.get(ORIENTATION, 1))
     return image if turn is None else image.transpose(turn), raw_mode, tags
 
@@ -276,13 +264,14 @@ def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
     except cv2.error as error:
         raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=error.err)) from None
     if values is None:
-        raise kind(
-            Sentence(
-                "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.",
-                path=path,
-            )
-        )
+        raise kind(_not_decoded(path))
     return values
+
+
+def _not_decoded(path: str) -> Sentence:
+    return Sentence(
+        "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.", path=path
+    )
 
 
 def _require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
