@@ -100,7 +100,7 @@ def test_nothing_on_the_way_is_a_python_error(walk):
 
 
 def test_the_dock_names_what_is_missing(walk):
-    assert "OpenCV, Shapely, ONNX Runtime" in walk["notice"]
+    assert "OpenCV, Pillow, Shapely, ONNX Runtime" in walk["notice"]
 
 
 def test_every_menu_entry_answers(walk):
