@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from osgeo import gdal
 
+from ..core.errors import UnwritableError
 from ..core.labels.class_table import ClassTable
-from .gdal_errors import gdal_failures
+from .gdal_errors import close, gdal_failure, gdal_failures
 from .written_raster import WrittenRaster
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
@@ -16,6 +17,8 @@ CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 
 CLASS_BIAS_ITEM = "SEMREF_CLASS_BIAS"
 """Metadata item of a label map that a network made: its metadata's class_bias, “{}” where it states none."""
+
+_PASTED_ROWS = 1024
 
 TILE_ROWS = 256
 """Rows of a GeoTIFF tile: writing whole tiles compresses none twice."""
@@ -63,6 +66,31 @@ class LabelMapFile(WrittenRaster):
             self._write(1, 0, first_row, labels_hw)
             self._dataset.FlushCache()
         self._raise(failures)
+
+
+def paste_labels(path: str, part: str) -> None:
+    """Write a part of a label map over the place in the whole where it is.
+
+    Args:
+        path: The whole map.
+        part: On the same grid of pixels, inside the whole.
+
+    Raises:
+        UnwritableError: GDAL can't read the part, or write the whole.
+    """
+    with gdal_failures() as failures:
+        whole, piece = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_UPDATE), gdal.OpenEx(part, gdal.OF_RASTER)
+        if whole is not None and piece is not None:
+            (left, size, _, top, *_), (part_left, _, _, part_top, *_) = whole.GetGeoTransform(), piece.GetGeoTransform()
+            column, row = round((part_left - left) / size), round((top - part_top) / size)
+            for first in range(0, piece.RasterYSize, _PASTED_ROWS):
+                rows = min(_PASTED_ROWS, piece.RasterYSize - first)
+                labels = piece.GetRasterBand(1).ReadAsArray(0, first, piece.RasterXSize, rows)
+                whole.GetRasterBand(1).WriteArray(labels, column, row + first)
+        close(whole)
+        del whole
+    if failures:
+        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=gdal_failure(failures[0]))
 
 
 def whole_tile_rows(pieces: Iterable[tuple[int, np.ndarray]]) -> Iterator[tuple[int, np.ndarray]]:

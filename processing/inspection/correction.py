@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,14 +13,21 @@ from qgis.core import (
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsCsException,
+    QgsFeatureRequest,
     QgsRectangle,
     QgsReferencedRectangle,
+    QgsVectorLayerFeatureSource,
 )
 
 from ...core.errors import ParameterError
 from ...storage.database.reader import read_database
+from ...storage.database.undo import stated_checksums
 from ...storage.text_tables import CLASSES_FILE
+from ..compat import is_null
 from ..exchange.reference_systems import database_crs
+
+_MARGIN_PX = 2
+"""Around changes: their bounds are rounded to whole pixels, in another CRS as well."""
 
 
 class LayerGround(NamedTuple):
@@ -30,21 +38,51 @@ class LayerGround(NamedTuple):
     crs: QgsCoordinateReferenceSystem
 
 
-def rasterize_parameters(
-    path: str, grounds: Sequence[LayerGround], folder: str, context: QgsCoordinateTransformContext
-) -> dict[str, Any]:
-    """CLASS_TABLE, PIXEL_SIZE, EXTENT and TARGET_CRS of semref:rasterizeannotation for the map of a database.
+class DrawnFeature(NamedTuple):
+    """What of a feature decides on what is rasterized: a hash of it, and where it is."""
+
+    digest: int
+    bounds: QgsRectangle
+
+
+class RasterizePlan(NamedTuple):
+    """What is to be rasterized.
+
+    Attributes:
+        grid: CLASS_TABLE, PIXEL_SIZE, EXTENT and TARGET_CRS of semref:rasterizeannotation for the map of the database.
+        drawn: The features of the annotation by their ids, in their order; None where each of them decides on ground
+            far from it, as on ground without a polygon in a map of one class.
+        checksums: Of the database that is to be updated, as it states them.
+    """
+
+    grid: dict[str, Any]
+    drawn: dict[int, DrawnFeature] | None
+    checksums: str | None
+
+
+def plan_rasterizing(
+    path: str,
+    grounds: Sequence[LayerGround],
+    folder: str,
+    context: QgsCoordinateTransformContext,
+    source: QgsVectorLayerFeatureSource,
+    fields: Sequence[int],
+) -> RasterizePlan:
+    """Read what an update of a database needs.
 
     Args:
         path: Of the database.
         grounds: What must lie on its map: the annotation, the places that were corrected.
         folder: Where the database's class table is written.
         context: How the project transforms coordinates.
+        source: A snapshot of the annotation.
+        fields: Indices of the fields that tell class and priority.
 
     Raises:
         DatabaseError: It can't be read.
         ParameterError: A layer lies elsewhere: it belongs to another map.
     """
+    checksums = stated_checksums(path)
     database = read_database(path)
     crs, extent = database_crs(database), QgsRectangle(*database.parameters.extent)
     for ground in grounds:
@@ -58,12 +96,76 @@ def rasterize_parameters(
     os.makedirs(folder, exist_ok=True)
     classes = Path(folder) / CLASSES_FILE
     classes.write_text(database.class_table.to_csv(), encoding="utf-8")
-    return {
+    grid = {
         "CLASS_TABLE": str(classes),
         "PIXEL_SIZE": database.parameters.pixel_size,
         "EXTENT": QgsReferencedRectangle(extent, crs),
         "TARGET_CRS": crs,
     }
+    has_filling = sum(bool(one.value) for one in database.class_table) == 1
+    return RasterizePlan(grid, None if has_filling else _drawn(source, fields), checksums)
+
+
+def _drawn(source: QgsVectorLayerFeatureSource, fields: Sequence[int]) -> dict[int, DrawnFeature]:
+    found = {}
+    for feature in source.getFeatures(QgsFeatureRequest().setSubsetOfAttributes(list(fields))):
+        geometry, values = feature.geometry(), map(feature.attribute, fields)
+        if not geometry.isNull():
+            shown = bytes(geometry.asWkb().data()), *(None if is_null(value) else repr(value) for value in values)
+            found[feature.id()] = DrawnFeature(hash(shown), geometry.boundingBox())
+    return found
+
+
+def changed_bounds(before: Mapping[int, DrawnFeature], now: Mapping[int, DrawnFeature]) -> list[QgsRectangle]:
+    """Old and new bounds of features that are not what they were, or lie in another order: the last is on top."""
+    places = {feature: n for n, feature in enumerate(before)}
+    same = [feature for feature, drawn in now.items() if feature in before and before[feature].digest == drawn.digest]
+    kept = {same[n] for n in _longest_rising([places[feature] for feature in same])}
+    return [drawn.bounds for some in (before, now) for feature, drawn in some.items() if feature not in kept]
+
+
+def _longest_rising(numbers: Sequence[int]) -> set[int]:
+    """Places of numbers, as many as can be, of which each is larger than the one before."""
+    ends: list[int] = []
+    places: list[int] = []
+    before = []
+    for n, number in enumerate(numbers):
+        length = bisect_left(ends, number)
+        before.append(places[length - 1] if length else -1)
+        ends[length : length + 1], places[length : length + 1] = [number], [n]
+    found, n = set(), places[-1] if places else -1
+    while n >= 0:
+        found.add(n)
+        n = before[n]
+    return found
+
+
+def part_to_rasterize(
+    grid: Mapping[str, Any],
+    changed: Sequence[QgsRectangle],
+    crs: QgsCoordinateReferenceSystem,
+    context: QgsCoordinateTransformContext,
+) -> QgsReferencedRectangle | None:
+    """The part of a label map around all changes; None where it can't be told or is outside.
+
+    Args:
+        grid: As of ``RasterizePlan``.
+        changed: As of ``changed_bounds``, one at least.
+        crs: That they are in.
+        context: How the project transforms coordinates.
+    """
+    whole, pixel = grid["EXTENT"], grid["PIXEL_SIZE"]
+    try:
+        transform = QgsCoordinateTransform(crs, whole.crs(), context)
+        there = [transform.transformBoundingBox(bounds) for bounds in changed]
+    except QgsCsException:
+        return None
+    part = QgsRectangle(there[0])
+    for bounds in there:
+        part.combineExtentWith(bounds)
+    part.grow(_MARGIN_PX * pixel)
+    part = part.intersect(whole)
+    return None if part.isEmpty() else QgsReferencedRectangle(part, whole.crs())
 
 
 def _meets(

@@ -27,7 +27,7 @@ def can_undo(path: str) -> bool:
     return bool(Path(path).name) and os.path.isfile(file_before(path))
 
 
-def replace_keeping(path: str, updated: str) -> None:
+def replace_keeping(path: str, updated: str, of: str | None = None) -> str | None:
     """Put an updated database in the place of the old one, which is kept; both or neither.
 
     The old file itself becomes the kept one where the file system has hard links, and a copy of it elsewhere. The kept
@@ -36,15 +36,22 @@ def replace_keeping(path: str, updated: str) -> None:
     Args:
         path: Of the database.
         updated: A file that the update wrote elsewhere, best in a folder beside the database; it is moved.
+        of: ``stated_checksums`` of the database when the update was planned; None not to compare them.
+
+    Returns:
+        ``stated_checksums`` of the updated database.
 
     Raises:
         DatabaseError: A database can't be read.
         ParameterError: A file can't be replaced; nothing is changed.
     """
     # Not at the top: it brings GDAL, and the dock, which asks whether there is an undo, shall open at once.
+    from .connection import DatabaseChangedError
     from .schema import TABLES
 
-    made = _checksums(updated)
+    made = stated_checksums(updated)
+    if of is not None and stated_checksums(path) != of:
+        raise DatabaseChangedError("{path} was changed by another program meanwhile; try again.", path=path)
     _require_kept_by_us(file_before(path))
     with Batch() as batch:
         kept, fresh = (batch.file(target, tables=(*TABLES, "semref_undo")) for target in (file_before(path), path))
@@ -57,6 +64,7 @@ def replace_keeping(path: str, updated: str) -> None:
         except BaseException:
             _forget_linked(path, kept)
             raise
+    return made
 
 
 def undo_update(path: str) -> None:
@@ -76,7 +84,7 @@ def undo_update(path: str) -> None:
     with Batch() as batch:
         with _copied(before, batch.file(path, tables=TABLES)) as copy:
             copy.execute("CREATE TABLE IF NOT EXISTS semref_undo (checksums TEXT)")
-            if copy.execute("SELECT checksums FROM semref_undo").fetchall() != [(_checksums(path),)]:
+            if copy.execute("SELECT checksums FROM semref_undo").fetchall() != [(stated_checksums(path),)]:
                 raise DatabaseError(
                     "{path} was changed after the update that {before} belongs to, so that update can't be undone. To "
                     "go back further, open {before} itself.",
@@ -146,7 +154,7 @@ def _require_kept_by_us(before: str) -> None:
             ) from None
 
 
-def _checksums(path: str) -> str | None:
+def stated_checksums(path: str) -> str | None:
     """Return the checksums of a database's tables as it states them; None for one of an older version."""
     from .connection import snapshot
 

@@ -104,6 +104,36 @@ def test_one_button_makes_the_database_that_a_full_build_would(
     assert sorted(shown) == sorted(row[0] for row in landmarks(database))
 
 
+def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
+    dock, iface, box, annotation, database, run_algorithm, tmp_path, monkeypatch
+):
+    from qgis.core import QgsGeometry, QgsRectangle
+
+    run, extents = dock.content.correct.run, []
+    start = run._run.start_algorithm
+    run._run.start_algorithm = lambda name, given, title: extents.append(given.get("EXTENT")) or start(
+        name, given, title
+    )
+    mend(annotation)
+    press(dock, box)
+    assert "CHANGED" not in run.asked
+    annotation.commitChanges()
+    annotation.startEditing()
+    left, top = ORIGIN[0] + 30, ORIGIN[1] - 50
+    annotation.changeGeometry(8, QgsGeometry.fromRect(QgsRectangle(left, top - 14, left + 10, top)))
+    annotation.deleteFeature(15)
+    press(dock, box)
+    assert messages(iface) == [] and "CHANGED" in run.asked and run.asked["CHANGED"].featureCount() == 3
+    assert extents[2].width() < extents[0].width() / 2 and extents[2].height() < extents[0].height()
+    annotation.commitChanges()
+    assert landmarks(database) == landmarks(built_of(annotation, run_algorithm, tmp_path, "anew"))
+    box.undo.click()
+    wait_until(lambda: not box.undo.isVisibleTo(dock.content.correct), "the undo")
+    press(dock, box)
+    assert "CHANGED" not in run.asked
+    assert landmarks(database) == landmarks(str(tmp_path / "anew.gpkg"))
+
+
 def test_an_update_is_undone_by_one_button(dock, box, annotation, database):
     before = landmarks(database)
     mend(annotation)

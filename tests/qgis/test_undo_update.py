@@ -16,7 +16,7 @@ from full_disks import files_of_at_most
 from semref.core.errors import SemRefError
 from semref.storage.database import undo
 from semref.storage.database.reader import read_database, store_checksums
-from semref.storage.database.undo import can_undo, file_before, replace_keeping, undo_update
+from semref.storage.database.undo import can_undo, file_before, replace_keeping, stated_checksums, undo_update
 
 KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1" / "database.gpkg.gz"
 
@@ -74,6 +74,16 @@ def test_the_old_file_itself_is_kept_and_the_new_one_moved(path, tmp_path):
     replace_keeping(path, updated)
     assert (os.stat(file_before(path)).st_ino, os.stat(path).st_ino) == (old, new)
     assert not os.path.exists(updated)
+
+
+def test_a_database_that_is_another_one_than_was_updated_is_not_replaced(path, tmp_path):
+    planned, updated = stated_checksums(path), larger(path, tmp_path, 5)
+    os.replace(larger(path, tmp_path / "maps", 7), path)
+    before = content(path)
+    with pytest.raises(SemRefError, match="was changed by another program"):
+        replace_keeping(path, updated, planned)
+    assert content(path) == before
+    replace_keeping(path, updated, stated_checksums(path))
 
 
 def no_links(monkeypatch, path):

@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import os
 import traceback
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProcessingUtils, QgsProject, QgsVectorLayer
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeature,
+    QgsGeometry,
+    QgsProcessingUtils,
+    QgsProject,
+    QgsRectangle,
+    QgsReferencedRectangle,
+    QgsVectorLayer,
+    QgsVectorLayerFeatureSource,
+)
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...processing.translation import tr
@@ -15,6 +25,7 @@ from .algorithm_run import AlgorithmRun
 from .background import Reader
 
 if TYPE_CHECKING:
+    from ...processing.inspection.correction import DrawnFeature, RasterizePlan
     from ...storage.atomic_output import Batch
 
 RASTERIZE, UPDATE = "semref:rasterizeannotation", "semref:updatedatabase"
@@ -44,12 +55,34 @@ class Correction:
     places: QgsVectorLayer | None = None
 
 
+@dataclass(frozen=True)
+class _Known:
+    """What the last update brought into a database.
+
+    Attributes:
+        of: Database, annotation and how it is read.
+        checksums: Of the database before the update, and of the updated one after it.
+        drawn: The annotation's features, as of ``RasterizePlan``.
+        labels: Path of its label map.
+    """
+
+    of: tuple
+    checksums: str | None
+    drawn: dict[int, DrawnFeature] | None
+    labels: str
+
+
 class CorrectionRun(QObject):
-    """One correction at a time. After ``start`` exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
+    """The first update of a database by an annotation compares the whole map; the next ones rasterize and compare only
+    where features were changed since.
+
+    One correction at a time. After ``start`` exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
 
     ``shut_down`` before it is deleted.
 
     rasterizing: parameters of *Rasterize annotation* in the last run.
+
+    asked: parameters of *Update reference database* in the last run.
 
     said: what is being done; progressed: percent; done: the path of the database; failed: a sentence for the user;
     broke: a bug's traceback.
@@ -71,6 +104,9 @@ class CorrectionRun(QObject):
         self._workplace: Batch | None = None
         self._first_percent = 0
         self.rasterizing: dict[str, Any] = {}
+        self.asked: dict[str, Any] = {}
+        self._known: _Known | None = None
+        self._changed: list[QgsRectangle] = []
         self._next = self._rasterize
         self._reader = Reader(self)
         self._reader.answered.connect(self._go_on)
@@ -98,7 +134,7 @@ class CorrectionRun(QObject):
     def start(self, wanted: Correction) -> None:
         """Begins. The annotation may be edited and removed once it is being rasterized."""
         # Not at the top: it reads databases, and the dock shall open at once.
-        from ...processing.inspection.correction import LayerGround, rasterize_parameters
+        from ...processing.inspection.correction import LayerGround, plan_rasterizing
 
         self.running, self._wanted = True, wanted
         self._folder = QgsProcessingUtils.generateTempFilename("correction")
@@ -108,7 +144,9 @@ class CorrectionRun(QObject):
         self._next = self._rasterize
         self.said.emit(tr("Reading the database"))
         text = tr("Reading the database")
-        self._reader.read(text, rasterize_parameters, wanted.database, grounds, self._folder, context)
+        fields = [wanted.annotation.fields().indexOf(name) for name in (wanted.class_field, wanted.priority_field)]
+        read = QgsVectorLayerFeatureSource(wanted.annotation), [index for index in fields if index >= 0]
+        self._reader.read(text, plan_rasterizing, wanted.database, grounds, self._folder, context, *read)
 
     def cancel(self) -> None:
         """Leaves the database as it is."""
@@ -127,8 +165,8 @@ class CorrectionRun(QObject):
         except Exception:
             self._break(traceback.format_exc())
 
-    def _rasterize(self, grid: dict) -> None:
-        wanted = self._wanted
+    def _rasterize(self, plan: RasterizePlan) -> None:
+        wanted, grid = self._wanted, plan.grid
         self._next, self._first_percent = self._update, 0
         self.rasterizing = {
             "INPUT": wanted.annotation,
@@ -138,19 +176,54 @@ class CorrectionRun(QObject):
             **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
             **grid,
         }
-        self._run.start_algorithm(RASTERIZE, self.rasterizing, tr("Rasterizing the correction"))
+        layer = wanted.annotation
+        of = wanted.database, layer.id(), layer.crs(), wanted.class_field, wanted.priority_field, wanted.class_of_all
+        part = self._part(plan, of)
+        labels = self._known.labels if part is not None and self._known else self.rasterizing["OUTPUT"]
+        self._known = _Known(of, plan.checksums, plan.drawn, labels)
+        asked = self.rasterizing
+        if part is not None:
+            self._next, asked = self._paste, {**asked, "EXTENT": part}
+        self._run.start_algorithm(RASTERIZE, asked, tr("Rasterizing the correction"))
+
+    def _part(self, plan: RasterizePlan, of: tuple) -> QgsReferencedRectangle | None:
+        """The part of the map where features are others than in the database; None for all of it."""
+        from ...processing.inspection.correction import changed_bounds, part_to_rasterize
+
+        known, self._changed = self._known, []
+        if known is None or known.of != of or known.checksums is None or known.checksums != plan.checksums:
+            return None
+        if known.drawn is None or plan.drawn is None:
+            return None
+        changed = changed_bounds(known.drawn, plan.drawn)
+        if not changed or not os.path.isfile(known.labels):
+            return None
+        context = QgsProject.instance().transformContext()
+        part = part_to_rasterize(plan.grid, changed, self._wanted.annotation.crs(), context)
+        self._changed = changed if part is not None else []
+        return part
+
+    def _paste(self, rasterized: dict) -> None:
+        from ...storage.label_map_file import paste_labels
+
+        self._next = lambda _nothing: self._update({"OUTPUT": self._known.labels})
+        text = tr("Rasterizing the correction")
+        self._reader.read(text, paste_labels, self._known.labels, rasterized["OUTPUT"])
 
     def _update(self, rasterized: dict) -> None:
         self._next, self._first_percent = self._replace, _RASTERIZED_PERCENT
         self._updated = self._beside(self._wanted.database) or os.path.join(self._folder, "updated.gpkg")
-        parameters = {"DATABASE": self._wanted.database, "LABELS": rasterized["OUTPUT"], "OUTPUT": self._updated}
-        self._run.start_algorithm(UPDATE, parameters, tr("Updating the database"))
+        self.asked = {"DATABASE": self._wanted.database, "LABELS": rasterized["OUTPUT"], "OUTPUT": self._updated}
+        if self._changed:
+            self.asked["CHANGED"] = _layer_of(self._changed, self._wanted.annotation.crs())
+        self._run.start_algorithm(UPDATE, self.asked, tr("Updating the database"))
 
     def _replace(self, _updated: dict) -> None:
         from ...storage.database.undo import replace_keeping
 
         self._next = self._end
-        self._reader.read(tr("Updating the database"), replace_keeping, self._wanted.database, self._updated)
+        title, of = tr("Updating the database"), self._known.checksums
+        self._reader.read(title, replace_keeping, self._wanted.database, self._updated, of)
 
     def _beside(self, database: str) -> str:
         """A path in a private folder beside the database, from where a file is moved without a copy; empty for none."""
@@ -170,23 +243,39 @@ class CorrectionRun(QObject):
         if self._workplace is not None:
             self._workplace.close()
 
-    def _end(self, _nothing: None) -> None:
+    def _end(self, checksums: str | None) -> None:
+        self._known = replace(self._known, checksums=checksums)
         self._stop()
         self.done.emit(self._wanted.database)
 
     # --- ends before its time ---
 
     def _fail(self, sentence: str) -> None:
+        self._known = None
         self._stop()
         self.failed.emit(sentence)
 
     def _break(self, report: str) -> None:
+        self._known = None
         self._stop()
         self.broke.emit(report)
 
     def _cancel(self) -> None:
+        self._known = None
         self._stop()
         self.canceled.emit()
 
     def _show_progress(self, percent: float) -> None:
         self.progressed.emit(self._first_percent + percent * _RASTERIZED_PERCENT / 100)
+
+
+def _layer_of(places: list[QgsRectangle], crs: QgsCoordinateReferenceSystem) -> QgsVectorLayer:
+    layer = QgsVectorLayer("Polygon", "changed", "memory")
+    layer.setCrs(crs)
+    features = []
+    for place in places:
+        feature = QgsFeature()
+        feature.setGeometry(QgsGeometry.fromRect(place))
+        features.append(feature)
+    layer.dataProvider().addFeatures(features)
+    return layer

@@ -1,0 +1,43 @@
+"""Where an annotation is not what it was when a database was updated by it."""
+
+from __future__ import annotations
+
+import pytest
+
+
+def drawn(**digests):
+    """Features of these digests, each at a place of its own."""
+    from qgis.core import QgsRectangle
+
+    from semref.processing.inspection.correction import DrawnFeature
+
+    return {
+        ord(name): DrawnFeature(digest, QgsRectangle(ord(name), digest, ord(name) + 1, digest + 1))
+        for name, digest in digests.items()
+    }
+
+
+@pytest.mark.parametrize(
+    ("now", "changed"),
+    [
+        ({"a": 1, "b": 1, "c": 1}, set()),
+        ({"a": 1, "b": 2, "c": 1}, {("b", 1), ("b", 2)}),
+        ({"a": 1, "c": 1}, {("b", 1)}),
+        ({"a": 1, "b": 1, "c": 1, "d": 4}, {("d", 4)}),
+        ({"c": 1, "a": 1, "b": 1}, {("c", 1)}),
+        ({"d": 1, "b": 3, "c": 1}, {("a", 1), ("b", 1), ("b", 3), ("d", 1)}),
+    ],
+    ids=["nothing", "changed", "removed", "added", "moved to the bottom", "several"],
+)
+def test_old_and_new_places_of_all_that_differs_are_found(qgis_app, now, changed):
+    from semref.processing.inspection.correction import changed_bounds
+
+    found = changed_bounds(drawn(a=1, b=1, c=1), drawn(**now))
+    assert {(chr(int(place.xMinimum())), int(place.yMinimum())) for place in found} == changed
+
+
+def test_features_that_keep_their_order_are_as_many_as_can_be(qgis_app):
+    from semref.processing.inspection.correction import changed_bounds
+
+    before, now = drawn(a=1, b=1, c=1, d=1, e=1), drawn(d=1, a=1, b=1, e=1, c=1)
+    assert len(changed_bounds(before, now)) == 2 * 2
