@@ -42,24 +42,11 @@ def image(tmp_path):
     return write
 
 
-def png_with_palette(labels, bits=8) -> bytes:
-    """A paletted PNG, made by hand: OpenCV writes none."""
-
-    def chunk(name, content):
-        return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
-
-    height, width = labels.shape
-    packed = labels[:, 0::2] << 4 | labels[:, 1::2] if bits == 4 else labels
-    rows = b"".join(b"\0" + row.tobytes() for row in packed)
-    header = struct.pack(">IIBBBBB", width, height, bits, 3, 0, 0, 0)
-    palette = np.random.default_rng(2).integers(0, 256, (2**bits, 3), np.uint8).tobytes()
-    parts = (b"IHDR", header), (b"PLTE", palette), (b"tRNS", b"\0\1"), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")
-    return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
-
-
 @pytest.mark.parametrize("bits", [8, 4])
 def test_a_palette_of_a_png_is_not_taken_for_colors(tmp_path, bits):
-    (tmp_path / "paletted.png").write_bytes(png_with_palette(LABELS, bits))
+    paletted = Image.fromarray(LABELS, "P")
+    paletted.putpalette(np.random.default_rng(2).integers(0, 256, 3 * 2**bits).tolist())
+    paletted.save(tmp_path / "paletted.png", bits=bits, transparency=0)
     np.testing.assert_array_equal(read_label_image(str(tmp_path / "paletted.png"), TABLE), LABELS)
 
 
