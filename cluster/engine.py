@@ -31,7 +31,7 @@ from ..core import errors
 from ..core.errors import SemRefError
 from ..core.sentences import Sentence
 from . import shipped
-from .reach import CONNECTED_WITHIN_S, reason_of, require_scheduler
+from .reach import CONNECTED_WITHIN_S, no_scheduler, reason_of, require_scheduler
 
 ROOT = Path(__file__).resolve().parents[1]
 SENT_ROOMS = ("core", "storage", "cluster")
@@ -117,12 +117,7 @@ def _remote(address: str) -> Client:
     try:
         return Client(address, timeout=CONNECTED_WITHIN_S)
     except (OSError, ValueError) as error:
-        raise SemRefError(
-            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
-            "local:4.",
-            address=address,
-            reason=reason_of(error),
-        ) from None
+        raise no_scheduler(address, reason_of(error)) from None
 
 
 def _wait_for_workers(client: Client, tell: _Tell) -> None:
@@ -184,10 +179,7 @@ class DaskRunner:
                 self._submit(task, waiting, kept, numbers, finished)
                 yield number, result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise SemRefError(
-                "The scheduler can't be reached any more ({reason}); see its log and start again.",
-                reason=reason_of(error),
-            ) from None
+            raise _lost(error) from None
 
     def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
         """Yields what calls gave, in their order; what is done before its turn waits with the workers.
@@ -208,10 +200,7 @@ class DaskRunner:
                 future.release()
                 yield result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
-            raise SemRefError(
-                "The scheduler can't be reached any more ({reason}); see its log and start again.",
-                reason=reason_of(error),
-            ) from None
+            raise _lost(error) from None
 
     def _given(self, task: str, kept: Any, arguments: tuple) -> Any:
         return self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
@@ -233,6 +222,12 @@ class DaskRunner:
             self._threads = max(sum(self._client.nthreads().values()), 1)
             self._looked = time.monotonic()
         return _TASKS_A_THREAD * self._threads
+
+
+def _lost(error: BaseException) -> SemRefError:
+    return SemRefError(
+        "The scheduler can't be reached any more ({reason}); see its log and start again.", reason=reason_of(error)
+    )
 
 
 def _taken(future: Any) -> Any:

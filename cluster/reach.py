@@ -32,19 +32,9 @@ def require_scheduler(address: str) -> None:
         asyncio.run(_greeted(address))
     except asyncio.TimeoutError:
         reason = f"no answer within {CONNECTED_WITHIN_S} s"
-        raise SemRefError(
-            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
-            "local:4.",
-            address=address,
-            reason=reason,
-        ) from None
+        raise no_scheduler(address, reason) from None
     except (OSError, ValueError) as error:
-        raise SemRefError(
-            "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: "
-            "local:4.",
-            address=address,
-            reason=reason_of(error),
-        ) from None
+        raise no_scheduler(address, reason_of(error)) from None
     except (MemoryError, RuntimeError, TypeError, KeyError, AttributeError):
         # What others say is read as numbers of bytes, or as anything else.
         raise SemRefError(
@@ -52,6 +42,15 @@ def require_scheduler(address: str) -> None:
             "scheduler prints, not its dashboard's.",
             address=address,
         ) from None
+
+
+def no_scheduler(address: str, reason: str) -> SemRefError:
+    """The error for an address where no scheduler answers."""
+    return SemRefError(
+        "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
+        address=address,
+        reason=reason,
+    )
 
 
 def _require_listening(address: str) -> None:

@@ -15,7 +15,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..core.errors import ParameterError
-from .replaceable import derived_files, is_foreign_note, is_note, require_closed, require_replaceable
+from .replaceable import (
+    derived_files,
+    is_foreign_note,
+    is_note,
+    not_replaceable,
+    require_closed,
+    require_replaceable,
+    stranger_beside,
+)
 
 _OLDER = ".older"
 """Folder in a workplace for companions of the older output while the new ones are renamed."""
@@ -142,11 +150,7 @@ class Batch:
             except OSError as error:
                 if error.errno in (errno.ENOSPC, errno.EDQUOT):
                     raise
-                raise ParameterError(
-                    "{path} can't be replaced; it may be open in this or another program: close or remove it, or "
-                    "choose another name.",
-                    path=staged.final,
-                ) from None
+                raise not_replaceable(staged.final) from None
             _flush_folder(staged.final.parent)
 
     def close(self) -> None:
@@ -227,12 +231,7 @@ def _rename_files(staged: _Staged) -> None:
     for path in map(final.with_name, older):
         # A folder, or a part of another file, belongs to somebody else.
         if (path.is_dir() and not path.is_symlink()) or not (os.path.lexists(final) or is_note(path)):
-            raise ParameterError(
-                "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose "
-                "another name.",
-                path=path,
-                name=final.name,
-            )
+            raise stranger_beside(final, path)
     (workplace / _OLDER).mkdir()
     aside, renamed = [], []
     made = [final.name] if staged.made.exists() else []

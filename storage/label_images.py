@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from osgeo import gdal
 
-from ..core import limits
 from ..core.errors import ImageError, LabelMapError
 from ..core.geometry.camera import Camera
 from ..core.labels.class_shares import SeenLabels
 from ..core.labels.class_table import UNLABELED, ClassTable
 from ..core.labels.color_labels import decode_colors
+from ..core.labels.image_files import require_size
 from ..core.segmentation.class_bias import KEY, known_biases, read_class_bias
 from .gdal_errors import gdal_failure
 from .images import GdalImage
@@ -46,16 +46,7 @@ class LabelImageReader:
 def opened_photo(path: str) -> GdalImage:
     """A photo; raises ImageError for one that is too large."""
     photo = GdalImage(path)
-    height, width = photo.shape_hw
-    if height * width > limits.IMAGE_PIXELS:
-        raise ImageError(
-            "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it "
-            "to what one photo shows.",
-            path=path,
-            width=width,
-            height=height,
-            most_million=limits.IMAGE_PIXELS // 1_000_000,
-        )
+    require_size(photo.shape_hw, None, path, ImageError)
     return photo
 
 
@@ -67,15 +58,7 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
     """
     dataset = open_raster(path)
     width, height = dataset.RasterXSize, dataset.RasterYSize
-    if width * height > limits.IMAGE_PIXELS:
-        raise LabelMapError(
-            "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut it "
-            "to what one photo shows.",
-            path=path,
-            width=width,
-            height=height,
-            most_million=limits.IMAGE_PIXELS // 1_000_000,
-        )
+    require_size((height, width), None, path, LabelMapError)
     if dataset.RasterCount == 1:
         labels = GdalLabels(path).read(0, 0, width, height)
     else:

@@ -170,15 +170,16 @@ def _require_own_side_cars(path: str) -> None:
     Overviews and masks must be TIFF or Erdas files that hold their own pixels, and so must the files beside them.
     """
     for side_car in _side_cars(path):
+        foreign = LabelMapError(
+            "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
+            "files; remove it.",
+            path=side_car,
+            raster=path,
+        )
         is_metadata = side_car.lower().endswith(".aux.xml")
         state = os.stat(side_car)
         if not stat.S_ISREG(state.st_mode) or is_metadata and state.st_size > limits.SIDE_CAR_BYTES:
-            raise LabelMapError(
-                "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
-                "files; remove it.",
-                path=side_car,
-                raster=path,
-            )
+            raise foreign
         if is_metadata or side_car.lower().endswith(".aux") and not _start(side_car).startswith(_ERDAS):
             continue
         dataset = None
@@ -186,12 +187,7 @@ def _require_own_side_cars(path: str) -> None:
             with gdal_failures():
                 dataset = gdal.OpenEx(side_car, gdal.OF_RASTER | gdal.OF_READONLY, list(_OVERVIEW_DRIVERS))
         if dataset is None or dataset.GetMetadataItem(*_OVERVIEW_FILE):
-            raise LabelMapError(
-                "{path} is beside {raster}, but does not hold pixels or metadata of its own, so GDAL would open other "
-                "files; remove it.",
-                path=side_car,
-                raster=path,
-            )
+            raise foreign
         _require_own_side_cars(side_car)
 
 

@@ -132,11 +132,7 @@ def _require_tables(path: Path, tables: Collection[str]) -> None:
             rows = connection.execute("SELECT name FROM sqlite_master WHERE type IN ('table', 'view')").fetchall()
     except sqlite3.Error as error:
         if "locked" in str(error):
-            raise ParameterError(
-                "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose "
-                "another name.",
-                path=path,
-            ) from None
+            raise not_replaceable(path) from None
         raise ParameterError(
             "{path} exists and can't be read ({reason}), so SemRef does not replace it; remove it or choose another "
             "name.",
@@ -161,12 +157,26 @@ def _require_no_orphans(final: Path) -> None:
         beside += [f"{final.stem}{end}" for end in (*_OF_SHAPEFILE, *_DERIVED_OF_SHAPEFILE)]
     for name in beside:
         if os.path.lexists(final.with_name(name)):
-            raise ParameterError(
-                "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose "
-                "another name.",
-                path=final.with_name(name),
-                name=final.name,
-            )
+            raise stranger_beside(final, final.with_name(name))
+
+
+def stranger_beside(final: Path, path: Path) -> ParameterError:
+    """The error for a file that would be taken for a part of a new one."""
+    return ParameterError(
+        "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another "
+        "name.",
+        path=path,
+        name=final.name,
+    )
+
+
+def not_replaceable(path: str | Path) -> ParameterError:
+    """The error for a file that is open."""
+    return ParameterError(
+        "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another "
+        "name.",
+        path=path,
+    )
 
 
 def derived_files(final: Path) -> list[str]:
@@ -203,11 +213,7 @@ def require_closed(path: str) -> None:
     """
     if _KINDS.get(Path(path).suffix.lower()) != _SQLITE:
         return
-    in_use = ParameterError(
-        "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another "
-        "name.",
-        path=path,
-    )
+    in_use = not_replaceable(path)
     if os.path.isfile(path) and not os.path.islink(path) and os.path.getsize(path):
         try:
             with contextlib.closing(sqlite3.connect(path, timeout=WAIT_S, isolation_level=None)) as connection:

@@ -118,16 +118,8 @@ def decide(
     if risk <= allowed_risk:
         return Status.FIX, None
     alone = replace(peaks, runner_up=0.0, mirror=0.0)
-    if risk_of(log_odds_over_chance(alone, settings)) > allowed_risk:
-        reason = Sentence(
-            "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at "
-            "most {allowed:.2g} is allowed.",
-            score=score,
-            risk=risk,
-            allowed=allowed_risk,
-        )
-        return Status.NO_MATCH, reason
-    if peaks.mirror >= peaks.runner_up:
+    is_chance = risk_of(log_odds_over_chance(alone, settings)) > allowed_risk
+    if peaks.mirror >= peaks.runner_up and not is_chance:
         mirror = peaks.mirror
         reason = Sentence(
             "The match ({score:.2f}) is not significantly better than for the mirrored image ({mirror:.2f}): error "
@@ -139,7 +131,7 @@ def decide(
         )
         return Status.NO_MATCH, reason
     over_chance = risk_of(log_odds_over_chance(replace(peaks, runner_up=0.0), settings))
-    if over_chance > MORE_LIKELY_WRONG:
+    if is_chance or over_chance > MORE_LIKELY_WRONG:
         reason = Sentence(
             "The best match ({score:.2f}) is not significantly better than chance: error probability {risk:.2g}; at "
             "most {allowed:.2g} is allowed.",

@@ -83,22 +83,19 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
 
 
 def _opened(video: str) -> cv2.VideoCapture:
+    no_video = ParameterError(
+        "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
+    )
     start = bytes_of(video, 1 << 50, 16)
     if not any(start[at : at + len(mark)] == mark for at, mark in _STARTS):
-        raise ParameterError(
-            "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
-        )
+        raise no_video
     path = os.path.abspath(video)
     # OpenCV ends the whole program over a name with bytes that are no text.
     if path.encode("utf-8", "replace").decode("utf-8") != path:
-        raise ParameterError(
-            "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
-        )
+        raise no_video
     capture = cv2.VideoCapture(path)
     if not capture.isOpened():
-        raise ParameterError(
-            "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
-        )
+        raise no_video
     return capture
 
 

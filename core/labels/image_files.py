@@ -242,7 +242,7 @@ def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Ima
         raw_mode = image.tile[0][3] if is_png else image.tile[0][3][0]
         tags = {} if is_png else {tag: value_of(image.tag_v2, tag) for tag in image.tag_v2}
         # Pieces of a TIFF may be left out or shared.
-        _require_size((image.height, image.width), len(data) if is_png else None, path, kind)
+        require_size((image.height, image.width), len(data) if is_png else None, path, kind)
         file.left = limits.TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
         image.load()
     except SemRefError:
@@ -257,7 +257,7 @@ def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
     """Decode a JPEG: (H, W) or (H, W, 3) uint8, blue first. Its orientation is left alone, see _UPRIGHT."""
     shape_hw = photo_tags(data).shape_hw
     if shape_hw is not None:
-        _require_size(shape_hw, len(data), path, kind)
+        require_size(shape_hw, len(data), path, kind)
     flags = cv2.IMREAD_UNCHANGED | cv2.IMREAD_IGNORE_ORIENTATION
     try:
         values = cv2.imdecode(np.frombuffer(data, np.uint8), flags) if data else None
@@ -274,8 +274,15 @@ def _not_decoded(path: str) -> Sentence:
     )
 
 
-def _require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
-    """Refuse more pixels than an image may have, or than a file of so many bytes can hold."""
+def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
+    """Refuse more pixels than an image may have, or than a file of so many bytes can hold.
+
+    Args:
+        shape_hw: (height, width) that the file states.
+        file_bytes: Size of the file; None for formats that compress without limit.
+        path: Of the file.
+        kind: The error to raise.
+    """
     height, width = shape_hw
     if height * width > limits.IMAGE_PIXELS:
         raise kind(

@@ -188,13 +188,9 @@ class FlightFinding(FinderSettings):
             first_s, taken_s = (_time(value) for value in header["times_s"])
             newest = None if header["newest"] is None else export_date(header["newest"])
         except (KeyError, TypeError, ValueError, IndexError, RecursionError, AttributeError) as error:
-            raise ParameterError(
-                "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=state.path
-            ) from error
+            raise state.not_ours() from error
         if not is_ours:
-            raise ParameterError(
-                "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=state.path
-            )
+            raise state.not_ours()
         self._compare_dates(newest)
         if known_hash != self.onboard.content_hash:
             raise ParameterError("{path} is the state of a flight in another database.", path=state.path)

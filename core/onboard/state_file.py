@@ -119,9 +119,7 @@ class StateFile:
         with open(self.path, "rb", opener=open_at_once) as file:
             status = os.fstat(file.fileno())
             if not stat.S_ISREG(status.st_mode) or status.st_size > limits.STATE_BYTES:
-                raise ParameterError(
-                    "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path
-                )
+                raise self.not_ours()
             data = file.read(status.st_size)
         data, code = data[:-_CODE_BYTES], data[-_CODE_BYTES:]
         if not hmac.compare_digest(self.code(data), code):
@@ -133,9 +131,11 @@ class StateFile:
         try:
             return number_arrays(io.BytesIO(data), limits.STATE_BYTES)
         except UNREADABLE as error:
-            raise ParameterError(
-                "{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path
-            ) from error
+            raise self.not_ours() from error
+
+    def not_ours(self) -> ParameterError:
+        """The error for content that is no state."""
+        return ParameterError("{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path)
 
     def code(self, data: bytes) -> bytes:
         """Return the code that authenticates the bytes of a state.

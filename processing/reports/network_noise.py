@@ -37,31 +37,24 @@ def read_network(path: str) -> dict[str, float]:
 
     Raises ParameterError for a file that is no such report or can't be read, and for one of too few landmarks.
     """
+    no_report = ParameterError(
+        "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
+        "page as COMPARISON.",
+        path=path,
+    )
     try:
         text = bytes_of(path, limits.COMPARISON_BYTES, _HEAD_BYTES).decode("utf-8", errors="replace")
     except ParameterError:
-        raise ParameterError(
-            "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
-            "page as COMPARISON.",
-            path=path,
-        ) from None
+        raise no_report from None
     line = _LINE.search(text)
     try:
         content = json.loads(unescape(line[1]) if line else "")
         landmarks = int(content.pop(LANDMARKS))
         numbers = {str(key): float(number) for key, number in content.items() if number is not None}
     except (ValueError, TypeError, AttributeError, KeyError, RecursionError, OverflowError):
-        raise ParameterError(
-            "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
-            "page as COMPARISON.",
-            path=path,
-        ) from None
+        raise no_report from None
     if not all(0 <= number < math.inf for number in numbers.values()):
-        raise ParameterError(
-            "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
-            "page as COMPARISON.",
-            path=path,
-        )
+        raise no_report
     if landmarks < LEAST_LANDMARKS:
         raise ParameterError(
             "{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger "
