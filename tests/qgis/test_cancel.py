@@ -155,7 +155,7 @@ def run(job, folder: Path, feedback):
 JOBS = ("rasterize", "check", "repair", "decode", "build", "assess", "localize", "flight", "segment", "compare")
 
 
-@pytest.mark.parametrize("percent", [0, 50, *(pytest.param(n, marks=pytest.mark.slow) for n in (10, 31, 86))])
+@pytest.mark.parametrize("percent", [50, *(pytest.param(n, marks=pytest.mark.slow) for n in (0, 10, 31, 86))])
 @pytest.mark.parametrize("name", JOBS)
 def test_cancel_stops_at_once_and_leaves_nothing_new(jobs, small_steps, tmp_path, name, percent):
     older = tmp_path / jobs[name][3]
@@ -169,6 +169,7 @@ def test_cancel_stops_at_once_and_leaves_nothing_new(jobs, small_steps, tmp_path
     assert [path.name for path in tmp_path.iterdir()] == [older.name]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", JOBS)
 def test_cancel_leaves_nothing_where_nothing_was(jobs, small_steps, tmp_path, name):
     with pytest.raises(QgsProcessingException):

@@ -29,6 +29,7 @@ def test_image_by_image_the_flight_is_found_as_well_and_goes_on_after_a_restart(
         assert cut_short.add(*pair) == poses[number]
 
 
+@pytest.mark.slow
 def test_what_is_remembered_does_not_grow(flown, localizer):
     tracker = FlightTracker(localizer, replace(FEW, window=3))
     sizes = []
@@ -115,6 +116,7 @@ def test_own_fixes_win_at_once_over_a_past_that_was_moved(labels, localizer, eas
     assert (before.track, tracker.track) == (1, 2)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("step", "risk", "most"), [(80.0, 1e-6, 3), (180.0, 1e-6, 2), (180.0, 1e-4, 3)])
 def test_own_fixes_in_a_row_win_over_a_long_past(labels, localizer, step, risk, most):
     """The flight jumps by a kilometer and its link says that it went on: ten images of the past are wrong now."""
@@ -129,6 +131,7 @@ def test_own_fixes_in_a_row_win_over_a_long_past(labels, localizer, step, risk, 
     assert np.flatnonzero(np.isfinite(errors))[0] < most and poses[-1].track == 2
 
 
+@pytest.mark.slow
 def test_wrong_fixes_that_name_different_places_do_not_win(labels, localizer):
     flown, tracker = fly(labels, seed=3, count=8), FlightTracker(localizer, FEW)
     images = with_own(flown)
@@ -139,6 +142,7 @@ def test_wrong_fixes_that_name_different_places_do_not_win(labels, localizer):
     assert poses[-1].is_fix and tracker.track == 1
 
 
+@pytest.mark.slow
 def test_what_own_fixes_contest_outlives_a_restart(labels, localizer):
     flown, tracker = fly(labels, seed=3, count=6), FlightTracker(localizer, FEW)
     other = fly(labels, seed=3, count=2, start=(501_250.0, 5_198_700.0))

@@ -42,7 +42,10 @@ def by_tiles(labels, width, height, minimum_area=1.0):
     return objects_from_rows(np.concatenate([crossing, *(tile.rows for tile in found)]), labels.shape)
 
 
-@pytest.mark.parametrize("width, height", [(90, 70), (16, 16), (7, 90), (90, 5), (1, 1), (31, 2), (2, 33)])
+@pytest.mark.parametrize(
+    "width, height",
+    [(90, 70), (16, 16), (7, 90), (90, 5), pytest.param(1, 1, marks=pytest.mark.slow), (31, 2), (2, 33)],
+)
 @pytest.mark.parametrize("name", MAPS)
 def test_tiles_of_any_size_give_the_landmarks_of_the_whole_to_the_last_bit(name, width, height):
     found, whole = by_tiles(MAPS[name], width, height), extract_landmarks(MAPS[name], VALUES, 1.0)

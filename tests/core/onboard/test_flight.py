@@ -367,6 +367,7 @@ def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(wa
     assert told["event"] == "flight_state_not_used" and "secret of this user" in told["reason"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["g", ">i8", "?"])
 def test_other_types_of_numbers_in_a_state_are_numbers(watch, flown, capsys, kind):
     """Of long doubles every image of the rest of the flight was an error: linear algebra takes none."""
@@ -440,6 +441,7 @@ def test_a_pipe_in_the_place_of_the_state_blocks_nothing(folder, database, tmp_p
 DATES = [datetime(2026, month, 1, tzinfo=timezone.utc) for month in (3, 5)]
 
 
+@pytest.mark.slow
 def test_an_onboard_file_that_is_older_than_one_used_before_is_reported(watch, folder, tmp_path, database, capsys):
     onboard = read_onboard(database)
     older, newer = (str(tmp_path / f"{date:%m}.npz") for date in DATES)

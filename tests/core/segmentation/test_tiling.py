@@ -144,7 +144,7 @@ class Undecided:
         return self.field * (bands + np.float32(0.3))
 
 
-@pytest.mark.parametrize("shape", [(8, 9), (64, 48), (200, 331), (401, 150)])
+@pytest.mark.parametrize("shape", [(8, 9), (64, 48), (200, 131)])
 @pytest.mark.parametrize("overlap", [0, 0.2, 0.75])
 @pytest.mark.parametrize("count", [1, 3])
 def test_blocks_with_their_seams_are_the_whole_to_the_last_bit(shape, overlap, count):

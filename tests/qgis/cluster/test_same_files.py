@@ -15,6 +15,8 @@ from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_layer
 from made_models import painted, write_model
 from osgeo import gdal, ogr
 
+pytestmark = pytest.mark.slow  # tests/qgis/test_scheduler.py has quick ones
+
 pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-dev.txt)")
 psutil = pytest.importorskip("psutil")
 

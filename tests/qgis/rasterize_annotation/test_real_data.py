@@ -16,9 +16,9 @@ from rasterized import (
     category_names,
 )
 
+pytestmark = [pytest.mark.real_data, pytest.mark.slow]
 
-@pytest.mark.slow
-@pytest.mark.real_data
+
 def test_lcdb_of_christchurch(rasterize, real_data, feedback):
     layer = real_data("lcdb5_christchurch/lcdb5_christchurch.gpkg")
     results = rasterize(layer, CLASS_FIELD="Name_2018", PIXEL_SIZE=10)
@@ -34,7 +34,6 @@ def test_lcdb_of_christchurch(rasterize, real_data, feedback):
     assert results["CLASS_COUNT"] == len(areas)
 
 
-@pytest.mark.real_data
 def test_berlin_with_invalid_parts(rasterize, real_data, feedback):
     layer = real_data("berlin_urban_gradient/LandCov_BerlinUrbanGradient.shp")
     results = rasterize(layer, CLASS_FIELD="Level_2", PIXEL_SIZE=3.6)
@@ -44,14 +43,12 @@ def test_berlin_with_invalid_parts(rasterize, real_data, feedback):
     assert 6 <= int(found.group(1)) <= 22
 
 
-@pytest.mark.real_data
 def test_belgrade_in_another_encoding(rasterize, real_data, feedback):
     results = rasterize(real_data("osm_belgrade/landuse.shp"), CLASS_FIELD="type", PIXEL_SIZE=10)
     assert results["CLASS_COUNT"] > 20
     assert "Repaired invalid geometry: 1 feature" in feedback.textLog()
 
 
-@pytest.mark.real_data
 def test_buildings_of_swellendam_in_degrees(rasterize, real_data, feedback):
     layer = f"{real_data('swellendam/training_data.gpkg')}|layername=buildings"
     results = rasterize(layer, CLASS_FIELD="building", PIXEL_SIZE=2)
