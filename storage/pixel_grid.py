@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from ..core import limits
 from ..core.errors import ParameterError
-from ..core.geometry.frame import MapFrame
+
+if TYPE_CHECKING:
+    from ..core.geometry.frame import MapFrame
 
 Bounds = tuple[float, float, float, float]
 """Left, bottom, right, top."""
@@ -18,6 +21,9 @@ def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
 
     Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
     """
+    # Not at the top: it loads numpy, and QGIS starts without.
+    from ..core.geometry.frame import MapFrame
+
     if not pixel_size > 0 or not math.isfinite(pixel_size):
         raise ParameterError("The pixel size is {pixel_size:g} m; it must be more than 0.", pixel_size=pixel_size)
     # A bound that is a multiple but for rounding must not add a row of pixels.

@@ -8,6 +8,7 @@ where classes often lie beside each other.
 from __future__ import annotations
 
 import colorsys
+import functools
 import re
 from collections.abc import Iterable
 
@@ -51,11 +52,9 @@ _KINDS: tuple[tuple[str, bool, str], ...] = (
 """(color, whether its regions usually are landmarks, words); of several kinds that fit a name the first counts."""
 
 
+@functools.cache
 def _pattern(words: str) -> re.Pattern:
     return re.compile(r"(?:" + "|".join(words.split()) + r")\b", re.IGNORECASE)
-
-
-_FITTING = tuple((color, is_landmark, _pattern(words)) for color, is_landmark, words in _KINDS)
 
 
 def known_color(name: str) -> str | None:
@@ -73,8 +72,8 @@ def is_usual_landmark(name: str) -> bool:
 def _kind(name: str) -> tuple[str, bool] | None:
     """The first kind that one of the name's words belongs to."""
     words = [word for word in re.split(r"[^\w]+|_", name) if word]
-    for color, is_landmark, pattern in _FITTING:
-        if any(pattern.fullmatch(word) for word in words):
+    for color, is_landmark, known in _KINDS:
+        if any(_pattern(known).fullmatch(word) for word in words):
             return color, is_landmark
     return None
 

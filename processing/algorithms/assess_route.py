@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from qgis.core import (
     QgsGeometry,
     QgsPointXY,
@@ -21,7 +20,6 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
-from ...storage.route_files import is_waypoint_file
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
 from ..framework import parameters, route_flights
 from ..framework.assessing import AssessAlgorithm, setting_rows
@@ -32,6 +30,7 @@ from ..wording.numbers import shown
 from ..wording.sentences import worded
 
 if TYPE_CHECKING:
+    import numpy as np
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.assessment.assessment import Assessment, Estimates
@@ -68,6 +67,9 @@ class RouteParameter(QgsProcessingParameterFeatureSource):
     """Lines of a layer, or the path of a waypoint file, which QGIS itself would not take for a layer."""
 
     def checkValueIsAcceptable(self, value, context=None):
+        # Not at the top: it loads numpy, and QGIS starts without.
+        from ...storage.route_files import is_waypoint_file
+
         return is_waypoint_file(_plain(value)) or super().checkValueIsAcceptable(value, context)
 
 
@@ -197,6 +199,7 @@ class AssessRoute(AssessAlgorithm):
         )
 
     def read_layers(self, values: Values) -> None:
+        from ...storage.route_files import is_waypoint_file
         from ..exchange.rendering import styled_copy
         from ..exchange.routes import read_route, route_of_source
 
@@ -283,6 +286,8 @@ class AssessRoute(AssessAlgorithm):
         part: float,
     ) -> list[ShiftHint | None]:
         """A hint, or None, for each stretch: all shifts of all stretches are simulated together."""
+        import numpy as np
+
         from ...core.assessment.route import SHIFTS, best_shift
 
         if not stretches or not largest > 0:
@@ -335,6 +340,8 @@ class AssessRoute(AssessAlgorithm):
         return route_html(route, title, conditions, assessment.correlation, settings, below)
 
     def _write_points(self, outputs: Outputs, route: AssessedRoute, crs: QgsCoordinateReferenceSystem) -> None:
+        import numpy as np
+
         from ...core.assessment.route import stretch
         from ..exchange.assessment_styles import route_renderer
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
 from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingParameterFeatureSink,
@@ -22,6 +21,7 @@ from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
+    import numpy as np
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.comparison import ClassMatch, LabelComparison
@@ -184,6 +184,8 @@ class CompareLabels(SemRefAlgorithm):
         self, pair: LabelMapPair, match: ClassMatch, disagreements: DisagreementMap, feedback: QgsProcessingFeedback
     ) -> np.ndarray:
         """(256, 256) pixels of each pair of classes; draws where they disagree."""
+        import numpy as np
+
         from ...core.labels.comparison import count_pairs, disagreement_codes
 
         counts = np.zeros((256, 256), np.int64)

@@ -12,7 +12,6 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
 )
 
-from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION
 from ..compat import INTEGER
 from ..framework import parameters
 from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, follow
@@ -91,6 +90,7 @@ class ExportTrainingTiles(SemRefAlgorithm):
         self._image, self._labels = (values.label_map(key) for key in (self.IMAGE, self.LABELS))
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
+        from ...core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION
         from ...storage.training_tiles import TileExport
 
         table = values.class_table(self.CLASS_TABLE)

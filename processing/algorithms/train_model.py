@@ -20,7 +20,6 @@ from qgis.core import (
 )
 
 from ...core.errors import ImageError, ParameterError, TrainingError
-from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
 from ..compat import DOUBLE, INTEGER
 from ..framework import parameters
 from ..framework.annotation import AnnotationAlgorithm
@@ -422,6 +421,7 @@ class TrainModel(AnnotationAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> None:
         """Labels on the image's pixels, and tiles of both."""
+        from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
         from ...storage.burning import LabelMapBurning
         from ...storage.training_ground import frame_of, shape_of
         from ...storage.training_tiles import TileExport

@@ -20,7 +20,6 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import DatabaseError
-from ...storage.database.connection import no_database
 from ..translation import tr
 from .layer_tree import leave_group, move, place_at_bottom
 from .styles import name_columns
@@ -57,6 +56,9 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
         DatabaseError: Nothing was added.
     """
     if not Path(path).is_file():
+        # Not at the top: it loads numpy, and QGIS starts without.
+        from ...storage.database.connection import no_database
+
         raise no_database(path)
     added: list[QgsMapLayer] = [
         QgsVectorLayer(_table_source(path, WINDOWS), tr("Windows"), "ogr"),

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterDefinition, QgsProcessingParameterNumber
 
 from ..compat import DOUBLE, INTEGER
@@ -14,6 +14,7 @@ from .base import check_canceled, interruptible
 from .parameters import SEED, with_help
 
 if TYPE_CHECKING:
+    import numpy as np
     from qgis.core import QgsProcessingFeedback
 
     from ...core.assessment.flights import FlownRoute
@@ -113,8 +114,9 @@ def told(route: AssessedRoute) -> dict[str, float]:
     known = [along for along in first if along is not None]
     if len(known) == len(first):
         found[FIRST_POSITION] = max(known)
-    if np.isfinite(route.flown.radius).any():
-        found[LARGEST_RADIUS] = float(np.nanmax(route.flown.radius))
+    known = [radius for radius in route.flown.radius.tolist() if isfinite(radius)]
+    if known:
+        found[LARGEST_RADIUS] = max(known)
     return found
 
 
@@ -123,6 +125,6 @@ def columns(flown: FlownRoute, n: int) -> dict[str, Any]:
     radius = float(flown.radius[n])
     return {
         "flight_placed": float(flown.placed[n]),
-        "flight_radius": radius if np.isfinite(radius) else None,
+        "flight_radius": radius if isfinite(radius) else None,
         "flight_lost": float(flown.lost[n]),
     }

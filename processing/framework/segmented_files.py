@@ -7,8 +7,6 @@ from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable
 
-import numpy as np
-
 from ...core.errors import LabelMapError
 from ...core.labels.class_table import UNLABELED
 from ..compat import POLYGON
@@ -17,6 +15,7 @@ from .annotation import geometry_of
 from .base import check_canceled, interruptible
 
 if TYPE_CHECKING:
+    import numpy as np
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.labels.class_table import ClassTable
@@ -125,6 +124,8 @@ class SegmentedFiles:
 
 def _stacked(rows: Iterable[SegmentedRows]) -> Iterator[tuple[int, np.ndarray]]:
     """(first row, (bands, rows, W) uint8): labels, then how sure of them, then of each class, as far as wanted."""
+    import numpy as np
+
     for piece in rows:
         bands = [piece.labels_hw[None]]
         bands += [] if piece.percent_hw is None else [piece.percent_hw[None]]

@@ -18,7 +18,6 @@ from dataclasses import dataclass, replace
 from importlib.machinery import PathFinder
 from pathlib import Path
 
-import numpy as np
 import qgis.utils
 from qgis.core import QgsApplication
 
@@ -74,6 +73,17 @@ class Package:
         lines = file.read_text(encoding="ascii").splitlines()
         starts = tuple(f"{name}==" for name in (self.pip_name, *self.comes_with))
         return [line for line in lines if line.startswith(starts)]
+
+
+def numpy_version() -> str:
+    """Return the version of QGIS's numpy without loading it, which would take a third of the plugin's start."""
+    loaded = sys.modules.get("numpy")
+    if loaded is None:
+        try:
+            return importlib.metadata.version("numpy")
+        except importlib.metadata.PackageNotFoundError:
+            import numpy as loaded
+    return loaded.__version__
 
 
 def _numpy_1(version: str) -> bool:
@@ -219,7 +229,7 @@ def components_key(python_version: tuple, numpy_version: str) -> str:
 
 def components_folder() -> Path:
     """Holds a folder for each package that SemRef installed for the running Python and numpy."""
-    return components_root() / components_key(sys.version_info, np.__version__)
+    return components_root() / components_key(sys.version_info, numpy_version())
 
 
 def add_components_to_path() -> None:
@@ -272,7 +282,7 @@ def require(packages: Iterable[Package]) -> None:
 def install_command(packages: list[Package]) -> str:
     """A command for pip that installs packages without SemRef."""
     # Without dependencies: pip must not replace QGIS's numpy.
-    asked = (name for package in packages for name in package.asked(np.__version__))
+    asked = (name for package in packages for name in package.asked(numpy_version()))
     requirements = ("'" + text + "'" if '"' in text else f'"{text}"' for text in asked)
     python = os.path.join(sys.prefix, "bin", "python3")
     # pip refuses to install beside the distribution's packages unless it is told to; --user leaves those alone.

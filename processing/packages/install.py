@@ -16,7 +16,6 @@ from collections.abc import Generator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import numpy as np
 from qgis.core import QgsNetworkAccessManager
 from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtNetwork import QNetworkProxy
@@ -33,6 +32,7 @@ from .components import (
     install_command,
     is_own,
     is_too_old,
+    numpy_version,
     origin,
 )
 
@@ -198,10 +198,10 @@ print(module.__file__)
 def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
     temporary = Path(folder).parent / "tmp"
     temporary.mkdir()
-    requirement = package.requirement(np.__version__)
+    requirement = package.requirement(numpy_version())
     title = tr("Installing {package}…").format(package=package.pip_name)
     variables = pip_variables(str(temporary))
-    asked = package.asked(np.__version__) if wheels else _with_hashes(package, temporary)
+    asked = package.asked(numpy_version()) if wheels else _with_hashes(package, temporary)
     pip = yield Command(title, python, pip_arguments(asked, folder, wheels), str(temporary), variables)
     if pip.status != 0:
         raise ComponentError(why_pip_failed(requirement, pip.output, wheels))
@@ -209,13 +209,13 @@ def _fill(python: str, package: Package, folder: str, wheels: str) -> Commands:
     own = [entry for entry in sys.path if entry.startswith(str(components_root()))]
     path = json.dumps([*(entry for entry in sys.path if entry not in own), folder, *own])
     title = tr("Checking {package}…").format(package=package.pip_name)
-    arguments = ["-c", _CHECK, path, package.needed_module, np.__version__]
+    arguments = ["-c", _CHECK, path, package.needed_module, numpy_version()]
     check = yield Command(title, python, arguments, str(temporary), {"PYTHONDONTWRITEBYTECODE": "1"})
     if check.status != 0:
         raise ComponentError(
             "{package} was installed, but can’t be used with numpy {numpy}: {reason}; it was removed again.",
             package=requirement,
-            numpy=np.__version__,
+            numpy=numpy_version(),
             reason=last_line(check.output),
         )
 
@@ -242,7 +242,7 @@ def _with_hashes(package: Package, temporary: Path) -> list[str]:
     """What pip is asked for from an index: versions and hashes that came with SemRef, so that another wheel under the
     same name is refused, whoever put it there."""
     file = temporary / "wheels.txt"
-    file.write_text("\n".join(package.pinned(np.__version__)) + "\n", encoding="ascii")
+    file.write_text("\n".join(package.pinned(numpy_version())) + "\n", encoding="ascii")
     return ["--require-hashes", "--requirement", str(file)]
 
 

@@ -126,9 +126,13 @@ def main():
     from plugin_package import load_plugin_package
 
     load_plugin_package()
+    before = set(sys.modules)
+    for name in ("plugin", "processing.provider", "ui.entry"):
+        importlib.import_module(f"semref.{name}")
+    loads_numpy = "numpy" in set(sys.modules) - before
     import_all()
     seen = {} if errors else started()
-    print(json.dumps({"errors": errors, **seen}), flush=True)
+    print(json.dumps({"errors": errors, "loads_numpy": loads_numpy, **seen}), flush=True)
     # Quitting is what other tests look at.
     os._exit(0)
 

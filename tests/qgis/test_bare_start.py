@@ -32,6 +32,10 @@ def test_nothing_that_starts_with_qgis_imports_a_package_that_qgis_may_lack(star
     assert start["errors"] == []
 
 
+def test_what_starts_with_qgis_leaves_numpy_to_the_first_use(start):
+    assert not start["loads_numpy"]
+
+
 def test_the_dock_says_what_is_missing_and_leads_to_the_installer(start):
     assert "OpenCV, Pillow, Shapely, ONNX Runtime" in start["notice"]
     assert start["options"] == ["SemRefOptions"]
