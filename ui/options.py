@@ -36,6 +36,7 @@ class OptionsFactory(QgsOptionsWidgetFactory):
         from .packages.components_page import ComponentsPage
 
         page = ComponentsPage(self._installer, self._training_installer, parent)
+        page.setObjectName(PAGE)
         page.removed.connect(self.changed)
         page.diagnosticsAsked.connect(lambda: page.state.setText(self._diagnostics.copy()))
         return page

@@ -21,16 +21,17 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import DatabaseError
 from ..translation import tr
+from .layer_metadata import REFERENCES, WINDOWS
 from .layer_tree import leave_group, move, place_at_bottom
 from .styles import name_columns
 
-REFERENCES, WINDOWS, OVERVIEW = "references", "windows", "overview"
-"""The tables that are layers, from top to bottom."""
+OVERVIEW = "overview"
+"""The table that is a layer without a note, below the others."""
 
 _SUFFIX = ".gpkg"
-_KEPT: list[_Opener] = []
-_MOST_KEPT = 20
-"""QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
+_KEPT: list[QgsProcessingLayerPostProcessorInterface] = []
+_MOST_KEPT = 40
+"""Post-processors of the last layers: QGIS takes no care of their Python half."""
 
 
 class Opened(QObject):
@@ -158,10 +159,17 @@ def open_when_done(path: str, labels: object, output: str, context: QgsProcessin
         tr("Landmarks"), context.project(), output, QgsProcessingUtils.LayerHint.Vector
     )
     is_opened = isinstance(labels, str) and context.willLoadLayerOnCompletion(labels)
-    _KEPT.append(_Opener(path, labels if is_opened else ""))
-    del _KEPT[:-_MOST_KEPT]
-    details.setPostProcessor(_KEPT[-1])
+    set_post_processor(details, _Opener(path, labels if is_opened else ""))
     context.addLayerToLoadOnCompletion(_table_source(path, REFERENCES), details)
+
+
+def set_post_processor(
+    details: QgsProcessingContext.LayerDetails, processor: QgsProcessingLayerPostProcessorInterface
+) -> None:
+    """Have QGIS call a post-processor with the layer when it has opened it, and keep it alive until then."""
+    _KEPT.append(processor)
+    del _KEPT[:-_MOST_KEPT]
+    details.setPostProcessor(processor)
 
 
 class _Opener(QgsProcessingLayerPostProcessorInterface):
@@ -196,16 +204,20 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
             node.setItemVisibilityChecked(False)
 
 
+def _openers() -> list[_Opener]:
+    return [one for one in _KEPT if isinstance(one, _Opener)]
+
+
 def place_new_layer(layer: QgsMapLayer, project: QgsProject | None) -> None:
     """Moves a layer that QGIS has just opened to its place: never into the group of another database."""
     # QGIS 3.40 opens all layers of a run before it passes on the first one.
-    if project is None or any(opener.taken == layer.id() for opener in _KEPT):
+    if project is None or any(opener.taken == layer.id() for opener in _openers()):
         return
     if isinstance(layer, QgsRasterLayer):
         place_at_bottom(layer, project)
     else:
         leave_group(layer, database_group(layer, project), project)
-    for opener in _KEPT:
+    for opener in _openers():
         opener.take_labels(project)
 
 

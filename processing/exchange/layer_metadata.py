@@ -32,7 +32,6 @@ from ...storage.qgis_metadata import QGIS_STANDARD, metadata_text
 from ...storage.replaceable import MARK_OF_NOTE
 from ...storage.vector_files import leave_wal
 from ..translation import tr
-from .database_layers import REFERENCES, WINDOWS
 
 _LONGEST_COMMAND = 20_000
 """Characters of a command: a run of thousands of images names each."""
@@ -41,6 +40,9 @@ _LAYERS = "source", "vector", "raster", "multilayer"
 
 _MOST_LINES = 50
 """Of a history; each update of a database adds one."""
+
+REFERENCES, WINDOWS = "references", "windows"
+"""The tables of a database that are layers with a note."""
 
 SENTENCES_OF_TITLES = {REFERENCES: "Landmarks", WINDOWS: "Windows"}
 

@@ -16,13 +16,9 @@ from qgis.core import (
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
-from .database_layers import place_new_layer
+from .database_layers import place_new_layer, set_post_processor
 from .layer_metadata import Note, keep_in_file
 from .styles import apply_style, name_columns
-
-_KEPT: list[QgsProcessingLayerPostProcessorInterface] = []
-_MOST_KEPT = 20
-"""QGIS takes no care of the Python half of a post-processor, so the last ones are kept."""
 
 
 @dataclass(frozen=True)
@@ -104,17 +100,13 @@ def _has_style(path: str) -> bool:
 def style_when_loaded(destination: str, look: Look, context: QgsProcessingContext) -> None:
     """Gives the layer that QGIS will load its look."""
     if context.willLoadLayerOnCompletion(destination):
-        _KEPT.append(_Styler(look))
-        del _KEPT[:-_MOST_KEPT]
-        context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_KEPT[-1])
+        set_post_processor(context.layerToLoadOnCompletionDetails(destination), _Styler(look))
 
 
 def raster_style_when_loaded(path: str, qml: str, context: QgsProcessingContext) -> None:
     """Gives the raster that QGIS will load its look, whatever style is beside it."""
     if context.willLoadLayerOnCompletion(path):
-        _KEPT.append(_RasterStyler(qml))
-        del _KEPT[:-_MOST_KEPT]
-        context.layerToLoadOnCompletionDetails(path).setPostProcessor(_KEPT[-1])
+        set_post_processor(context.layerToLoadOnCompletionDetails(path), _RasterStyler(qml))
 
 
 class _RasterStyler(QgsProcessingLayerPostProcessorInterface):

@@ -3,52 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from ..translation import tr
 from ..wording.numbers import shown
 from . import charts, page, parts
-from .maps import flight_legend, flight_map
+from .maps import FlightPoint, flight_legend, flight_map
 
 MOST_ROWS = 400
 """Of the table of images; longer flights have the rest in their layer."""
-
-
-@dataclass(frozen=True)
-class FlightPoint:
-    """An image as the report shows it; None for what is not known.
-
-    Attributes:
-        number: In the flight, from 1.
-        name: Of its file.
-        source: ``own``, ``flight``, or None without a position.
-        outvoted: Its own fix disagrees with the flight.
-        track: Number of its track; 0 without one.
-        position: Map (x, y).
-        heading_deg: Of its top.
-        pixel_size: Map units.
-        height: Of the camera above the ground, map units, from lens and pixel size.
-        ellipse: (longer semi-axis, shorter one, direction of the longer one in degrees clockwise from grid north).
-        radius_95: Map units.
-        error_probability: In words; empty without a position.
-        time: When it was taken, as text.
-        reason: Why there is no position, or what of its own fix does not hold.
-    """
-
-    number: int
-    name: str
-    source: str | None = None
-    outvoted: bool = False
-    track: int = 0
-    position: tuple[float, float] | None = None
-    heading_deg: float | None = None
-    pixel_size: float | None = None
-    height: float | None = None
-    ellipse: tuple[float, float, float] | None = None
-    radius_95: float | None = None
-    error_probability: str = ""
-    time: str = ""
-    reason: str = ""
 
 
 def flight_html(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +17,6 @@ from .charts import Element, drawing, lettering, polyline, shape, stroke
 
 if TYPE_CHECKING:
     from ...core.assessment.route import RoutePoints
-    from .flight_report import FlightPoint
 
 WIDTH, HEIGHT = 960, 560
 MARGIN = 44
@@ -40,6 +40,43 @@ PICTURE_PX = 2 * WIDTH
 
 SuccessClass = tuple[float, float, str, str]
 """From, to, color and text of a class of expected success."""
+
+
+@dataclass(frozen=True)
+class FlightPoint:
+    """An image as the report shows it; None for what is not known.
+
+    Attributes:
+        number: In the flight, from 1.
+        name: Of its file.
+        source: ``own``, ``flight``, or None without a position.
+        outvoted: Its own fix disagrees with the flight.
+        track: Number of its track; 0 without one.
+        position: Map (x, y).
+        heading_deg: Of its top.
+        pixel_size: Map units.
+        height: Of the camera above the ground, map units, from lens and pixel size.
+        ellipse: (longer semi-axis, shorter one, direction of the longer one in degrees clockwise from grid north).
+        radius_95: Map units.
+        error_probability: In words; empty without a position.
+        time: When it was taken, as text.
+        reason: Why there is no position, or what of its own fix does not hold.
+    """
+
+    number: int
+    name: str
+    source: str | None = None
+    outvoted: bool = False
+    track: int = 0
+    position: tuple[float, float] | None = None
+    heading_deg: float | None = None
+    pixel_size: float | None = None
+    height: float | None = None
+    ellipse: tuple[float, float, float] | None = None
+    radius_95: float | None = None
+    error_probability: str = ""
+    time: str = ""
+    reason: str = ""
 
 
 class Ground:

@@ -103,7 +103,7 @@ def test_a_failure_is_shown_on_the_page_and_in_the_message_bar(page, iface, plug
 def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
     from qgis.PyQt.QtWidgets import QTabWidget
 
-    from semref.ui.packages.components_page import PAGE
+    from semref.ui.options import PAGE
 
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]

@@ -220,8 +220,8 @@ def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, a
 
 def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface, area, monkeypatch, tmp_path, tab):
     from semref.processing.packages import components
+    from semref.ui.options import PAGE
     from semref.ui.packages import missing_notice
-    from semref.ui.packages.components_page import PAGE
 
     for module in (components, missing_notice):
         monkeypatch.setattr(module, "missing", lambda packages: [p for p in packages if p is components.ONNXRUNTIME])

@@ -41,7 +41,6 @@ from ...processing.packages.components import (
 from ...processing.translation import tr
 from ...processing.wording.sentences import worded
 from ..models.model_list import ModelsDialog
-from ..options import PAGE
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup
@@ -63,7 +62,6 @@ class ComponentsPage(QgsOptionsPageWidget):
         self, installer: ComponentInstaller, training_installer: ComponentInstaller | None = None, parent=None
     ) -> None:
         super().__init__(parent)
-        self.setObjectName(PAGE)
         self._installer = installer
         self.training = None if training_installer is None else TrainingGroup(training_installer)
         self.devices = DeviceGroup()
