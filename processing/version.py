@@ -1,28 +1,35 @@
 """What metadata.txt says and nothing else repeats – version, addresses on the web – and where the guide is."""
 
+import configparser
+from functools import lru_cache
 from pathlib import Path
-
-from ..storage.metadata import plugin_metadata
 
 _ROOT = Path(__file__).resolve().parent.parent
 PLACEHOLDER = "example.org"
 """In addresses that an owner has not filled in yet: nobody is led there."""
 
 
+@lru_cache(maxsize=1)
+def _metadata() -> configparser.SectionProxy:
+    metadata = configparser.ConfigParser(interpolation=None)
+    metadata.read(_ROOT / "metadata.txt", encoding="utf-8")
+    return metadata["general"]
+
+
 def plugin_version() -> str:
-    return plugin_metadata()["version"]
+    return _metadata()["version"]
 
 
 def tracker_url() -> str:
     """Where issues are opened; empty while nobody has said where."""
-    address = plugin_metadata()["tracker"]
+    address = _metadata()["tracker"]
     return "" if PLACEHOLDER in address else address
 
 
 def guide_url(page: str = "user_guide.md", root: Path = _ROOT) -> str:
     """Address of a page of docs/: in the plugin's folder where the pages come with it, else on the web, or its text."""
     made = _made("index" if page == "README.md" else page[: -len(".md")], root)
-    homepage, text = plugin_metadata()["homepage"], root / "docs" / page
+    homepage, text = _metadata()["homepage"], root / "docs" / page
     if made or (PLACEHOLDER in homepage and text.is_file()):
         return made or text.as_uri()
     return f"{homepage}/blob/main/docs/{page}"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from osgeo import gdal, ogr, osr
 
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
-from ..core.labels.counts import count_labels
+from ..core.labels.sources import count_labels
 from .label_map_file import TILE_ROWS, LabelMapFile
 
 STRIP_PIXELS = 16_000_000
@@ -162,3 +162,19 @@ class BurnLayer:
         self._layer.SetSpatialFilterRect(*frame.extent)
         gdal.RasterizeLayer(strip, [1], self._layer, options=["ATTRIBUTE=value"])
         return strip.ReadAsArray()
+
+
+_PIXELS = MapFrame("", (0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
+"""An image's pixels as a map: x is the column, y the row, negative."""
+
+
+class AreaMask:
+    """The pixels of an image whose centers lie in polygons: a PixelMask."""
+
+    def __init__(self, polygons: Sequence[bytes]) -> None:
+        """Takes WKB of polygons, x the column and y the negative row of the image."""
+        self._layer = BurnLayer([BurnPolygon(wkb, 1, 0.0, (0.0, 0.0, 0.0, 0.0)) for wkb in polygons], "")
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) bool: which pixels of a piece of the image lie in the polygons."""
+        return self._layer.burnt(_PIXELS.part(column, row, (height, width)), gdal.GDT_Byte) > 0

@@ -21,9 +21,8 @@ from ..core.labels.class_table import (
     class_table_from_csv,
     class_table_from_values,
 )
-from ..core.labels.counts import count_labels
 from ..core.labels.image_files import require_kind_of_name
-from ..core.labels.sources import ArrayLabels, LabelSource
+from ..core.labels.sources import ArrayLabels, LabelSource, count_labels
 from .gdal_errors import gdal_failure, gdal_failures
 from .label_map_file import CLASS_TABLE_ITEM
 

@@ -12,8 +12,8 @@ from osgeo import gdal
 
 from ..core.errors import ClassTableError, LabelMapError, ParameterError
 from ..core.labels.class_table import UNLABELED, ClassTable
-from ..core.labels.counts import count_labels
 from ..core.labels.image_source import PixelMask
+from ..core.labels.sources import count_labels
 from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
 from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage

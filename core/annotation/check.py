@@ -8,13 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..geometry.well_known_binary import to_wkb
 from ..landmarks.landmarks import minimum_area_px
 from .findings import INFORMATION, LOST, MERGED, NOTHING, SMALL, SPLIT, WARNING, Finding
 from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from .overlaps import NARROWEST_M, classes_of_faces, find_same_class_neighbors
 from .partition import PlanarPartition, dissolve, find_regions, region_owners
-from .polygons import AnnotatedFeature, AnnotatedPolygons
+from .polygons import AnnotatedFeature, AnnotatedPolygons, to_wkb
 from .raster_losses import RegionRuns, count_pieces, lost_regions, merged_regions
 from .surface import Surface, laid_polygons
 

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..geometry.well_known_binary import to_wkb
 from .findings import GAP, NOTHING, SLIVER, Finding
 from .partition import PlanarPartition, Regions, find_regions
-from .polygons import AnnotatedPolygons
+from .polygons import AnnotatedPolygons, to_wkb
 
 THIN_M = 0.25
 """Gaps and pieces between neighbors with a smaller mean width (m) come from drawing, not from the ground."""

@@ -10,10 +10,9 @@ from itertools import combinations
 import numpy as np
 import shapely
 
-from ..geometry.well_known_binary import to_wkb
 from .findings import DUPLICATE, ERROR, HIDDEN, INFORMATION, NOTHING, OVERLAP, SAME_CLASS_NEIGHBORS, WARNING, Finding
 from .partition import PlanarPartition, corner_neighbors
-from .polygons import AnnotatedPolygons
+from .polygons import AnnotatedPolygons, to_wkb
 
 NARROWEST_M = 0.001
 """Overlaps with a smaller mean width (m) are rounding; they are mended, but not worth telling."""

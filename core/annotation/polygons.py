@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import shapely
@@ -14,6 +15,10 @@ FARTHEST_M = 1e8
 """Coordinates beyond this lie on no map (the Earth's girth is 4·10⁷ m); they are taken for broken ones."""
 
 _POLYGON = 3
+
+_DIMENSION = 3
+"""Said, because the default of new versions of shapely is 4. Inside desktop QGIS on Linux shapely's calls end in the
+GEOS that QGIS brings, which before 3.12 refuses a 4."""
 
 
 @dataclass(frozen=True)
@@ -126,3 +131,8 @@ def _ranks(order: np.ndarray) -> np.ndarray:
     ranks = np.empty(len(order), np.int64)
     ranks[order] = np.arange(len(order))
     return ranks
+
+
+def to_wkb(geometries: shapely.Geometry | np.ndarray) -> Any:  # noqa: ANN401 - bytes, or an array of them
+    """WKB of a geometry, or of an array of them; Z is kept, M is not."""
+    return shapely.to_wkb(geometries, output_dimension=_DIMENSION)

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..geometry.well_known_binary import to_wkb
 from .findings import DISSOLVED, INFORMATION, NOTHING, Finding
 from .merging import MergeSettings, merge_finding, merge_gaps_and_slivers
 from .partition import Regions, dissolve, find_regions, region_owners
-from .polygons import AnnotatedFeature, AnnotatedPolygons
+from .polygons import AnnotatedFeature, AnnotatedPolygons, to_wkb
 from .surface import Surface, laid_polygons
 
 

@@ -9,9 +9,8 @@ from dataclasses import replace
 import numpy as np
 import shapely
 
-from ..geometry.well_known_binary import to_wkb
 from .findings import ERROR, INVALID, NO_AREA, NO_GEOMETRY, NOTHING, WARNING, Finding
-from .polygons import AnnotatedFeature, AnnotatedPolygons, FeatureParts
+from .polygons import AnnotatedFeature, AnnotatedPolygons, FeatureParts, to_wkb
 
 UNREADABLE = "Coordinates or rings that can't be used"
 """Reason for geometries that GEOS does not even read."""

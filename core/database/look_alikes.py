@@ -6,8 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..windows.matching import vector_distances
-from ..windows.topology_vector import vector_objects
+from ..windows.topology_vector import vector_distances, vector_objects
 from .model import ReferenceDatabase, Windows
 
 

@@ -11,9 +11,8 @@ import numpy as np
 from ..errors import DatabaseError, LabelMapError
 from ..geometry.frame import MapFrame
 from ..labels.block_hashes import HASHED_BLOCK, BlockHasher, block_hash, blocks_shape, map_hash
-from ..labels.counts import count_labels
 from ..labels.overview import most_frequent_labels
-from ..labels.sources import LabelSource
+from ..labels.sources import LabelSource, count_labels
 from ..landmarks.landmarks import minimum_area_px
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid

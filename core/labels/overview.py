@@ -11,7 +11,7 @@ from contextlib import AbstractContextManager
 import cv2
 import numpy as np
 
-from .counts import count_labels
+from .sources import count_labels
 
 OVERVIEW_FACTOR = 4
 """Default reduction; 300 km² at 1 m become 4 m pixels."""

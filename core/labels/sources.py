@@ -1,10 +1,14 @@
-"""Where labels come from, piece by piece, so that a map never has to fit into memory."""
+"""Where labels come from, piece by piece, so that a map never has to fit into memory, and how many pixels each has."""
 
 from __future__ import annotations
 
 from typing import Protocol
 
+import cv2
 import numpy as np
+
+_EXACT = 1 << 24
+"""OpenCV's histogram counts in single precision, which is exact up to here."""
 
 
 class LabelSource(Protocol):
@@ -37,3 +41,14 @@ class ArrayLabels:
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
         """A view of a piece of the labels."""
         return self._labels_hw[row : row + height, column : column + width]
+
+
+def count_labels(labels_hw: np.ndarray) -> np.ndarray:
+    """(256,) int64 pixels of each value of (H, W) uint8 labels; many times faster than ``np.bincount``."""
+    flat = np.ascontiguousarray(labels_hw).reshape(-1, 1)
+    counts = np.zeros(256, np.int64)
+    for first in range(0, len(flat), _EXACT):
+        part = flat[first : first + _EXACT]
+        # (256, 1) until OpenCV 4, (256,) from 5 on.
+        counts += cv2.calcHist([part], [0], None, [256], [0, 256]).reshape(-1).astype(np.int64)
+    return counts

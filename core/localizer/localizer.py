@@ -26,8 +26,13 @@ from ..landmarks.landmarks import Landmarks, extract_landmarks
 from ..localization import Localization, Matches, Method, Place, Prior, Status, too_few_landmarks
 from ..sentences import Sentence
 from ..windows.grid import centered_square
-from ..windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
-from ..windows.topology_vector import MINIMUM_REFERENCES, topology_vector
+from ..windows.topology_vector import (
+    DISTANCE_THRESHOLD,
+    MINIMUM_REFERENCES,
+    topology_vector,
+    vector_confidence,
+    vector_distances,
+)
 from .combined import agreed, checked_by_areas, confirmed, near, neither, saying_what_was_searched
 from .settings import LOCALIZER, LocalizerSettings
 

@@ -16,6 +16,10 @@ TIE_DECIMALS = 6
 """Distances in pixels and angles in degrees that agree to so many decimals are tied; rounding errors are near 1e-11."""
 
 
+DISTANCE_THRESHOLD = 2.0
+"""T: a larger distance is no match. Not printed in the paper; 1 − d/2 gives all confidences of its Tables 4 and 5."""
+
+
 def topology_vector(
     centers_xy: np.ndarray,
     classes: np.ndarray,
@@ -121,3 +125,14 @@ def _in_order(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: 
 def _over_largest(values: np.ndarray) -> np.ndarray:
     largest = values.max(axis=1, keepdims=True)
     return values / np.where(largest > 0, largest, 1.0)
+
+
+def vector_distances(query: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+    """Euclidean distances (N,) float64 of ``query`` (3·X,) to every row of ``vectors`` (N, 3·X) (eq. 5)."""
+    difference = vectors.astype(np.float64) - query.astype(np.float64)
+    return np.sqrt(np.einsum("ij,ij->i", difference, difference))
+
+
+def vector_confidence(distance: float) -> float:
+    """1 − d/T, and 0 beyond T where the matching counts as failed."""
+    return max(0.0, 1.0 - float(distance) / DISTANCE_THRESHOLD)

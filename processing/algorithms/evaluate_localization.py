@@ -273,7 +273,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
         """What is tried with which methods; reports need more."""
-        from ...core.evaluation.plan import planned
+        from ...core.evaluation.job import planned
 
         mirrored = values.number(self.MIRRORED) / 100
         return planned(evaluation, methods, values.integer(self.TRIALS), mirrored, is_reported)

@@ -139,7 +139,7 @@ def look_alike(database: ReferenceDatabase, index: int, distance: float) -> Look
 
 def compare(window: InspectedWindow, vector: np.ndarray, table: ClassTable) -> Comparison | None:
     """Compares an image's vector with a window's; None where one of them has none, or they differ in length."""
-    from ...core.windows.matching import vector_confidence, vector_distances
+    from ...core.windows.topology_vector import vector_confidence, vector_distances
 
     if window.vector is None or len(vector) != len(window.vector):
         return None

@@ -26,7 +26,7 @@ SHIPPED = ROOT / "sample"
 MADE_OF = ".made_of"
 """File in SHIPPED with the hash of the code that made it; hidden files do not ship."""
 
-USED = (ROOT / "core" / "simulation" / "views.py", ROOT / "core" / "geometry" / "well_known_binary.py")
+USED = (ROOT / "core" / "simulation" / "views.py", ROOT / "core" / "annotation" / "polygons.py")
 PIXEL_SIZES_M = (0.25, 2.0)  # finer maps take gigabytes, coarser ones are too small for the pictures
 
 

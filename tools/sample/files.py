@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from semref.core.geometry.well_known_binary import to_wkb
+from semref.core.annotation.polygons import to_wkb
 from semref.storage.gdal_errors import close, gdal_failures
 from semref.storage.pictures import JPEG_QUALITY, write_jpeg, write_png
 from semref.storage.text_tables import CLASSES_FILE

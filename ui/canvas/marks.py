@@ -16,11 +16,17 @@ from qgis.gui import QgsMapCanvas, QgsRubberBand
 from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QColor
 
+from ...processing.compat import POLYGON_GEOMETRY
+
 # Red with a white rim stands out on land-cover colors, aerial images, white and black alike.
 RED = QColor("#e8344e")
 BLUE = QColor("#1f6fd6")
 ORANGE = QColor("#e69f00")
 RIM = QColor("#ffffff")
+
+_PLACE_MARGIN = 3.0
+_CLOSEST_SCALE = 500
+"""Specks are shown with some ground around them: not nearer than 1:500."""
 
 POINTS_A_SIDE = 16
 """Straight sides are curves in another CRS: so many points are put on each."""
@@ -146,3 +152,25 @@ def square(x: float, y: float, size: float) -> QgsGeometry:
     half = size / 2
     outline = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
     return outline.densifyByCount(POINTS_A_SIDE)
+
+
+class PlaceMark(Marks):
+    """A polygon of a check's findings."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas, {"place": band(canvas, POLYGON_GEOMETRY, RED, filled=40, rim=False)})
+
+    def show(self, place: QgsGeometry, crs: QgsCoordinateReferenceSystem) -> None:
+        """Marks a place."""
+        self.draw({"place": place}, crs)
+
+    def zoom(self, least_extent: float) -> None:
+        """Moves the canvas to the place; ``least_extent``, in its units, is added, as points and lines have none."""
+        extent = self.drawn("place").boundingBox()
+        if self.drawn("place").isEmpty():
+            return
+        extent.grow(least_extent)
+        show_extent(self._canvas, extent, _PLACE_MARGIN)
+        if self._canvas.scale() < _CLOSEST_SCALE:
+            self._canvas.zoomScale(_CLOSEST_SCALE)
+            self._canvas.refresh()

@@ -1,9 +1,11 @@
-"""The inspected window on the canvas: its outline, its star of landmarks, and its look-alikes in another color."""
+"""The inspected window on the canvas: its outline, landmarks and look-alikes, and the map tool that picks one."""
 
 from __future__ import annotations
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY
-from qgis.gui import QgsMapCanvas
+from qgis.gui import QgsMapCanvas, QgsMapMouseEvent, QgsMapToolEmitPoint
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtGui import QKeyEvent
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
 from ...processing.inspection.window import InspectedWindow
@@ -41,3 +43,23 @@ class WindowMarks(Marks):
         """Moves the canvas to the window when it is not in view as a whole."""
         if not self._canvas.extent().contains(self.drawn("window").boundingBox()):
             self.zoom_to("window", _ZOOM_MARGIN)
+
+
+class WindowTool(QgsMapToolEmitPoint):
+    """Emits ``picked`` with the point in the canvas's CRS; Escape gives the tool before back."""
+
+    picked = pyqtSignal(QgsPointXY)
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas)
+        self.setCursor(Qt.CursorShape.WhatsThisCursor)
+
+    def canvasReleaseEvent(self, event: QgsMapMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.picked.emit(event.mapPoint())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.canvas().unsetMapTool(self)
+        else:
+            super().keyPressEvent(event)

@@ -29,9 +29,8 @@ from ...processing.framework import parameters
 from ..class_table.edit_button import EditButton
 from ..layer_files import photo_layer
 from ..widgets.layouts import narrow
-from .class_name_box import ClassNameBox
 from .epochs import TRAINING_VALUES, epochs_text
-from .guessed import class_field_of, class_of_all
+from .guessed import ClassNameBox, class_field_of, class_of_all
 from .known import DATABASE, MODEL, KnownButton, chosen
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"

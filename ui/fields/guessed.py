@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from itertools import islice
 
 from qgis.core import QgsFeatureRequest, QgsVectorLayer
+from qgis.PyQt.QtWidgets import QComboBox
 
 from ...processing.compat import is_null
+from ...processing.translation import tr
 
 _CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe")
 _OFTEN_CLASS_FIELDS = ("type", "code")
@@ -112,3 +114,17 @@ def _tells_classes(column: list, kind: type = object) -> bool:
     classes = {str(value).casefold() for value in found}
     most = _MOST_CLASSES if len(found) <= _FEW_FEATURES else min(_MOST_CLASSES, len(found) // 2)
     return len(classes) <= most and not (classes and classes <= _ANSWERS)
+
+
+class ClassNameBox(QComboBox):
+    """Takes any name and offers “building”; empty where a field has the classes."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setEditable(True)
+        self.addItems(["", BUILDING])
+        self.lineEdit().setPlaceholderText(tr("Only if all are of one class, such as “building”"))
+
+    def class_name(self) -> str:
+        """The name; empty without one."""
+        return self.currentText().strip()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.windows.matching import DISTANCE_THRESHOLD, vector_confidence, vector_distances
+from semref.core.windows.topology_vector import DISTANCE_THRESHOLD, vector_confidence, vector_distances
 
 # (smallest Euclidean distance, confidence) as printed: rounded to two decimals, all of them.
 PAPER_TABLE_4 = {

@@ -16,7 +16,7 @@ from qgis.PyQt.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QV
 from ....core.annotation.findings import INFORMATION
 from ....processing.inspection.repair import REPAIRABLE
 from ....processing.translation import tr
-from ...canvas.place_mark import PlaceMark
+from ...canvas.marks import PlaceMark
 from ...layer_files import label_maps_of, layer_file
 from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun

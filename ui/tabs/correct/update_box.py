@@ -12,8 +12,7 @@ from qgis.PyQt.QtWidgets import QFormLayout, QPushButton
 from ....processing.exchange.database_layers import database_file
 from ....processing.translation import tr
 from ....storage.database.undo import can_undo, file_before
-from ...fields.class_name_box import ClassNameBox
-from ...fields.guessed import class_field_of, class_of_all, priority_field_of
+from ...fields.guessed import ClassNameBox, class_field_of, class_of_all, priority_field_of
 from ...running.correction_run import Correction
 from ...widgets.layouts import content_of, name_fold, narrow
 from ...widgets.progress import RemainingBar, StatusLine

@@ -36,8 +36,7 @@ from ....processing.inspection.window import (
 )
 from ....processing.translation import tr
 from ....processing.wording.numbers import LocalTemplate
-from ...canvas.window_marks import WindowMarks
-from ...canvas.window_tool import WindowTool
+from ...canvas.window_marks import WindowMarks, WindowTool
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
 from ...widgets.tables import changes_font
