@@ -151,11 +151,6 @@ def test_a_map_tip_shows_no_smaller_error_probability_than_was_tested(positions,
     assert "<td>Error probability</td><td><b>below 1 in 10,000</b></td>" in tip
 
 
-def test_a_sentence_has_as_many_lines_in_a_form_as_it_takes(positions):
-    setup = positions.editorWidgetSetup(positions.fields().lookupField("reason"))
-    assert setup.type() == "TextEdit" and setup.config()["IsMultiline"]
-
-
 def test_the_map_tip_shows_a_status_that_has_no_words_as_it_is(positions):
     tip = tip_of(positions, feature_of(positions, image="a.tif", status="<img src='file:///seen.png'>"))
     assert "<img" not in tip and "&lt;img src=" in tip
@@ -264,15 +259,6 @@ def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorit
         assert len(connection.execute("SELECT * FROM layer_styles").fetchall()) == 1
         noted = connection.execute("SELECT metadata FROM gpkg_metadata").fetchall()
     assert any("<history>" in text for (text,) in noted)
-
-
-def test_in_a_folder_that_reads_like_an_archive_a_layer_comes_without_its_note(annotation, run_algorithm, tmp_path):
-    (tmp_path / "maps.tar").mkdir()
-    out = str(tmp_path / "maps.tar" / "clean.gpkg")
-    told = run_algorithm("semref:repairannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": out})
-    assert told["OUTPUT"] == out
-    with contextlib.closing(sqlite3.connect(out)) as connection:
-        assert connection.execute("SELECT count(*) FROM layer_styles").fetchone() == (1,)
 
 
 def test_a_label_map_tells_the_same_beside_it(annotation, run_algorithm, tmp_path):

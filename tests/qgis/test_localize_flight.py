@@ -155,14 +155,6 @@ def test_the_report_tells_what_held_where(found):
     assert "image10.png" in page and "told by the table" in page and "2025-05-09 10:00:10" in page
 
 
-def test_names_are_text_in_the_report_whatever_they_hold(localize, flight, tmp_path):
-    name = "<b>&amp.png"
-    (tmp_path / name).write_bytes((flight / "image5.png").read_bytes())
-    _, results = localize(IMAGES=[str(tmp_path / name)], ODOMETRY=None)
-    page = Path(results["REPORT"]).read_text(encoding="utf-8")
-    assert "<b>&" not in page and "&lt;b&gt;&amp;amp.png" in page
-
-
 def test_what_can_not_be_read_is_a_row_with_its_reason_and_the_flight_goes_on(localize, flight, tmp_path, feedback):
     broken = tmp_path / "image7.png"
     broken.write_bytes(b"no image")
@@ -218,17 +210,6 @@ def test_what_is_no_log_of_this_flight_is_refused(localize, tmp_path, text, sent
 def test_a_mistake_in_the_odometry_stops_before_any_work(localize, tmp_path, table, sentence):
     with pytest.raises(QgsProcessingException, match=sentence):
         localize(ODOMETRY=str(write_text(tmp_path / "table.csv", table)))
-
-
-def test_a_database_without_overview_is_refused(localize, database, tmp_path):
-    import shutil
-    import sqlite3
-
-    bare = shutil.copy(database, tmp_path / "bare.gpkg")
-    with sqlite3.connect(bare) as connection:
-        connection.execute("DELETE FROM overview")
-    with pytest.raises(QgsProcessingException):
-        localize(DATABASE=str(bare))
 
 
 @pytest.mark.parametrize("percent", [10, 70])

@@ -121,12 +121,3 @@ def test_a_fix_that_can_not_be_reached_is_marked_and_stays_a_fix(localize, feedb
     assert [row["status"] for row in rows] == ["fix"] * 4 and results["FIX_COUNT"] == len(polygons) == 4
     assert "25 map units per second" in rows[2]["reason"] and "25 map units" not in rows[1]["reason"]
     assert "1 of 4 fixes with a time are jumps." in feedback.textLog()
-
-
-def test_without_time_without_fix_or_without_speed_nothing_is_checked(localize):
-    rows, _, _ = localize(
-        [*FLIGHT[:2], View(WEST - 900, NORTH, 0, 1.0, SIZE, SIZE)], "image,time\n0,0\n2,2\n", MAXIMUM_SPEED=25
-    )
-    assert [row["jump"] for row in rows] == [0, None, None]
-    rows, _, _ = localize(FLIGHT[:2], TIMES)
-    assert [row["jump"] for row in rows] == [None] * 3

@@ -148,11 +148,6 @@ def test_without_changed_areas_the_corrections_are_found(run_algorithm, folder, 
     assert windows(results["update:Updated database"]) == windows(folder / "true.gpkg")
 
 
-def test_an_annotation_that_was_not_corrected_changes_nothing(run_algorithm, folder, tmp_path):
-    results = apply(run_algorithm, folder, tmp_path, layer="wrong.gpkg")
-    assert windows(results["update:Updated database"]) == windows(folder / "old.gpkg")
-
-
 def test_another_class_table_is_refused(run_algorithm, folder, tmp_path):
     table = tmp_path / "other.csv"
     table.write_text((folder / "classes.csv").read_text().replace("building", "house"))

@@ -10,14 +10,12 @@ from made_models import painted, write_model
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
-from semref.core.annotation.coverage import can_simplify
 from semref.storage import outlining
 from semref.storage.outlining import LabelPolygons
 
 SEGMENT = "semref:segmentimage"
 LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
 SEEN = np.where(LABELS == 0, 1, LABELS)
-simplifies = pytest.mark.skipif(not can_simplify(), reason="this shapely or GEOS can't simplify coverages")
 
 
 def speckled(height: int, width: int, seed: int) -> np.ndarray:
@@ -33,36 +31,6 @@ def outlined(path, minimum_area=0.0, tolerance=0.0):
     for _ in polygons.steps():
         continue
     return polygons
-
-
-def burnt(polygons: LabelPolygons, like: str) -> np.ndarray:
-    """The polygons as pixels again."""
-    source = gdal.Open(like)
-    layers = (ogr.GetDriverByName("Memory") or ogr.GetDriverByName("MEM")).CreateDataSource("")
-    layer = layers.CreateLayer("p")
-    layer.CreateField(ogr.FieldDefn("value", ogr.OFTInteger))
-    for value, polygon in zip(polygons.classes.tolist(), polygons.polygons):
-        feature = ogr.Feature(layer.GetLayerDefn())
-        feature.SetField(0, value)
-        feature.SetGeometry(ogr.CreateGeometryFromWkb(polygon.wkb))
-        layer.CreateFeature(feature)
-    raster = gdal.GetDriverByName("MEM").Create("", source.RasterXSize, source.RasterYSize, 1, gdal.GDT_Byte)
-    raster.SetGeoTransform(source.GetGeoTransform())
-    gdal.RasterizeLayer(raster, [1], layer, options=["ATTRIBUTE=value"])
-    return raster.ReadAsArray()
-
-
-@pytest.mark.parametrize("seed", [1, 2, 3])
-def test_polygons_cover_what_is_labeled_with_shared_borders(qgis_app, tmp_path, seed):
-    labels = speckled(61, 83, seed)
-    path = str(write_raster(tmp_path / "labels.tif", labels, transform=(WEST, 2, 0, NORTH, 0, -2)))
-    polygons = outlined(path)
-    np.testing.assert_array_equal(burnt(polygons, path), labels)
-    assert shapely.is_valid(polygons.polygons).all()
-    assert shapely.area(polygons.polygons).sum() == 4 * (labels > 0).sum()
-    if can_simplify():
-        # Where borders lack a neighbor's corner this fails.
-        assert shapely.coverage_is_valid(polygons.polygons)
 
 
 @pytest.mark.parametrize("seed", [1, 2])
@@ -82,19 +50,6 @@ def test_they_are_those_of_gdal(qgis_app, tmp_path, seed):
 def _plain(polygons):
     """Without vertices on straight edges, in shapely's own order."""
     return shapely.normalize(shapely.simplify(shapely.normalize(polygons), 0))
-
-
-@simplifies
-def test_straightened_borders_leave_no_gap_and_stay_near_the_pixels_edges(qgis_app, tmp_path):
-    labels = np.fromfunction(lambda row, column: 1 + (column > 40 + 0.37 * row), (120, 160)).astype(np.uint8)
-    path = str(write_raster(tmp_path / "labels.tif", labels))
-    stairs, straight = outlined(path), outlined(path, tolerance=1.5)
-    assert shapely.coverage_is_valid(straight.polygons)
-    assert shapely.area(straight.polygons).sum() == pytest.approx(120 * 160, rel=1e-3)
-    # A third of the corners of the stairs at most.
-    corners, corners_of_stairs = (shapely.get_num_coordinates(one.polygons).sum() for one in (straight, stairs))
-    assert 3 * corners < corners_of_stairs
-    assert (burnt(straight, path) != labels).mean() < 0.01
 
 
 def test_small_regions_go_to_their_largest_neighbor(qgis_app, tmp_path):

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from full_disks import files_of_at_most
 from made_inputs import NORTH, WEST, read_pixels, scattered_objects, square, write_layer, write_raster
-from osgeo import gdal, ogr
+from osgeo import ogr
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsVectorLayer
 
 BUILD, UPDATE = "semref:builddatabase", "semref:updatedatabase"
@@ -187,15 +187,6 @@ def test_a_database_of_an_older_version_is_refused_in_one_sentence(update, old, 
         connection.commit()
     with refused("which kept no block hashes and bounds of landmarks"):
         update(DATABASE=str(place))
-
-
-def test_areas_without_polygons_or_in_another_crs(update, folder, rebuilt, tmp_path):
-    empty = write_layer(tmp_path / "empty.gpkg", [(None,)], [], geometry=ogr.wkbPolygon)
-    with refused("CHANGED has no polygon; leave it out"):
-        update(CHANGED=str(empty))
-    degrees = str(tmp_path / "degrees.gpkg")
-    gdal.VectorTranslate(degrees, str(folder / "changed.gpkg"), dstSRS="EPSG:4326", reproject=True)
-    assert_same_content(update(CHANGED=degrees), rebuilt)
 
 
 def test_a_cancel_leaves_nothing(update, old, tmp_path):

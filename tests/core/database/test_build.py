@@ -169,11 +169,6 @@ def test_each_level_has_a_grid_whose_window_and_stride_grow_together(labels, lev
         assert set(windows.sizes[windows.levels == number]) == {80.0 * level}
 
 
-def test_levels_have_one_grid_each():
-    grids = level_grids((1000, 2000), 0.5, BuildSettings(100.0, 25.0, 1.0, (1.0, 2.0)))
-    assert [(g.width, g.height, g.size, g.stride) for g in grids] == [(2000, 1000, 200, 50), (2000, 1000, 400, 100)]
-
-
 def test_parameters_tell_how_the_database_was_built(database):
     parameters = database.parameters
     assert (parameters.crs, parameters.geotransform) == (FRAME.crs, FRAME.geotransform)
@@ -182,11 +177,6 @@ def test_parameters_tell_how_the_database_was_built(database):
     assert (parameters.levels, parameters.references_per_vector, parameters.overview_factor) == ((1.0,), 10, 4)
     assert (parameters.plugin_version, parameters.format_version) == ("1.2.3", 1)
     assert parameters.class_table_hash == TABLE.digest()
-
-
-def test_window_size_and_stride_are_told_as_they_were_used_in_whole_pixels(labels):
-    parameters = built(labels, BuildSettings(80.9, 35.2, 20.0)).parameters
-    assert (parameters.window_size, parameters.stride) == (80.0, 36.0)
 
 
 def test_the_map_hash_changes_with_one_pixel(labels, database):

@@ -23,10 +23,6 @@ def places_of(*changed):
     return changed_places(["old"] * 9, now, SHAPE_HW)
 
 
-def test_nothing_changed_has_no_place():
-    assert places_of() == []
-
-
 @pytest.mark.parametrize(
     ("block", "place"), [(0, (0, 0, 33, 33)), (4, (31, 31, 65, 65)), (8, (63, 63, 90, 70))], ids=str
 )
@@ -37,10 +33,6 @@ def test_a_changed_block_is_a_place_with_a_line_around_it_on_the_map(block, plac
 def test_neighboring_blocks_are_one_place_and_blocks_apart_are_two():
     assert places_of(0, 1) == [(0, 0, 65, 33)]
     assert places_of(0, 2) == [(0, 0, 33, 33), (63, 0, 90, 33)]
-
-
-def test_blocks_that_meet_at_a_corner_are_one_place():
-    assert places_of(0, 4) == [(0, 0, 65, 65)]
 
 
 @pytest.mark.parametrize(

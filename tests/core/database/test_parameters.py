@@ -24,12 +24,6 @@ def test_what_was_written_comes_back_with_others_ignored():
     assert build_parameters(stored(later=5), "a.gpkg") == PARAMETERS
 
 
-def test_a_file_without_block_hashes_has_none():
-    values = stored()
-    del values["block_hashes"]
-    assert build_parameters(values, "a.gpkg").block_hashes == ()
-
-
 def test_the_overview_covers_the_last_pixels_of_the_map():
     assert PARAMETERS.extent == (600.5, 4998.25, 1200.5, 5200.25)
     assert (PARAMETERS.overview_frame.shape_hw, PARAMETERS.overview_frame.pixel_size) == ((26, 75), 8.0)

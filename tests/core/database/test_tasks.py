@@ -11,7 +11,6 @@ import pytest
 from semref.core.database import build
 from semref.core.database.build import BuildSettings, DatabaseBuilder, tile_boxes, window_boxes
 from semref.core.database.tasks import TASKS, Threads
-from semref.core.errors import LabelMapError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.overview import HeldOverview
@@ -104,11 +103,6 @@ def test_wide_maps_have_blocks_of_columns_one_after_the_other(monkeypatch):
     order = [wide.names.tolist().index(name) for name in narrow.names.tolist()]
     np.testing.assert_array_equal(wide.vectors[order], narrow.vectors)
     np.testing.assert_array_equal(wide.distinctiveness[order], narrow.distinctiveness)
-
-
-def test_a_map_without_landmarks_is_refused():
-    with pytest.raises(LabelMapError, match="no landmark|No region"):
-        built(Loop(np.zeros((600, 600), np.uint8)), np.zeros((600, 600), np.uint8))
 
 
 def test_what_a_check_raises_ends_threads_that_are_in_the_midst_of_a_task(monkeypatch):

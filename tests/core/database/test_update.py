@@ -18,7 +18,6 @@ from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 from semref.core.landmarks.regions import RegionFinder
-from semref.core.landmarks.tiles import measure_region
 from semref.core.windows import distinctiveness as distinctiveness_module
 
 TABLE = ClassTable(
@@ -149,13 +148,6 @@ def test_random_edits_give_the_rebuild(kind, seed):
         edited, areas = random_edit(labels, rng)
         assert_is_the_rebuild(before, edited, areas)
         assert_is_the_rebuild(before, edited)
-
-
-def test_an_edit_of_nothing_touches_nothing():
-    labels = blobs(0)
-    for areas in (None, [(10, 10, 50, 50)], []):
-        changes = assert_is_the_rebuild(built(labels), labels, areas)
-        assert not len(changes.touched) and not len(changes.removed) and not len(changes.added)
 
 
 def test_edits_far_apart_and_a_whole_new_map_give_the_rebuild():
@@ -316,23 +308,6 @@ def test_a_region_is_the_same_to_the_last_bit_whatever_piece_it_is_found_in(kind
         rows = rows_from_objects(piece) + (0, column, row, 0, column, row, column, row)
         found = [tuple(r) for r in rows if r[4] > column and r[5] > row]
         assert len(found) > 3 and all(whole[r[4:]] == r for r in found)
-
-
-@pytest.mark.parametrize("tile", [7, 24, 1000])
-@pytest.mark.parametrize("kind", MAPS)
-def test_regions_are_found_from_any_pixel_in_tiles_of_any_size(kind, tile):
-    labels = MAPS[kind](11)
-    source = ArrayLabels(labels)
-    finder = RegionFinder(source, 5, tile)
-    objects = extract_landmarks(labels, (5,), 1)
-    regions = finder.touching((0, 0, WIDTH, HEIGHT))
-    for patch_pixels in (10**9, 100):
-        rows = [measure_region(source, 5, r, 1, patch_pixels) for r in regions]
-        assert {row for row in rows if row} == {tuple(row) for row in rows_from_objects(objects).tolist()}
-    count, parts = cv2.connectedComponents((labels == 5).astype(np.uint8), connectivity=8)
-    assert len(regions) == count - 1
-    inside = finder.touching((60, 40, 90, 70))
-    assert len(inside) == len(np.unique(parts[40:70, 60:90])) - 1
 
 
 def test_distances_do_not_depend_on_what_else_is_compared():

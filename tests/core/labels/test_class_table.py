@@ -51,12 +51,6 @@ def test_a_table_written_as_csv_reads_back_equal(table):
     assert again.digest() == table.digest()
 
 
-@pytest.mark.parametrize("order", [0.0, 1.0, -3.0, 2.5, 1234567.0, 0.1, 1e-9, 123456789.25])
-def test_draw_orders_survive_the_csv_exactly(order):
-    table = ClassTable((LandCoverClass(1, "a", "#000000", draw_order=order),))
-    assert class_table_from_csv(table.to_csv()).classes[0].draw_order == order
-
-
 def test_csv_text_is_plain_and_ordered_by_value():
     assert TABLE.to_csv().splitlines() == [
         "value,name,color,role,draw_order,hsv_min,hsv_max",
@@ -175,11 +169,6 @@ def test_a_class_is_found_by_name_or_value(text, name):
     assert (found and found.name) == name
 
 
-def test_a_name_that_looks_like_a_value_is_a_name_first():
-    table = class_table_from_names(["2", "1"])
-    assert table.find("2").value == 1
-
-
 def test_names_that_differ_only_in_case_are_told_apart():
     table = class_table_from_names(["Road", "road"])
     assert (table.find("Road").value, table.find("road").value, table.find("ROAD")) == (1, 2, None)
@@ -214,11 +203,6 @@ def test_a_table_without_references_is_refused_where_one_is_needed():
         TABLE.with_references([]).require_references()
 
 
-def test_references_stand_in_order_of_class_value():
-    assert [c.value for c in TABLE] == [1, 3, 7]
-    assert [c.name for c in TABLE.references] == ["building", "water"]
-
-
 def test_long_tables_are_described_in_short():
     assert english(class_table_from_values(range(1, 31)).describe()).endswith("12 12 and 18 more")
 
@@ -243,11 +227,6 @@ def test_a_label_map_holds_255_classes_and_no_more():
         "choose another class field, or merge classes with a class table."
     ):
         class_table_from_names(str(n) for n in range(256))
-
-
-@pytest.mark.parametrize(("values", "expected"), [([], []), ([9, 2, 9], [2, 9])])
-def test_classes_known_by_value_are_named_by_it(values, expected):
-    assert [(c.value, c.name) for c in class_table_from_values(values)] == [(v, str(v)) for v in expected]
 
 
 @pytest.mark.parametrize("value", [-3, 256])
