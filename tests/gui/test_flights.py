@@ -68,6 +68,7 @@ def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, do
     assert len(flown.hit.track.drawn("own").asMultiPoint()) >= 3
 
 
+@pytest.mark.slow
 def test_playing_goes_through_the_images_and_the_map_follows(flown, iface, monkeypatch):
     flown.results._player.setInterval(20)
     flown.results.table.selectRow(COUNT - 3)
@@ -78,6 +79,7 @@ def test_playing_goes_through_the_images_and_the_map_follows(flown, iface, monke
     assert iface.canvas.extent().contains(center)
 
 
+@pytest.mark.slow
 def test_its_layers_are_saved_with_their_style(flown, tmp_path, monkeypatch):
     from qgis.core import QgsProject, QgsRuleBasedRenderer
     from qgis.PyQt.QtWidgets import QFileDialog
@@ -89,6 +91,7 @@ def test_its_layers_are_saved_with_their_style(flown, tmp_path, monkeypatch):
     assert len(layers) == 2 and isinstance(positions.renderer(), QgsRuleBasedRenderer)
 
 
+@pytest.mark.slow
 def test_saved_results_bring_the_track_back(flown, tmp_path):
     from semref.processing.exchange.results_file import open_results, write_results
     from semref.ui.findings import ResultLayers, read_findings

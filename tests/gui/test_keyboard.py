@@ -54,7 +54,7 @@ def name_of(widget) -> str:
     return next(filter(None, [*own, *labels, *inner]), "")
 
 
-@pytest.fixture(params=["localize", "inspect", "correct"])
+@pytest.fixture(params=["localize", *(pytest.param(tab, marks=pytest.mark.slow) for tab in ("inspect", "correct"))])
 def filled(request, dock, area, issues, tab):
     """The dock with something in each tab, and one of them on top."""
     choose_method(dock, CONSTELLATION)

@@ -7,6 +7,8 @@ from xml.etree import ElementTree
 import pytest
 from dock_area import AUTOMATIC, choose_method, localize, settle
 
+pytestmark = pytest.mark.slow  # a dock is made for each test
+
 LEAST_PX = 320
 LANGUAGES = ("", "de", "es", "fr", "zh_Hans")
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
 from dock_area import CONSTELLATION, choose_method, localize, settle, table, wait_until
+
+pytestmark = pytest.mark.slow  # plugins and projects are loaded anew
 
 
 def reloaded(plugin, iface):

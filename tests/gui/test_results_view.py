@@ -7,6 +7,8 @@ from dataclasses import replace
 import pytest
 from dock_area import AUTOMATIC, CONSTELLATION, choose_method, localize, settle, wait_until
 
+pytestmark = pytest.mark.slow  # a dock is made for each test; test_localize_tab.py has results, too
+
 
 @pytest.fixture
 def found(dock, area, tab):

@@ -109,6 +109,7 @@ def test_a_server_without_tiles_is_said(segment, tiles, tmp_path):
     assert not (tmp_path / "labels.tif").exists()
 
 
+@pytest.mark.slow
 def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, tiles, tmp_path):
     sent, began = [], time.monotonic()
     with pytest.raises(QgsProcessingException, match="more than 20 MB for one tile"):
@@ -221,6 +222,7 @@ def framed(tiles, tmp_path):
     return of
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["tiles", "file"])
 def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, database, framed, tmp_path, kind):
     corners = [(300, 500), (500, 340), (700, 500), (500, 740), (300, 500)]
@@ -262,6 +264,7 @@ def test_a_mask_that_lies_on_no_part_of_the_layer_is_told_as_the_mask(
         run_algorithm("semref:localizeimages", given)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["tiles", "file"])
 def test_a_place_framed_on_a_layer_is_localized_as_an_image(run_algorithm, database, framed, tmp_path, kind):
     more = framed(kind)

@@ -90,6 +90,7 @@ def test_the_examples_run_one_after_the_other_on_the_sample_area(
             assert results["FIX_COUNT"] == 12
 
 
+@pytest.mark.slow
 def test_the_first_examples_lead_from_polygons_to_photos_on_the_map(
     calls, run_algorithm, repository, sample, tmp_path, monkeypatch
 ):

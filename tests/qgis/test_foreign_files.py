@@ -222,6 +222,7 @@ def die_at(count: int, work) -> bool:
     return os.WIFSIGNALED(os.waitpid(child, 0)[1])
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 @pytest.mark.parametrize("with_older", [True, False])
 def test_a_kill_at_any_moment_leaves_each_output_whole_and_the_next_run_works(tmp_path, monkeypatch, with_older):
