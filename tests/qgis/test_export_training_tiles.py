@@ -194,7 +194,7 @@ def test_an_earlier_export_is_left_alone_as_any_folder_is_that_holds_files(expor
     [
         (np.zeros_like(LABELS), {}, "No pixel of the image is labeled"),
         (LABELS, {"TILE_SIZE": 400}, "480 × 320 pixels, less than a tile of 400"),
-        (LABELS, {"TILE_SIZE": 256, "STRIDE": 256}, "choose smaller tiles"),
+        (LABELS, {"TILE_SIZE": 256, "STRIDE": 256}, "smaller tiles or another"),
         (np.where(LABELS == 1, 9, LABELS), {}, "the value 9, which the class table lacks"),
     ],
 )
