@@ -9,13 +9,10 @@ import numpy as np
 from ..labels.block_hashes import HASHED_BLOCK, blocks_shape
 from ..labels.sources import LabelSource
 from ..landmarks.landmarks import minimum_area_px, objects_from_rows, rows_array
-from ..landmarks.regions import Region, RegionFinder
-from ..landmarks.tiles import measure_region
+from ..landmarks.regions import Bounds, ReachingRegions
+from ..landmarks.tiles import Region, measure_region
 from .build import map_references
 from .model import MapLandmarks, ReferenceDatabase
-
-Bounds = tuple[int, int, int, int]
-"""(left, top, right, bottom) in pixels of the label map, right and bottom beyond the last."""
 
 
 class ChangedLandmarks:
@@ -62,45 +59,46 @@ class ChangedLandmarks:
 
     def _compare(self, value: int) -> Iterator[float]:
         """Compares the landmarks of one class; yields the share done."""
-        finder = RegionFinder(self._source, value)
-        regions: set[Region] = set()
-        for n, place in enumerate(self._places, start=1):
-            regions |= finder.touching(place)
-            yield 0.3 * n / len(self._places)
-        new = {}
-        for n, region in enumerate(regions, start=1):
+        reaching = ReachingRegions(self._source, value, self._places, self._minimum_area_px)
+        for _ in reaching.steps():
+            yield 0.3
+        rows = list(map(tuple, reaching.rows.tolist()))
+        for n, region in enumerate(reaching.regions, start=1):
             row = measure_region(self._source, value, region, self._minimum_area_px)
-            if row is not None:
-                new[_key(self._landmarks([row]), 0)] = row
-            yield 0.3 + 0.6 * n / len(regions)
+            rows += [] if row is None else [row]
+            yield 0.3 + 0.6 * n / len(reaching.regions)
+        new = {_key(self._landmarks([row]), 0): row for row in rows}
         references = self._database.references
-        bounds_px = references.required_bounds
-        reached = (references.classes == value) & _meets_any(bounds_px, self._places)
-        crossing = [region for region in regions if not any(_holds(place, region.bounds) for place in self._places)]
-        for k in np.flatnonzero(reached).tolist():
-            # What is as it was, although it lies in a changed place, stays.
-            if new.pop(_key(references, k), None) is None:
-                bounds = tuple(bounds_px[k].tolist())
-                if not self._stands(bounds, crossing, finder, regions):
-                    self._removed.append(k)
+        meeting = (references.classes == value) & _meets_any(references.required_bounds, self._places)
+        # What is as it was, although it lies in a changed place, stays.
+        gone = [k for k in np.flatnonzero(meeting).tolist() if new.pop(_key(references, k), None) is None]
+        standing: set[Bounds] = set()
+        for _ in self._find_standing([_bounds_of(references, k) for k in gone], reaching.regions, value, standing):
             yield 0.9
+        self._removed += [k for k in gone if _bounds_of(references, k) not in standing]
         self._rows += new.values()
 
-    def _stands(self, bounds: Bounds, crossing: Sequence[Region], finder: RegionFinder, regions: set[Region]) -> bool:
-        """Whether an old object whose bounds meet a changed place has no pixel in one.
+    def _find_standing(
+        self, gone: Sequence[Bounds], reaching: set[Region], value: int, standing: set[Bounds]
+    ) -> Iterator[None]:
+        """Puts the bounds of old objects that have no pixel in a changed place, although they meet one, into a set.
 
-        Its pixels outside the places, and on their outermost lines, are what they were. So an object with pixels
-        both inside and outside shares some with one of the new regions that cross a place's border.
+        Their pixels outside the places, and on the places' outermost lines, are what they were. So an object with
+        pixels both inside and outside shares some with a new region that crosses a place's border.
         """
-        if any(_holds(place, bounds) for place in self._places):
-            return False
-        if not any(_meet(bounds, region.bounds) for region in crossing):
-            return True
-        left, top, right, _ = bounds
+        outside = [bounds for bounds in gone if not any(_holds(place, bounds) for place in self._places)]
+        doubtful = [bounds for bounds in outside if any(_meet(bounds, region.bounds) for region in reaching)]
+        # A region has a pixel in the first row of its bounds.
+        tops = _joined([(left, top, right, top + 1) for left, top, right, _ in doubtful])
+        others = ReachingRegions(self._source, value, tops, self._minimum_area_px)
+        yield from others.steps()
         # Two regions of one class can't have the same bounds: they would cross, and so be one.
-        return any(
-            region.bounds == bounds and region not in regions for region in finder.starting_in_row(top, left, right)
-        )
+        standing |= {region.bounds for region in others.regions - reaching} | set(outside) - set(doubtful)
+
+
+def _bounds_of(landmarks: MapLandmarks, k: int) -> Bounds:
+    left, top, right, bottom = landmarks.required_bounds[k].tolist()
+    return left, top, right, bottom
 
 
 def _key(landmarks: MapLandmarks, k: int) -> tuple:

@@ -18,8 +18,7 @@ from ..labels.block_hashes import BlockHasher
 from ..labels.overview import most_frequent_labels
 from ..labels.sources import LabelSource
 from ..landmarks.landmarks import extract_landmarks, objects_from_rows, rows_array, shift_rows
-from ..landmarks.regions import Region
-from ..landmarks.tiles import measure_region, tile_landmarks
+from ..landmarks.tiles import Region, measure_region, tile_landmarks
 from ..windows.describe import describe_windows
 from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid

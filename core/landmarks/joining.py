@@ -1,7 +1,4 @@
-"""Joining what belongs together: THE joiner of pieces of regions, for bands of a map and for burnt annotations.
-
-``regions`` alone does without: it follows single regions from tile to tile, where all links are never known.
-"""
+"""Joining what belongs together: THE joiner of pieces of regions, for tiles of a map and for burnt annotations."""
 
 from __future__ import annotations
 

@@ -15,7 +15,6 @@ from ..labels.sources import LabelSource
 from .border_following import follow_outer_border
 from .joining import connected_components, touching_runs
 from .landmarks import NO_ROWS, class_mask, contour_row, outer_contours, rows_array, shift_row, shift_rows
-from .regions import Region, whole_region
 
 PATCH_PIXELS = 16_000_000
 """An object that crosses bands is read again in one piece up to this many pixels; a larger one is traced."""
@@ -24,6 +23,26 @@ NO_PIECES = np.empty((0, 7), np.int64)
 NO_RUNS = np.empty((0, 6), np.int64)
 
 _TOP, _BOTTOM, _LEFT, _RIGHT = range(4)
+
+
+@dataclass(frozen=True)
+class Region:
+    """An 8-connected region of a map.
+
+    Attributes:
+        bounds: (left, top, right, bottom), pixels; the last two lie beyond it.
+        first_pixel: (column, row) of its first pixel in raster order.
+    """
+
+    bounds: tuple[int, int, int, int]
+    first_pixel: tuple[int, int]
+
+
+def whole_region(pieces: Sequence[Region]) -> Region:
+    """The region that the pieces make together."""
+    lefts, tops, rights, bottoms = zip(*(piece.bounds for piece in pieces))
+    first_pixel = min((piece.first_pixel for piece in pieces), key=lambda pixel: (pixel[1], pixel[0]))
+    return Region((min(lefts), min(tops), max(rights), max(bottoms)), first_pixel)
 
 
 @dataclass(frozen=True)
@@ -74,17 +93,27 @@ def crossing_regions(tiles: Iterable[TileLandmarks]) -> list[tuple[int, Region]]
     Args:
         tiles: All that make up the map, without the rows of landmarks if need be.
     """
+    pieces, _, components = join_tiles(tiles)
+    return joined_regions(pieces, components)
+
+
+def join_tiles(tiles: Iterable[TileLandmarks]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """All pieces and runs of tiles, numbered through, and the (P,) int64 region that each piece belongs to."""
     pieces, runs, count = [NO_PIECES], [NO_RUNS], 0
     for tile in tiles:
         pieces.append(tile.pieces)
         runs.append(tile.runs + np.array([0, 0, 0, 0, 0, count]))
         count += len(tile.pieces)
-    every = np.concatenate(pieces)
-    components = connected_components(count, _links(np.concatenate(runs)))
+    every = np.concatenate(runs)
+    return np.concatenate(pieces), every, connected_components(count, _links(every))
+
+
+def joined_regions(pieces: np.ndarray, components: np.ndarray) -> list[tuple[int, Region]]:
+    """Class and region of each component of pieces, see ``join_tiles``."""
     joined: dict[int, list[int]] = {}
     for piece, component in enumerate(components.tolist()):
         joined.setdefault(component, []).append(piece)
-    numbers = every.tolist()
+    numbers = pieces.tolist()
     return [
         (numbers[members[0]][0], whole_region([_region(numbers[n]) for n in members])) for members in joined.values()
     ]

@@ -1,6 +1,7 @@
 """An updated database is the one that a full rebuild makes, whatever was edited."""
 
 from dataclasses import fields, replace
+from functools import partial
 
 import cv2
 import numpy as np
@@ -17,7 +18,7 @@ from semref.core.labels import block_hashes as map_hash_module
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
 from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
-from semref.core.landmarks.regions import RegionFinder
+from semref.core.landmarks.regions import ReachingRegions
 from semref.core.windows import distinctiveness as distinctiveness_module
 
 TABLE = ClassTable(
@@ -40,7 +41,7 @@ def small_blocks(monkeypatch):
     monkeypatch.setattr(map_hash_module, "HASHED_BLOCK", 32)
     monkeypatch.setattr(update, "HASHED_BLOCK", 32)
     monkeypatch.setattr(changed_regions, "HASHED_BLOCK", 32)
-    monkeypatch.setattr(changed_regions, "RegionFinder", lambda source, value: RegionFinder(source, value, 24))
+    monkeypatch.setattr(changed_regions, "ReachingRegions", partial(ReachingRegions, tile_px=24))
 
 
 def blobs(seed, scale=1.5):

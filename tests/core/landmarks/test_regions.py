@@ -1,11 +1,15 @@
-"""A region is found whole from any place in it, in tiles of any size."""
+"""Regions that reach into places are found whole, in tiles of any size, and no more of the map is read."""
 
 import cv2
 import numpy as np
 import pytest
 
 from semref.core.labels.sources import ArrayLabels
-from semref.core.landmarks.regions import Region, RegionFinder, whole_region
+from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
+from semref.core.landmarks.regions import ReachingRegions
+from semref.core.landmarks.tiles import Region, measure_region, whole_region
+
+PLACES = [(20, 10, 55, 41), (90, 50, 121, 75), (0, 100, 30, 120), (140, 0, 150, 1)]
 
 
 def winding():
@@ -19,34 +23,70 @@ def winding():
     return labels
 
 
+def blobs(scale):
+    noise = np.random.default_rng(3).random((2, 120, 150)).astype(np.float32)
+    smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
+    return np.array((0, 5), np.uint8)[smooth.argmax(axis=0)]
+
+
+def rows(seed=1):
+    """Lines that touch by corners alone."""
+    ys, xs = np.indices((120, 150))
+    return np.where((ys // 2 + xs // 2) % 4 == 0, 5, 0).astype(np.uint8)
+
+
+MAPS = {"winding": winding(), "blobs": blobs(2.0), "crumbs": blobs(0.7), "corners": rows()}
+
+
+def found_in(labels, places, tile, source=None):
+    reaching = ReachingRegions(source or ArrayLabels(labels), 5, places, 1.0, tile)
+    for _ in reaching.steps():
+        pass
+    return reaching
+
+
 @pytest.mark.parametrize("tile", [7, 12, 16, 30, 1000])
-def test_the_region_at_each_pixel_has_its_bounds_and_its_first_pixel(tile):
-    labels = winding()
-    finder = RegionFinder(ArrayLabels(labels), 5, tile)
-    count, parts, boxes, _ = cv2.connectedComponentsWithStats((labels == 5).astype(np.uint8), connectivity=8)
-    assert len(finder.touching((0, 0, 150, 120))) == count - 1 == 3
-    for n in range(1, count):
-        rows, columns = np.nonzero(parts == n)
-        left, top, width, height = boxes[n, :4].tolist()
-        expected = Region((left, top, left + width, top + height), (int(columns[0]), int(rows[0])))
-        for k in range(0, len(rows), 37):
-            x, y = int(columns[k]), int(rows[k])
-            assert finder.touching((x, y, x + 1, y + 1)) == {expected}
+@pytest.mark.parametrize("name", MAPS)
+def test_what_has_a_pixel_in_a_place_is_found_whole(name, tile):
+    labels = MAPS[name]
+    reaching = found_in(labels, PLACES, tile)
+    source = ArrayLabels(labels)
+    measured = [measure_region(source, 5, region, 1.0) for region in reaching.regions]
+    found = {tuple(row) for row in reaching.rows.tolist()} | {row for row in measured if row}
+    _, parts = cv2.connectedComponents((labels == 5).astype(np.uint8), connectivity=8)
+    touched = {n for left, top, right, bottom in PLACES for n in np.unique(parts[top:bottom, left:right]).tolist()}
+    kept = np.where(np.isin(parts, list(touched - {0})), 5, 0).astype(np.uint8)
+    assert found == {tuple(row) for row in rows_from_objects(extract_landmarks(kept, (5,), 1.0)).tolist()}
+    assert len(found) > 1
 
 
 @pytest.mark.parametrize("tile", [7, 30, 1000])
-@pytest.mark.parametrize("left", [0, 33])
-def test_each_run_of_a_row_gives_the_region_that_it_belongs_to(tile, left):
-    labels = winding()
-    finder = RegionFinder(ArrayLabels(labels), 5, tile)
-    _, parts, _, _ = cv2.connectedComponentsWithStats((labels == 5).astype(np.uint8), connectivity=8)
-    firsts = {n: tuple(np.argwhere(parts == n)[0][::-1].tolist()) for n in range(1, parts.max() + 1)}
-    for row in (17, 60, 90):
-        here = parts[row, left:140]
-        runs = [n for n, before in zip(here.tolist(), [0, *here[:-1].tolist()]) if n and not before]
-        found = [region.first_pixel for region in finder.starting_in_row(row, left, 140)]
-        assert found == [firsts[n] for n in runs]
-        assert len(found) >= 1
+def test_regions_have_their_bounds_and_their_first_pixel(tile):
+    labels = MAPS["winding"]
+    count, parts, boxes, _ = cv2.connectedComponentsWithStats((labels == 5).astype(np.uint8), connectivity=8)
+    assert count == 4
+    for n in range(1, count):
+        ys, xs = np.nonzero(parts == n)
+        left, top, width, height = boxes[n, :4].tolist()
+        expected = Region((left, top, left + width, top + height), (int(xs[0]), int(ys[0])))
+        for k in range(0, len(ys), 37):
+            place = int(xs[k]), int(ys[k]), int(xs[k]) + 1, int(ys[k]) + 1
+            assert found_in(labels, [place], tile).regions == {expected}
+
+
+def test_only_tiles_that_a_region_goes_on_to_are_read():
+    labels = np.zeros((120, 150), np.uint8)
+    labels[30:40, 30:40] = labels[35, 40:70] = 5
+    seen = np.zeros(labels.shape, int)
+
+    class Watched(ArrayLabels):
+        def read(self, column, row, width, height):
+            seen[row : row + height, column : column + width] += 1
+            return super().read(column, row, width, height)
+
+    found_in(labels, [(28, 28, 45, 45)], 16, Watched(labels))
+    assert seen[28:45, 28:45].min() == seen.max() == 1 and seen[35, :71].sum() >= 40
+    assert not seen[:20].any() and not seen[60:].any() and not seen[:, 90:].any()
 
 
 def test_pieces_make_the_region_around_all_that_begins_where_the_first_does():
