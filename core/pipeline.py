@@ -24,7 +24,6 @@ class LabelReader(Protocol):
         """Read an image.
 
         Args:
-            path: Of its file.
             camera: That took it: a network knows by it how large to see a photo.
             with_pixels: Whether a photo's pixels are needed besides.
 
@@ -75,9 +74,7 @@ class Pipeline:
     """Localizes images one by one; an answer depends on nothing that came before.
 
     Attributes:
-        localizer: Of the database.
         search: Method, and what is known of all images.
-        read: Reads labels.
     """
 
     localizer: Localizer
@@ -88,7 +85,6 @@ class Pipeline:
         """Read an image and localize it.
 
         Args:
-            path: Of its file.
             camera: How it was held, and what else is known of it.
             with_pixels: As of ``LabelReader``.
 
@@ -102,10 +98,8 @@ def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, came
     """Localize an image whose labels are known, leveled first where its camera states how it was held.
 
     Args:
-        localizer: Of the database.
         search: Method, and what is known of all images.
         seen: Labels of the image as it was taken, with their biases.
-        camera: How it was held.
 
     Raises:
         SemRefError: The labels, or what the camera states, can't be used.
@@ -121,7 +115,6 @@ def localize_with(
     """Localize an image of which is known what to search and how to level it.
 
     Args:
-        localizer: Of the database.
         search: Method, and whether matches are wanted.
         seen: Labels of the image as it was taken, with their biases.
         prior: About the image's center; for one that is leveled with a range of pixel sizes.

@@ -60,7 +60,6 @@ def filled(sentence: Sentence, translated: Callable[[str], str]) -> str:
     """The sentence with its values, sentences among the values included.
 
     Args:
-        sentence: What to say.
         translated: A template in the language wanted, from the English one.
     """
     shown = {name: _shown(value, translated) for name, value in sentence.values}

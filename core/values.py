@@ -17,7 +17,6 @@ def read_json(text: str, longest: int = limits.JSON_CHARACTERS) -> Any:  # noqa:
     """What a JSON text says.
 
     Args:
-        text: The text.
         longest: Characters that it may have.
 
     Raises:

@@ -34,7 +34,6 @@ class _Staged:
     """One output until it is renamed.
 
     Attributes:
-        final: Its target.
         workplace: The private folder beside the target in which it is written.
         require_free: Raises ParameterError when the target may not be replaced.
         is_folder: Whether it is a folder.
@@ -87,7 +86,6 @@ class Batch:
         """Return a path to write ``target`` to. Files that are written beside it move along.
 
         Args:
-            target: The file's final path.
             suffix: See ``require_replaceable``.
             tables: See ``require_replaceable``.
 

@@ -24,7 +24,6 @@ class BurnPolygon:
 
     Attributes:
         wkb: Its outline in the target CRS.
-        value: Of its class.
         priority: Higher ones lie on top.
         bounds: (x_min, y_min, x_max, y_max).
     """
@@ -51,7 +50,6 @@ class LabelMapBurning:
         Args:
             path: Of the new file.
             frame: Its pixels.
-            table: Its classes.
             polygons: In any order of priorities.
             burn: Takes what ``strip_polygons`` gives and gives the (H, W) labels of each strip, from elsewhere; None to
                 burn them here.
@@ -87,11 +85,7 @@ class LabelMapBurning:
 
 
 def strips_of(frame: MapFrame) -> Iterator[tuple[int, MapFrame]]:
-    """(first row, frame) of what is burnt and written at a time, from top to bottom.
-
-    Args:
-        frame: Of the whole map.
-    """
+    """(first row, frame) of what is burnt and written at a time, from top to bottom."""
     height, width = frame.shape_hw
     rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
     for first in range(0, height, rows):
@@ -102,7 +96,6 @@ def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tup
     """Yields of each strip geotransform, shape, and (N,) values, (N,) ends and WKB outlines of what may reach into it.
 
     Args:
-        frame: Of the whole map.
         polygons: In any order of priorities.
     """
     ordered = bottom_first(polygons)

@@ -26,8 +26,6 @@ class LabelMapPair:
     A pixel takes the predicted label at its center.
 
     Attributes:
-        reference: The annotated map.
-        predicted: The other one.
         geotransform: GDAL's six numbers of what they share.
     """
 

@@ -23,7 +23,6 @@ def write_draped(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) 
     """Writes a VRT of an image on the ground, transparent outside the image.
 
     Args:
-        image: The file.
         target: The VRT; another one is written beside it.
         crs_wkt: WKT of the map's CRS.
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
@@ -47,7 +46,6 @@ def write_geotiff(
     Photos are resampled bilinearly. One band is taken for labels: nearest neighbor, colors kept, 0 outside.
 
     Args:
-        image: The file.
         target: The GeoTIFF.
         crs_wkt: WKT of the map's CRS.
         corners_xy: As in ``write_draped``.

@@ -22,7 +22,6 @@ def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarr
     """Copies an image and writes its world file beside it, and the CRS, which world files can't tell, as ``.aux.xml``.
 
     Args:
-        image: The file.
         target: The copy.
         crs_wkt: WKT of the map's CRS.
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
@@ -89,7 +88,6 @@ def write_points(image: str, target: str, crs_wkt: str, points: Sequence[Control
     """Copies an image and writes the ``.points`` beside it that QGIS's Georeferencer opens along with it.
 
     Args:
-        image: The file.
         target: The copy.
         crs_wkt: WKT of the map's CRS.
         points: At least four for a tilted image, three for a level one.

@@ -41,7 +41,6 @@ class GdalImage:
         """Opens the image.
 
         Args:
-            path: The file.
             size_wh: (width, height) to which it is reduced, by means of its pixels; None for its own.
         """
         self._path = path

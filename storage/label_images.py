@@ -28,11 +28,6 @@ class LabelImageReader:
     pace = None
 
     def __init__(self, table: ClassTable) -> None:
-        """Keeps the table.
-
-        Args:
-            table: Of the database.
-        """
         self._table = table
 
     def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:

@@ -45,7 +45,6 @@ class LabelMapFile(WrittenRaster):
             height: Pixels.
             geotransform: GDAL's six numbers; None without a georeference.
             crs_wkt: WKT of the CRS; empty for none.
-            table: Written into the file.
             class_bias: Of the network that made the labels, as its metadata state it; empty where none did.
 
         Raises:
@@ -72,7 +71,6 @@ def paste_labels(path: str, part: str) -> None:
     """Write a part of a label map over the place in the whole where it is.
 
     Args:
-        path: The whole map.
         part: On the same grid of pixels, inside the whole.
 
     Raises:

@@ -37,8 +37,6 @@ def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None
     """Raises LabelMapError for a label map that calls a class otherwise than the database does.
 
     Args:
-        labels: The map.
-        table: Of the database.
         path: What the map is called in what is said.
     """
     for found in stored_class_table(labels.dataset, path) or named_classes(labels.dataset):

@@ -21,9 +21,6 @@ def photo_lon_lat(path: str) -> tuple[float, float] | None:
     """(longitude, latitude) in degrees that a photo states, or the photo of an image's name beside it.
 
     None where nothing is stated, nothing that can be, or 0, 0: what cameras write that know none.
-
-    Args:
-        path: Of the image.
     """
     stem = os.path.splitext(path)[0]
     beside = [stem + extension for extension in PHOTO_EXTENSIONS]

@@ -215,7 +215,6 @@ def require_whole_raster(path: str, target: str) -> None:
     """Opens a raster that was just written and reads its last pixels, which a full disk would lack.
 
     Args:
-        path: Where it lies.
         target: What it is called in what is said.
 
     Raises:
@@ -242,7 +241,6 @@ class GdalLabels:
         """Opens the map.
 
         Args:
-            path: The raster.
             keeps_blocks: For work that returns to the same places: GDAL's cache keeps the blocks of pieces; those of
                 whole rows are still let go, as they are read once and in order.
 

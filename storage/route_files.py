@@ -56,7 +56,6 @@ def plan_positions(text: str, path: str) -> np.ndarray:
     """(n, 2) longitude, latitude of a QGroundControl plan: its mission's items, surveys by their transects.
 
     Args:
-        text: Of the file.
         path: Of the file, for messages.
 
     Raises:
@@ -82,7 +81,6 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
     """(n, 2) longitude, latitude of a waypoint list as MAVLink tools write it (“QGC WPL 110”).
 
     Args:
-        text: Of the file.
         path: Of the file, for messages.
 
     Raises:

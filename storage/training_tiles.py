@@ -37,8 +37,6 @@ class ImageBands:
     """An image's bands, without those that only tell where it is transparent.
 
     Attributes:
-        path: Of the image.
-        dataset: The open file.
         bands: Those that are kept.
         kind: GDAL's data type of them all.
         network_bands: Which of them, counted from 1, a network sees as red, green and blue.
@@ -165,8 +163,6 @@ class TileExport:
         """Nothing is written yet.
 
         Args:
-            image: What is cut.
-            labels: Of the same ground.
             tile_size: Pixels.
             stride: Pixels from a tile to the next.
             fraction: Of the ground that is set aside.

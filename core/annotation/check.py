@@ -40,7 +40,6 @@ class DrawnRegion:
     Attributes:
         wkb: WKB of its polygon, coordinates in meters.
         bounds: (left, bottom, right, top), meters.
-        class_value: Its class.
         feature_id: Id of the feature that covers most of it.
         area: m².
     """
@@ -58,7 +57,6 @@ class AnnotationCheck:
     Iterate ``steps()`` to the end; then both lists are filled.
 
     Attributes:
-        findings: What was found.
         landmarks: Drawn regions of the landmark classes with at least the minimum area.
     """
 
@@ -111,8 +109,6 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
     Overlaps without priority are taken as repaired.
 
     Args:
-        polygons: The annotation.
-        partition: Its faces.
         maximum_gap: m²; larger gaps are meant to be there.
 
     Returns:

@@ -30,7 +30,6 @@ class ClassLookup:
         """Keeps what is known.
 
         Args:
-            table: Of the classes.
             by_raw: Class values by the text of the raw value; without it the table's own names and values.
         """
         self.table = table
@@ -108,7 +107,6 @@ def require_known_classes(unknown: Mapping[str, int], source: str, table: ClassT
     Args:
         unknown: Features by such a value.
         source: What the annotation is called.
-        table: Of the classes.
     """
     if not unknown:
         return

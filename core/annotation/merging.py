@@ -84,8 +84,6 @@ def merge_finding(
     """A gap or sliver as a finding, with the feature that is seen on most of it.
 
     Args:
-        merge: The gap or sliver.
-        severity: How bad it is.
         polygons: N polygons.
         partition: Their F faces.
         top: (F,) int64 polygon seen on each face, −1 for none.

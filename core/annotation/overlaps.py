@@ -23,10 +23,6 @@ def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> 
 
     With different classes it is an error, unless a priority says which lies on top.
 
-    Args:
-        polygons: N polygons.
-        partition: Their faces.
-
     Returns:
         A finding for each such polygon, and (N,) bool which these are.
     """
@@ -55,8 +51,6 @@ def find_overlaps(
     Where priorities differ they say what lies on top, and the finding is information; else it is an error.
 
     Args:
-        polygons: N polygons.
-        partition: Their faces.
         ranks: (N,) int64, higher lie on top.
         ignored: (N,) bool, polygons left out.
 
@@ -86,8 +80,6 @@ def find_hidden(
     """Finds polygons of which nothing is seen from above.
 
     Args:
-        polygons: N polygons.
-        partition: Their faces.
         ranks: (N,) int64, higher lie on top.
         duplicates: Polygons that a duplicate hides; they are told already.
 
@@ -116,8 +108,6 @@ def find_same_class_neighbors(
     Landmarks are told also where they touch in a point only: pixels that touch by a corner belong to one object, too.
 
     Args:
-        polygons: N polygons.
-        partition: Their faces.
         ranks: (N,) int64, higher lie on top.
         landmark_classes: Class values that become landmarks.
 

@@ -89,9 +89,6 @@ def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
 
     Args:
         polygons: (N,) valid shapely polygons, meters.
-
-    Returns:
-        Their faces.
     """
     faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(_node(shapely.boundary(polygons)))))
     points = shapely.STRtree(shapely.point_on_surface(faces))
@@ -116,9 +113,6 @@ def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Region
     Args:
         partition: F faces.
         face_classes: (F,) class values.
-
-    Returns:
-        The regions.
     """
     first, second = partition.neighbors.T
     inside = face_classes[first] == face_classes[second]

@@ -33,10 +33,6 @@ class AnnotationRepair:
 
     What lies on top where polygons overlap: the higher priority, else the smaller, else the lower class value. On its
     own output nothing changes: the polygons of a repaired annotation are the faces they are cut into.
-
-    Attributes:
-        polygons: The repaired annotation.
-        changes: What was changed.
     """
 
     def __init__(self, features: Sequence[AnnotatedFeature], settings: MergeSettings) -> None:

@@ -103,8 +103,6 @@ class Assessment:
         """Prepares what all trials share.
 
         Args:
-            database: what is assessed
-            localizer: of the database
             footprint: edge of the ground that an image shows, map units
             conditions: how poor labels and cameras are taken to be
             seed: with the same one, everything is the same
@@ -229,7 +227,6 @@ def to_correlate(seed: int, trials: Sequence[Trial], most: int) -> list[int]:
     """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread.
 
     Args:
-        seed: Of the assessment.
         trials: Of landmarks, in the order of the plan.
         most: So many.
     """

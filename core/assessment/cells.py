@@ -40,7 +40,6 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
     doesn't fill. Ground without labels inside the map counts.
 
     Args:
-        database: Of the map.
         size: Edge of a square, map units.
 
     Returns:

@@ -59,7 +59,6 @@ class FlownRoute:
     """What F flights over N points of a route came to, each (F, N), as known in flight.
 
     Attributes:
-        points: Where images were taken.
         is_placed: Whether the image had a position.
         radii: 95 % radius that was told, map units; NaN without a position.
         errors: True error, map units; NaN without a position.
@@ -121,7 +120,6 @@ class FlownRoutes:
 
         Args:
             database: With its overview.
-            localizer: Of the database.
             conditions: How poor labels and cameras are taken to be.
             plan: How the route is flown.
 
@@ -139,9 +137,6 @@ class FlownRoutes:
 
     def steps(self, points: RoutePoints) -> Iterator[tuple[int, int]]:
         """(images done, images) after each image.
-
-        Args:
-            points: Where images are taken.
 
         Raises:
             ParameterError: There are too many images.
@@ -204,8 +199,7 @@ def link_between(number: int, pair: tuple[View, View], drift: float, bias: compl
     """The motion between two views as it is measured, with what its deviations are.
 
     Args:
-        number: Of the first one.
-        pair: Both.
+        number: Of the first image, from 0.
         drift: Deviation, share of the distance.
         bias: What all links of the flight are off by, share of the distance along and across.
         rng: A seeded one repeats the result.

@@ -54,7 +54,6 @@ class ImageSimulator:
         """Takes the landmarks of a database as they are seen in images of one size.
 
         Args:
-            localizer: of the database
             database: with an overview where map correlation is wanted
             footprint: edge of the ground that an image shows, map units
             biases: what is known of how labels are shifted

@@ -37,7 +37,6 @@ class AssessmentJob:
 
         Args:
             database: That is assessed, with its overview where it has one.
-            localizer: Of the database.
             footprint: One of ``footprints``.
 
         Raises:

@@ -116,9 +116,6 @@ def fit_success(features: np.ndarray, places: np.ndarray, successes: np.ndarray,
         places: (T, 2) map x, y.
         successes: (T,) bool.
         footprint: Edge of the ground that an image shows, map units.
-
-    Returns:
-        The model.
     """
     successes = np.asarray(successes, np.float64)
     centers = features.mean(axis=0)

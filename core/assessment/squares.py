@@ -50,7 +50,6 @@ def footprint_sizes(text: str, default: float) -> list[float]:
     """Numbers of a list separated by ``;``.
 
     Args:
-        text: The list.
         default: For an empty one.
 
     Raises:
@@ -101,9 +100,7 @@ def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words
 
     Args:
         cells: The squares.
-        windows: Of the database.
         footprint: Edge of the ground that images show.
-        estimates: Of the squares.
         threshold: Success that is good enough, 0…1.
         wording: How a reason is said.
     """

@@ -32,7 +32,6 @@ def cached_index(references: MapLandmarks, pixel_size_m: float, settings: Conste
     """Return the index of a database's landmarks; one of many landmarks is loaded from the cache or stored there.
 
     Args:
-        references: The landmarks.
         pixel_size_m: Of the label map that they are of.
         settings: The index is built with.
     """

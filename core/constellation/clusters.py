@@ -53,7 +53,6 @@ class Poses:
     places: np.ndarray
 
     def __len__(self) -> int:
-        """How many poses there are."""
         return len(self.centers)
 
     def select(self, chosen: np.ndarray) -> Poses:

@@ -50,7 +50,6 @@ def risk_against(opponents: Opponents, rival: float, settings: Decision) -> floa
     Args:
         opponents: The best place and the map.
         rival: Log odds; below 0 counts as 0.
-        settings: The curve.
     """
     larger = np.log(max(opponents.landmarks, 1) / LANDMARKS_CALIBRATED)
     own = opponents.log_odds - max(float(larger), 0.0) - (settings.capped_log_odds if opponents.is_capped else 0.0)
@@ -77,7 +76,6 @@ def verdict(opponents: Opponents, rivals: int, allowed: float, settings: Decisio
         opponents: The best place and what it is compared with.
         rivals: How many other places are too near to the best one.
         allowed: Risk below which it is a fix.
-        settings: The curve.
     """
     risk = risk_of_best(opponents, settings)
     if risk <= allowed:

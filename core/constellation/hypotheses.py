@@ -77,7 +77,6 @@ class QueryTriangles:
     tolerances: np.ndarray
 
     def __len__(self) -> int:
-        """How many triangles there are."""
         return len(self.members)
 
     def every(self, step: int) -> QueryTriangles:

@@ -83,7 +83,6 @@ class ConstellationIndex:
     settings: ConstellationSettings = CONSTELLATION
 
     def __len__(self) -> int:
-        """How many objects the catalogue has."""
         return len(self.points)
 
     def members(self, triangles: np.ndarray) -> list[np.ndarray]:
@@ -142,7 +141,6 @@ def build_index(
     Objects cut by the map's edge take no part in triangles: their centers are not theirs.
 
     Args:
-        references: The landmarks.
         pixel_size_m: Of the label map that they are of.
         settings: The index is built with, and every search in it uses.
     """
@@ -153,7 +151,6 @@ def index_parts(references: MapLandmarks, pixel_size_m: float, settings: Constel
     """What of an index takes time to make, by name; ``part_shapes`` tells their kinds.
 
     Args:
-        references: The landmarks.
         pixel_size_m: Of the label map that they are of.
         settings: The index is built with.
     """
@@ -324,7 +321,6 @@ def like_triangles(
     """Those of the hits whose five numbers agree with those of their triangle, and these triangles.
 
     Args:
-        index: The map's catalogue.
         hits: (H,) triangles of the index.
         source: (H,) given triangle of each hit.
         numbers: (Q, 5) descriptors of the given triangles.

@@ -35,8 +35,6 @@ class Lookup:
         """Looks nothing up yet.
 
         Args:
-            index: The map's catalogue.
-            query: The image's objects.
             triangles: All or some of its triangles.
             prior: What is known beforehand: no other poses are kept.
         """
@@ -117,7 +115,6 @@ def find_seeds(lookup: Lookup, cap: int, count: int | None = None, prior: Prior 
     """The most voted poses of an image.
 
     Args:
-        lookup: Its triangles.
         cap: Triangles of the index looked at, at most, as ``Lookup.poses`` has it.
         count: Poses of each of two lattices of cells; as many as the index's settings say without it.
         prior: What is known besides what the lookup knows.
@@ -146,8 +143,6 @@ def _fitted(
     """Centers, turns and the triangles' middles in the image of like triangles whose classes agree.
 
     Args:
-        index: The map's catalogue.
-        query: The image's objects.
         triple: (Q, 3) corners of the image's triangles.
         source: (H,) the triangle of the image of each hit.
         hits: (H,) the triangles of the index that are like them.

@@ -38,7 +38,6 @@ class Nearest:
     deviations: np.ndarray
 
     def __getitem__(self, poses: np.ndarray) -> Nearest:
-        """Of the chosen poses."""
         return Nearest(self.distances[poses], self.objects[poses], self.deviations[poses])
 
 

@@ -116,7 +116,6 @@ def _worth_a_trial(
     """The roughly fitted poses that are verified, best first: of those at one place the best, none far below the best.
 
     Args:
-        query: The image's objects.
         centers: (S,) complex, map units from the index's origin.
         turns: (S,) complex, heading and pixel size.
         scores: (S,) of the rough fits.

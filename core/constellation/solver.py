@@ -59,8 +59,6 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
     Args:
         objects: Landmarks of the whole image.
         size_wh: (width, height) of the image, pixels.
-        index: The map's catalogue.
-        prior: What is known beforehand.
         minimum_area_px: Contour area below which landmarks were not extracted; by default the smallest one's.
         allowed_risk: Probability of being wrong up to which the best place is a fix.
         errors: What is known of errors that landmarks share; the defaults without it.
@@ -95,7 +93,6 @@ def matches_at(
     Args:
         objects: Landmarks of the whole image, at least one.
         size_wh: (width, height) of the image, pixels.
-        index: The map's catalogue.
         place: Where the image lies, with heading and pixel size.
 
     Returns:

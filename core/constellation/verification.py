@@ -61,7 +61,6 @@ class PoseEvidence:
     """A verified pose: log odds against a chance hit, m matched pairs and their noise.
 
     Attributes:
-        pose: Where the image lies.
         log_odds: Natural logarithm of the odds against chance.
         matched: (m,) int64, objects of the image.
         objects: (m,) int64, those of the map.
@@ -101,9 +100,6 @@ class Verifier:
     """What verification needs of catalogue and image.
 
     Attributes:
-        index: The map's catalogue.
-        width_px: Of the image.
-        height_px: Of the image.
         minimum_area_px: Area, px², below which objects were not taken from the image.
         side: The part of the image that is looked at; None for all of it.
     """
@@ -123,7 +119,6 @@ def match_ratios(
     Without a match it is 0.
 
     Args:
-        index: The map's catalogue.
         query: The image's n objects.
         nearest: What is nearest to them.
         log_scale: ln pixel size, broadcastable.
@@ -183,7 +178,6 @@ def rough_scores(
     """Poses fitted all at once, with shrinking gates, and their scores; what the image lacks doesn't count.
 
     Args:
-        index: The map's catalogue.
         query: The image's most telling objects only, all of known class.
         centers: (S,) complex, map units from the index's origin.
         turns: (S,) complex, heading and pixel size.
@@ -221,7 +215,6 @@ def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> l
     """Refines poses of a level camera by match and fit, each on its own but all at once, then weighs them.
 
     Args:
-        verifier: Catalogue and image.
         query: The image's ``telling_objects``.
         poses: First ones.
     """
@@ -232,7 +225,6 @@ def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: c
     """The same for a camera that may be tilted.
 
     Args:
-        verifier: Catalogue and image.
         query: The image's ``telling_objects``.
         pose: A first one.
         focus: Where in the image it holds; matches spread from there over the image.
@@ -259,7 +251,6 @@ def gained_by_tilt(verifier: Verifier, query: SeenLandmarks, evidence: PoseEvide
     """Log likelihood that the matches of a level pose gain if the camera may be tilted; 2 on average if it is level.
 
     Args:
-        verifier: Catalogue and image.
         query: The image's ``telling_objects``.
         evidence: Of a level pose, with ``minimum_matches`` or more.
     """
@@ -341,7 +332,6 @@ def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -
     """The evidence for a pose as it is.
 
     Args:
-        verifier: Catalogue and image.
         query: The image's ``telling_objects``.
         pose: Where the image may lie.
         factor: How much of the assumed noise there is.

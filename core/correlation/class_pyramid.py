@@ -114,7 +114,6 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, n
 
     Args:
         fractions: (h, w, K) uint8.
-        space: The map's.
 
     Returns:
         Evidence (h, w, C) float32 and labeled share (h, w) float32.
@@ -132,7 +131,6 @@ def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int,
 
     Args:
         labels_hw: (H, W) uint8 labels.
-        space: The map's.
         size_wh: Coarse pixels along x and y.
 
     Returns:

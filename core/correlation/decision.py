@@ -39,7 +39,6 @@ def surprises(
     Args:
         details: Of ``detail_at``, of the image's places.
         others: Of the mirrored image's, which can't be right.
-        settings: What is usual.
     """
     usual, spread, weight = settings.usual_detail
     found = []
@@ -64,7 +63,6 @@ def ranked(
     Args:
         places: Score and detail of each, highest score first, at least one.
         mirrored: The same of the mirrored image's places.
-        settings: What they are worth.
     """
     scores = [score for score, _ in places]
     details = surprises([detail for _, detail in places], [detail for _, detail in mirrored], settings)
@@ -111,7 +109,6 @@ def decide(
     Args:
         peaks: How well the best places agree.
         allowed_risk: Probability of being wrong up to which the best place is a fix.
-        settings: The curve.
     """
     score = peaks.score
     risk = risk_of_peaks(peaks, settings)
@@ -159,7 +156,6 @@ def exact_enough(
         error_95_m: As the image itself tells.
         diagonal_m: Of the image on the ground.
         is_held: It lies where the map ends, and would fit better farther out.
-        settings: What is close enough.
     """
     if is_held:
         return Status.AMBIGUOUS, Sentence(
@@ -188,7 +184,6 @@ def position_error_95(
 
     Args:
         covariance_m2: (2, 2) of the position.
-        score: Correlation there.
         overview_pixel_m: Pixel of the map's overview.
         settings: Of map correlation.
     """

@@ -24,7 +24,6 @@ def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> fl
 
     Args:
         image: Its evidence, at the decision's pixels.
-        pyramid: The map's.
         pose: As refined at those pixels.
 
     Returns:

@@ -28,7 +28,6 @@ def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
     """(4, 4) of map x and y, heading in radians, ln pixel size; infinite where that is.
 
     Args:
-        pose: That it is of.
         covariance: (4, 4) as ``pose_covariance`` tells it, in image pixels, radians and ln pixel size.
     """
     to_map = np.eye(4)

@@ -42,8 +42,6 @@ def disagreeing_part(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose
 
     Args:
         image: Its evidence, at the pixels of the decision.
-        pyramid: The map's.
-        pose: The place.
 
     Returns:
         The part that agrees least, if it agrees far less than the whole image; None if none does.
@@ -71,8 +69,6 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
 
     Args:
         image: Its evidence, at the pixels of the decision.
-        pyramid: The map's.
-        pose: The place.
 
     Returns:
         Correlation −1…1 of all of it, and the parts of which enough has labels in image and map.

@@ -142,7 +142,6 @@ def search_spaces(
 
     Args:
         image: Evidence at the pixels of the first look or finer ones.
-        pyramid: Of the map.
         prior: With a range of pixel sizes.
 
     Returns:
@@ -163,7 +162,6 @@ def first_peaks(
 
     Args:
         image: Evidence at the pixels of the first look or finer ones.
-        pyramid: Of the map.
         spaces: Of ``search_spaces``.
         share: Of the places that a look at larger pixels chooses, that the first look takes.
     """
@@ -226,7 +224,6 @@ def best_places(
 
     Args:
         image: Evidence at the finest pixels that are used.
-        pyramid: Of the map.
         spaces: What is searched, of ``search_spaces``.
         count: Places of the first look that are refined.
     """

@@ -86,7 +86,6 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
 
     Args:
         image: Its evidence.
-        pyramid: The map's.
         pose: A first one.
         quiet: Energy a pixel added to the map's own in the score.
         steps: At most.
@@ -111,8 +110,6 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
 
     Args:
         image: Its evidence.
-        pyramid: The map's.
-        pose: It.
         quiet: As for ``refine``.
     """
     pull = _linearized(image, pyramid, pose, quiet).pull
@@ -126,7 +123,6 @@ def moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
     """A pose after a step; its score is not known.
 
     Args:
-        pose: It.
         move: (4,) right and down in image pixels, radians clockwise, ln scale.
     """
     shift = axes(pose) @ move[:2]

@@ -33,7 +33,6 @@ def refine_many(
 
     Args:
         image: Evidence at coarse pixels.
-        pyramid: Of the map.
         poses: To start from.
         quiet: Energy a pixel added to the map's own in the score.
         steps: How often each is moved.

@@ -91,8 +91,6 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
 
     Args:
         image: Coarse evidence.
-        pyramid: The map's.
-        space: What is searched.
 
     Returns:
         (N, 5) float64: score, x, y (meters right and down of the map's corner), heading (°), pixel size (m); best

@@ -135,7 +135,6 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> fl
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
-        pyramid: The map's overview.
         place: With heading and pixel size.
 
     Returns:
@@ -156,7 +155,6 @@ def part_against(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Se
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
-        pyramid: The map's overview.
         place: With heading and pixel size.
 
     Returns:

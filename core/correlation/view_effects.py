@@ -65,7 +65,6 @@ def view_effect(
 
     Args:
         image: Its evidence at the pixels that covariances are taken at.
-        pyramid: The map's.
         pose: The best level one.
         factor: What standard deviations of the fit are multiplied with (``exactness.noise_factor``).
         errors: What is known of the map, and the cameras that may be (``ErrorSettings.views``), the one that does

@@ -108,9 +108,6 @@ class DatabaseBuilder:
 
         Args:
             frame: Where the map's pixels lie, and how many it has.
-            table: With the reference classes.
-            settings: What the user chooses.
-            plugin_version: What the database says.
             run: Has tasks done.
             overview: Takes the pieces of the overview, in any order.
 
@@ -219,9 +216,6 @@ def build_from_labels(
     Args:
         source: The label map.
         frame: Where its pixels lie; of any shape.
-        table: As of ``DatabaseBuilder``, as are the others.
-        settings: What the caller chooses.
-        plugin_version: What the database says.
 
     Raises:
         LabelMapError: The map has no landmark.

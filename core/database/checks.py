@@ -17,10 +17,7 @@ def require_sound(windows: Windows, landmarks: MapLandmarks, parameters: BuildPa
     """Raises ValueError for a database that SemRef can't have built.
 
     Args:
-        windows: Of the database.
-        landmarks: Of the database.
         parameters: Checked already.
-        table: Its class table.
     """
     _require_sound_windows(windows, parameters)
     _require_sound_landmarks(landmarks, parameters, table)

@@ -15,7 +15,6 @@ class DescribedWindow:
     """One window, and the windows elsewhere with the nearest vectors.
 
     Attributes:
-        index: Of the window.
         objects: (K,) indices into the database's references of the landmarks of its vector, in the vector's order.
         look_alikes: (M,) indices of windows, nearest vector first.
         distances: (M,) distances of the look-alikes' vectors.

@@ -42,11 +42,10 @@ class Windows:
     distinctiveness: np.ndarray | None = None
 
     def __len__(self) -> int:
-        """How many windows there are."""
         return len(self.levels)
 
     def name(self, index: int) -> str:
-        """Name of one window."""
+        """``window_name`` of the window with that index."""
         return window_name(*self.first_pixels[index].tolist())
 
     @cached_property
@@ -93,7 +92,6 @@ class MapLandmarks:
     bounds_px: np.ndarray | None = None
 
     def __len__(self) -> int:
-        """How many landmarks there are."""
         return len(self.classes)
 
     @property
@@ -113,9 +111,7 @@ class ReferenceDatabase:
     """Windows, landmarks, class table and build parameters of one area.
 
     Attributes:
-        windows: All of them.
         references: The landmarks of the whole map.
-        class_table: With the reference classes.
         parameters: What it was built with.
         source: The file it was read from; None without one.
         overview: (h, w) uint8, the label map reduced, which map correlation searches; None where it was not read.

@@ -47,7 +47,6 @@ class BuildParameters:
         map_hash: What the label map is known by.
         class_table_hash: What the class table is known by.
         plugin_version: Of the plugin that built or updated it last.
-        format_version: Of the file.
         block_hashes: One a block of the label map (``map_hash``), row by row; none in databases of versions that did
             not keep them, and on board.
         map_accuracy: Standard deviation along each axis of where landmarks are on the map, map units; that of other

@@ -32,9 +32,7 @@ class DatabaseChanges:
         windows: All N as they are now.
         touched: (T,) int64 indices of the windows that differ from before.
         removed: (K,) int64 indices of the landmarks that are gone.
-        added: The new landmarks.
         overview: (first column, first row, (h, w) uint8) pieces of the new overview.
-        parameters: As they are now.
     """
 
     windows: Windows
@@ -225,7 +223,6 @@ def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: Refe
     Args:
         shape_hw: (height, width) of the label map.
         frame: Where its pixels lie.
-        database: To be updated.
 
     Raises:
         DatabaseError: The database lacks what an update needs.

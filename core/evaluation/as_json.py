@@ -73,9 +73,7 @@ def evaluation_json(
     """An evaluation as text.
 
     Args:
-        trials: All of them.
         methods: The most important first, whose grid of noise it is.
-        settings: As they were given.
         tried_windows: Windows that images were taken around, of all.
     """
     content = {

@@ -114,7 +114,6 @@ class WindowQuery(Query):
     """An image that lies around a window of the database.
 
     Attributes:
-        window: the window's name
         landmarks: so many the database has in it
         scale: ground shown, in edges of the window
         offset: of the image's center from the window's, as a share of the stride, the larger of both axes
@@ -144,9 +143,7 @@ class Evaluation:
         """Chooses the windows that images are taken around.
 
         Args:
-            database: what is tried
             source: a label map in the database's CRS and classes, its pixels of any size
-            frame: where it lies
             ranges: what queries draw their values from
             seed: with the same one, everything is the same
             minimum_references: landmarks that a window has to have for trials to lie around it

@@ -25,7 +25,6 @@ class EvaluationJob:
     Attributes:
         database: Path of the reference database.
         labels: Path of the label map that images are cut from.
-        frame: Where that lies.
         ranges: What images draw their values from.
         seed: With the same one, everything is the same.
         minimum_references: Landmarks that a window has to have for trials to lie around it.
@@ -61,7 +60,6 @@ def planned(
     """What is tried with which methods.
 
     Args:
-        evaluation: Whose images are tried.
         methods: The first is that of the grid of noise.
         count: Images of the map and mirrored ones.
         mirrored_share: Of them, 0…1; one at least is of the map.

@@ -29,7 +29,6 @@ class MethodSummary:
     """One method over all trials. None where nothing is known.
 
     Attributes:
-        method: as tried
         right: fixes at the right place, of the images of the map
         wrong: fixes at a wrong place, of the same
         false_accepts: fixes of mirrored images

@@ -58,9 +58,7 @@ class Trial:
     """What came of a query with one method. Errors are None where the method tells nothing to compare.
 
     Attributes:
-        query: the image
         method: that was asked for
-        result: what was said
         is_right: a fix at the right place
         error: distance of the position from the true one, map units
         heading_error_deg: the short way round
@@ -85,7 +83,7 @@ class Trial:
 
     @property
     def status(self) -> Status:
-        """Of the result."""
+        """Status of the localization."""
         return self.result.status
 
     @property
@@ -117,13 +115,9 @@ def judge(  # noqa: PLR0913 - the last three are notes that a trial carries alon
     Args:
         query: the image, whose view is the truth
         method: that was asked for
-        result: of localizing it
         right_within: map units that a right position may be off; None for RIGHT_SHARE of the footprint
         landmarks: as ``Trial`` says
         seconds: as ``Trial`` says
-
-    Returns:
-        The trial.
     """
     if result.position is None:
         return Trial(query, method, result, landmarks=landmarks, seconds=seconds)

@@ -29,7 +29,6 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
     Times are all of the CSV when it has any, else of the photos: clocks differ.
 
     Args:
-        paths: The images.
         table_path: The CSV; empty for none.
 
     Raises:
@@ -50,7 +49,6 @@ def known_camera(row: Camera, photo: Camera, is_timed: bool) -> Camera:
     """A camera by its row of a table where that says something, else by its photo.
 
     Args:
-        row: Of the table.
         photo: What EXIF and XMP tell.
         is_timed: The time is that of the table.
     """
@@ -121,7 +119,6 @@ def row_camera(row: Row, source: str) -> Camera:
     """The camera of a row.
 
     Args:
-        row: Of a camera table.
         source: Name of the file.
 
     Raises:

@@ -64,10 +64,8 @@ def seen_image(
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
-        pyramid: Of the map.
         prior: With a range of pixel sizes.
         own: What was found for it alone.
-        settings: Of flights.
     """
     edge_px = float(np.sqrt(labels_hw.size))
     evidence = None
@@ -116,7 +114,6 @@ def scored(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose]) ->
 
     Args:
         seen: An image with evidence.
-        pyramid: Of the map.
         poses: To start from.
     """
     if seen.evidence is None:
@@ -128,8 +125,6 @@ def best_of(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -> l
     """The best places of an image by itself, refined at the pixels of the first look, best first.
 
     Args:
-        seen: The image.
-        pyramid: Of the map.
         count: At most.
         apart: Least distance between two, share of the image's edge.
     """

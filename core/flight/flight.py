@@ -52,7 +52,6 @@ def localize_flight(
         images: In order; each is asked for once or twice.
         links: Between consecutive images, in any order; where one is missing the motion before is assumed to go on.
         localizer: Of a database with its overview.
-        settings: Of flights.
 
     Raises:
         ParameterError: A link is of images that the flight doesn't have.
@@ -88,7 +87,6 @@ class FlightSolver:
 
         Args:
             localizer: Of a database with its overview.
-            settings: Of flights.
         """
         self.localizer, self.settings = localizer, settings
         self.result = FlightResult(())

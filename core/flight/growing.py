@@ -15,7 +15,6 @@ class GrowingTable:
     """Reads what came to a table since the last look; it holds no row.
 
     Attributes:
-        path: Of the file.
         restarts: How often it was shorter than before: then it was written anew and is read from its first line.
     """
 
@@ -23,7 +22,6 @@ class GrowingTable:
         """Reads nothing yet.
 
         Args:
-            path: Of the file.
             check: What its header must have.
         """
         self.path, self._check, self.restarts = path, check, 0

@@ -81,11 +81,8 @@ def by_areas(
     Where several places are about as likely their mean is told, with a covariance that reaches all of them.
 
     Args:
-        image: Of the flight.
-        localizer: Of the database.
         state: (4,) expected.
         covariance: (4, 4) of that.
-        settings: Of flights.
     """
     pyramid = localizer.pyramid
     if not pyramid.space.channels:
@@ -155,8 +152,6 @@ def by_landmarks(
     """The constellation's fix near an expected place; None where there is none.
 
     Args:
-        image: Of the flight.
-        localizer: Of the database.
         state: (4,) expected.
         covariance: (4, 4) of that.
     """
@@ -192,11 +187,8 @@ def measured_near(
     """What an image says itself at an expected place: its own fix, landmarks, or class areas; None where nothing.
 
     Args:
-        image: Of the flight.
-        localizer: Of the database.
         state: (4,) expected.
         covariance: (4, 4) of that.
-        settings: Of flights.
     """
     own = of_own(image.own, localizer.pyramid)
     if own is not None and distance(own, state, covariance) <= GATE:
@@ -220,7 +212,6 @@ def shared_after(shared_m2: float, measured: Measurement, settings: FlightSettin
     Args:
         shared_m2: Until now; of no measurement 0.
         measured: The next one.
-        settings: Of flights.
     """
     here = shared_variance([measured], settings)
     if shared_m2 <= 0:

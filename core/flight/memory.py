@@ -19,7 +19,6 @@ class Past:
     """An earlier image of the window.
 
     Attributes:
-        seen: The image.
         link: To the next one.
         weight: Of its evidence.
     """
@@ -62,7 +61,6 @@ def checked_array(
 
     Args:
         arrays: By name.
-        name: Of it.
         *shape: That it has; None for any length of an axis.
         above: What all its numbers lie above.
 

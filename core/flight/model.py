@@ -69,7 +69,6 @@ class FlightPose:
     """What the whole flight says of one image.
 
     Attributes:
-        name: Of the image.
         number: Of the image in the flight, from 0.
         status: ``FIX`` where the flight places it.
         reason: Why it doesn't; None of a fix.
@@ -80,7 +79,6 @@ class FlightPose:
         track: Number of its track, from 1; 0 without one.
         is_outvoted: The image's own fix disagrees with the flight; the place is the flight's.
         own: What was found for the image alone.
-        time_s: As of the image.
         size_wh: (width, height) of the image, pixels.
     """
 
@@ -144,7 +142,6 @@ class Gap:
     Attributes:
         first: Number of the first one.
         last: Number of the last one.
-        reason: Why.
     """
 
     first: int

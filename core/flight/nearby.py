@@ -64,10 +64,8 @@ def places_near(
 
     Args:
         image: Its evidence.
-        pyramid: Of the map.
         state: (4,) expected.
         covariance: (4, 4) of that.
-        settings: Of flights.
 
     Returns:
         Those among which one is likely to be the right one, their probabilities adding up to 1; none where nothing
@@ -99,7 +97,6 @@ def log_odds(poses: Sequence[ScoredPose], state: np.ndarray, known: np.ndarray, 
         poses: With their scores.
         state: (4,) expected.
         known: (4, 4) covariance of how far places are off that.
-        settings: Of flights.
     """
     off = as_states(poses) - state
     off[:, 2] = turned(off[:, 2])

@@ -88,7 +88,6 @@ def step_of(row: Row, is_first: bool) -> OdometryRow:
     """A row's step.
 
     Args:
-        row: Of the table.
         is_first: Nothing comes before it.
 
     Raises:

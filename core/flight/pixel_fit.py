@@ -70,7 +70,7 @@ class Fitted:
 
     @property
     def mapping(self) -> Mapping:
-        """The mapping itself."""
+        """The model with the fitted parameters."""
         return partial(self.model, self.parameters)
 
     def pose(self) -> tuple[np.ndarray, np.ndarray]:

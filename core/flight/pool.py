@@ -45,11 +45,10 @@ class Pool:
 
     @classmethod
     def empty(cls, window: int) -> Pool:
-        """Of no hypothesis."""
+        """A pool without hypotheses, over ``window`` images."""
         return cls(np.zeros((0, 4)), np.zeros((0, 3)), np.zeros((0, window)))
 
     def __len__(self) -> int:
-        """How many."""
         return len(self.states)
 
     @property
@@ -58,11 +57,11 @@ class Pool:
         return self.evidence.sum(axis=1)
 
     def chosen(self, which: np.ndarray) -> Pool:
-        """Some of them."""
+        """The hypotheses that ``which`` selects: (n,) bool or indices."""
         return Pool(self.states[which], self.variances[which], self.evidence[which])
 
     def joined(self, other: Pool) -> Pool:
-        """Both."""
+        """The hypotheses of both pools, those of ``other`` last."""
         return Pool(*(np.concatenate(pair) for pair in zip(vars(self).values(), vars(other).values())))
 
 
@@ -97,10 +96,7 @@ def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, set
 
     Args:
         pool: As predicted.
-        seen: The image.
-        pyramid: Of the map.
         weight: Of its evidence, 0 to 1: the less new ground it shows, the less it says that is new.
-        settings: Of flights.
     """
     if not len(pool):
         return pool
@@ -155,9 +151,7 @@ def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings:
     Args:
         track: The track, then the hypothesis of the pool at it, if there is one.
         rival: The place until now, as predicted; empty without one.
-        seen: The image.
         weight: Of its fix after another one at the same place; 0 without a fix.
-        settings: Of flights.
     """
     support, evidence = float(track.evidence[-1, -1]), rival.evidence.copy()
     if seen.own_state is not None and weight > 0 and own_lead(seen, settings) > 0:
@@ -191,8 +185,6 @@ def with_past(pool: Pool, past: Sequence[Past], pyramid: MapPyramid, settings: F
     Args:
         pool: About the latest image.
         past: Earlier images, the one before first.
-        pyramid: Of the map.
-        settings: Of flights.
     """
     evidence, states, variances = pool.evidence.copy(), pool.states, pool.variances
     for back, earlier in enumerate(past[: settings.window - 1], 2):

@@ -106,9 +106,7 @@ def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSe
 
     Args:
         before: Of the link's first image.
-        link: To the next one.
         shared_m2: Variance of the displacement along an axis, map units².
-        settings: Of flights.
     """
     x, y, heading, size, east, north, along, across = before.mean
     unit = np.exp((0.0 if link.in_meters else size) - 1j * heading)

@@ -33,7 +33,6 @@ def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
     """The bytes of a regular file that has at most ``most``.
 
     Args:
-        path: Of the file.
         most: Bytes that it may have.
         count: How many of its first ones; all if None.
 
@@ -75,7 +74,6 @@ class Row:
         """A finite number.
 
         Args:
-            name: Of the column.
             default: Where the cell is empty or missing; None: that is an error.
 
         Raises:
@@ -114,7 +112,6 @@ class Columns:
     """The header of a table.
 
     Attributes:
-        path: Of the file.
         names: Of its columns, in small letters.
         separator: Between cells.
         first: The line itself.
@@ -175,7 +172,6 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
     """Rows of a CSV that is separated by commas, semicolons or tabs; empty lines are left out.
 
     Args:
-        path: Of the file.
         check: What its header must have.
 
     Raises:

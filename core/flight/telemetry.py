@@ -127,7 +127,6 @@ def log_cameras(log: Telemetry, names: Sequence[str], times_s: Sequence[float | 
     """What a log tells of each image's camera: heading, height above take-off, of a gimbal its attitude.
 
     Args:
-        log: The log.
         names: Of the images, without folder and extension.
         times_s: Of the images on their own clock; None where unknown.
     """
@@ -155,7 +154,6 @@ def log_links(log: Telemetry, names: Sequence[str], times_s: Sequence[float | No
     """Links in meters between images that follow each other, from velocities and headings.
 
     Args:
-        log: The log.
         names: Of the images, without folder and extension.
         times_s: Of the images on their own clock, ascending; None where unknown.
     """

@@ -38,12 +38,7 @@ def told_pose(  # noqa: PLR0913 - an image, and what its track says
     """An estimate as what is told of an image: a place, unless it could as well lie beside the image.
 
     Args:
-        image: Of the flight.
-        number: Of it.
-        localizer: Of the database.
-        estimate: Of its pose.
         risk: That its track is wrong.
-        track: Number of that.
     """
     place = place_of(estimate.state, localizer.pyramid.frame.origin)
     size = place.oriented[1]
@@ -85,14 +80,7 @@ def told_pose(  # noqa: PLR0913 - an image, and what its track says
 
 
 def unplaced(image: FlightImage, number: int, reason: Sentence, status: Status = Status.AMBIGUOUS) -> FlightPose:
-    """An image that the flight doesn't place.
-
-    Args:
-        image: Of the flight.
-        number: Of it.
-        reason: Why.
-        status: What became of it.
-    """
+    """An image that the flight doesn't place."""
     return FlightPose(image.name, number, status, reason, own=image.own, time_s=image.time_s, size_wh=image.size_wh)
 
 

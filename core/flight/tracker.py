@@ -76,7 +76,6 @@ class FlightTracker:
 
         Args:
             localizer: Of a database with its overview.
-            settings: Of flights.
         """
         self.localizer, self.settings = localizer, settings
         self.track, self.looked = 0, Looked()
@@ -136,7 +135,6 @@ class FlightTracker:
         Args:
             localizer: Of the same database.
             state: What ``state`` gave.
-            settings: Of flights.
 
         Raises:
             ParameterError: The state is none, or another version's.

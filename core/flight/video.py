@@ -36,7 +36,6 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     """Writes a video's frames as JPEGs and, at the end, their camera table; gives each one's path and the share done.
 
     Args:
-        video: Path of the file.
         folder: Where they go; made if need be. What lies there is never overwritten.
         every_s: Seconds from one to the next.
         log: Of the same flight, in the video's time.

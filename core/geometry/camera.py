@@ -46,7 +46,6 @@ class Height:
     """How high above the ground that it sees a camera was.
 
     Attributes:
-        meters: As told.
         share: By what share of it that may be off, to either side.
         offset_m: How many meters more.
     """
@@ -114,8 +113,6 @@ class Camera:
     """What is known of an image's camera.
 
     Attributes:
-        attitude: How it was held.
-        lens: How wide it sees.
         source: Name of the file that tells the attitude.
         time_s: Seconds on the clock that all cameras of one call of ``read_cameras`` share.
         problem: What can't be used.

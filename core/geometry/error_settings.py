@@ -84,11 +84,7 @@ class ClassBias:
     sun_deg: float | None = None
 
     def in_image(self, turn: complex) -> complex:
-        """The bias in the image's frame, map units: right and up.
-
-        Args:
-            turn: Of the image's pose.
-        """
+        """The bias in the image's frame, map units: right and up."""
         return complex(self.east, self.north) * turn.conjugate() / abs(turn) + complex(self.right, -self.down)
 
     @property
@@ -102,7 +98,6 @@ class KnownBiases:
     """What is known of how a network, or whatever else made labels, shifts a database's classes.
 
     Attributes:
-        class_biases: Those that are stated.
         class_spread: Of the other classes, meters, as ``SharedErrors`` says.
     """
 
@@ -121,8 +116,6 @@ class SharedErrors:
     Attributes:
         map_accuracy: Standard deviation along each axis of the map's landmarks, map units.
         map_pixel_size: Of the label map, map units; 0 for a map that has none.
-        class_biases: Those that are known.
-        settings: All else.
         class_spread: Standard deviation along each axis of the shift of classes of which nothing is known, meters: what
             a network that states none is to be trusted with. 0 for labels that nothing shifts.
         sun_deg: Where the sun stood when the image was taken, clockwise from grid north; None where nobody knows.

@@ -14,8 +14,6 @@ def image_corners(
         center: Map (x, y) of the image's center.
         heading_deg: Of the image's top, clockwise from grid north.
         pixel_size: Map units.
-        width_px: Of the image.
-        height_px: Of the image.
     """
     heading = np.radians(heading_deg)
     right = np.array([np.cos(heading), -np.sin(heading)])

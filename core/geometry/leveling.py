@@ -215,7 +215,6 @@ class BentImage:
     """An image of a lens that bends, and where a camera without it would have its pixels.
 
     Attributes:
-        lens: Its calibration.
         shape_hw: (height, width) of the image.
         focal_length_px: Of the camera without it.
     """
@@ -257,7 +256,6 @@ def leveling(
     """How to level an image.
 
     Args:
-        attitude: Of the camera.
         focal_length_px: Of the camera, pixels of the image.
         shape_hw: (height, width) of the image, pixels.
         lens: Its calibration; None for one that does not bend.

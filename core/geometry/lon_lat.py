@@ -127,7 +127,6 @@ def local_axes(lon_lat: LonLatPolynomial, position: tuple[float, float]) -> np.n
     """(2, 2): east and north, in meters, of a step of one map unit along the map's x, and of one along its y.
 
     Args:
-        lon_lat: Of the map.
         position: Map (x, y).
     """
     x, y = position

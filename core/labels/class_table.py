@@ -162,7 +162,6 @@ class ClassTable:
         return iter(self.classes)
 
     def __len__(self) -> int:
-        """How many classes there are."""
         return len(self.classes)
 
     @property

@@ -92,7 +92,7 @@ class LabelComparison:
 
     @property
     def pixels(self) -> int:
-        """How many are compared."""
+        """Pixels that the annotation labels."""
         return int(self.counts.sum())
 
     @property

@@ -223,7 +223,6 @@ def open_at_once(path: str, flags: int) -> int:
     """Opens a file without waiting: a pipe that nobody writes into would be waited for without end.
 
     Args:
-        path: Of the file.
         flags: As ``open`` passes them to its opener.
     """
     return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
@@ -280,7 +279,6 @@ def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, k
     Args:
         shape_hw: (height, width) that the file states.
         file_bytes: Size of the file; None for formats that compress without limit.
-        path: Of the file.
         kind: The error to raise.
     """
     height, width = shape_hw

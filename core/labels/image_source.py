@@ -67,7 +67,6 @@ class ImagePart:
         """Nothing is read yet.
 
         Args:
-            image: The whole.
             column: Of the whole, the piece's first.
             row: Of the whole, the piece's first.
             shape_hw: (height, width) of the piece, which lies wholly on the image.
@@ -98,7 +97,6 @@ class MaskedImage:
         """Nothing is read yet.
 
         Args:
-            image: The whole.
             mask: What of it is wanted.
         """
         self._image, self._mask = image, mask

@@ -33,7 +33,6 @@ class Rule:
     """What a tag means.
 
     Attributes:
-        key: Of the tag.
         value: Of the tag, or ANY.
         class_name: The land-cover class; empty for polygons that are to be left out.
         priority: Of several rules that fit the highest counts; polygons of higher priority are drawn on top.

@@ -24,7 +24,6 @@ class HeldOverview(AbstractContextManager):
     """An overview in memory: takes pieces in any order within a ``with`` or without; ``labels`` (h, w) is the whole."""
 
     def __init__(self, shape_hw: tuple[int, int]) -> None:
-        """Of (height, width) pixels."""
         self.labels = np.zeros(shape_hw, np.uint8)
 
     def __exit__(self, *_: object) -> None:

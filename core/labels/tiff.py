@@ -42,7 +42,6 @@ class BoundedFile:
     """
 
     def __init__(self, file: BinaryIO, left: float = limits.TAG_BYTES) -> None:
-        """Read nothing yet."""
         self._file, self.left = file, left
 
     def read(self, size: int = -1) -> bytes:
@@ -104,7 +103,6 @@ def pixel_size_m(tags: Tags, shape_hw: tuple[int, int]) -> tuple[float, float] |
     CRS is, or where that measures in another unit than meters, feet and degrees.
 
     Args:
-        tags: Those of the file.
         shape_hw: (height, width) of the image.
     """
     transform, keys = _geotransform(tags), _geo_keys(tags)

@@ -46,7 +46,6 @@ class PieceShift:
     """Of one class in one piece of ground.
 
     Attributes:
-        value: Of the class.
         pairs: Landmarks that both label images show.
         shift: Median of how far right and, as imaginary part, down the prediction shows them, pixels.
         variance: Of that median, along each axis, pixels².
@@ -63,7 +62,6 @@ class ClassShift:
     """Of one class over all pieces, pixels.
 
     Attributes:
-        value: Of the class.
         pairs: Landmarks that both show, over all pieces.
         pieces: That said something.
         shift: Right and, as imaginary part, down.

@@ -63,9 +63,6 @@ def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimu
         labels_hw: (H, W) uint8.
         class_values: Classes of landmarks.
         minimum_area_px: Smallest contour area, pixels.
-
-    Returns:
-        The landmarks.
     """
     area_px = whole_half_pixels(minimum_area_px)
     rows = [region_rows(class_mask(labels_hw, value), value, area_px) for value in sorted(class_values)]

@@ -131,7 +131,6 @@ def measure_region(
     Args:
         source: The label map.
         value: The region's class.
-        region: Where it is.
         minimum_area_px: Smaller ones are no landmarks.
         patch_pixels: A region is read in one piece up to so many pixels, else its border is followed.
 

@@ -358,8 +358,6 @@ class Localizer:
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
-            method: How.
-            prior: What is known beforehand.
             with_matches: Look for the landmarks that agree with the map also at a fix that needed none: of map
                 correlation. The constellation tells them anyway.
             shares: Probable shares of classes, for map correlation.

@@ -13,7 +13,6 @@ def name_network(found: Localization, trained_on: Sequence[str] | None, classes:
     """Return the result with a reason that begins with what the network found and was trained on.
 
     Args:
-        found: Of an image.
         trained_on: Places; None for label images, empty where the network does not say.
         classes: Names of the database's landmark classes.
     """

@@ -18,7 +18,6 @@ def record(result: Localization, wording: Callable[[Sentence], str] = english) -
     """A localization by the columns of *Localize images*, as docs/file-formats.md tells them.
 
     Args:
-        result: What was found.
         wording: How its reason is said.
 
     Returns:

@@ -30,7 +30,6 @@ class Search:
         """What is known of an image beforehand: what the user said, else what its camera states.
 
         Args:
-            localizer: Of the database.
             camera: Of the image; its meters are map units.
             shape_hw: (height, width) of the image as it is.
         """
@@ -70,8 +69,6 @@ class AskedImage:
     """One of them.
 
     Attributes:
-        path: Of the image.
-        camera: How it was held.
         pixel_size_m: Ground meters along a row and a column of a pixel of a photo; None where it doesn't say.
     """
 

@@ -25,7 +25,6 @@ def area_mask(rings: Sequence[np.ndarray], parameters: BuildParameters) -> np.nd
 
     Args:
         rings: Outer and inner rings of its polygons, none overlapping, (n, 2) map coordinates, on the map or near it.
-        parameters: Of the database.
     """
     frame = parameters.overview_frame
     mask = np.zeros(frame.shape_hw, np.uint8)
@@ -39,7 +38,6 @@ def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
     """The landmarks in an area, the windows centered in it, the overview with nothing else on it.
 
     Args:
-        database: Of the whole map.
         mask: Of ``area_mask``.
 
     Raises:

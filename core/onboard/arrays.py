@@ -37,7 +37,6 @@ def npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], np.dtype, bool
     """(shape, type, whether it goes down columns first, first byte of the data) of a .npy file.
 
     Args:
-        name: As told.
         start: Its first ``limits.NPY_HEADER_BYTES``, or all of it.
 
     Raises:

@@ -36,11 +36,7 @@ class Cameras:
     first_s: float | None = None
 
     def of(self, path: str) -> Camera:
-        """The camera of an image.
-
-        Args:
-            path: Of the image.
-        """
+        """The camera of an image."""
         name, photo = stem_of(path), photo_camera(path)
         row = None if self.table is None else self.table.of(name)
         camera = photo if row is None else known_camera(row, photo, row.time_s is not None)

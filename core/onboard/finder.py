@@ -35,7 +35,6 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
     Args:
         model_path: Of the network; None for label images.
         threads: That it may use.
-        table: Classes of the database.
         device: That it is run on.
 
     Raises:
@@ -63,8 +62,7 @@ class FinderSettings:
     """How images are localized.
 
     Attributes:
-        onboard: The database.
-        pipeline: In it; by its method each image is looked at by itself.
+        pipeline: Of the onboard database; by its method each image is looked at by itself.
         cameras: Path → camera.
     """
 

@@ -66,9 +66,7 @@ class FlightFinding(FinderSettings):
 
     Attributes:
         state: File that keeps the flight; None for none.
-        settings: Of flights.
         odometry: Table of the motion from image to image; None without one.
-        memory: See there.
     """
 
     state: StateFile | None = None

@@ -27,11 +27,6 @@ class GrowingLog:
     """Reads what came to a ``.tlog`` since the last look; how much it holds does not grow with the log."""
 
     def __init__(self, path: str) -> None:
-        """Reads nothing yet.
-
-        Args:
-            path: Of the file.
-        """
         self.path = path
         self._reader, self._place, self._fails = TlogReader(), 0, False
         self._keeps_up = True
@@ -88,9 +83,5 @@ class GrowingLog:
 
 
 def is_growing_log(path: str) -> bool:
-    """Whether a file is a log that can be read while it grows; raises ParameterError where it can't be read.
-
-    Args:
-        path: Of the file.
-    """
+    """Whether a file is a log that can be read while it grows; raises ParameterError where it can't be read."""
     return is_tlog(bytes_of(path, MOST_LOG_BYTES, _HEAD_BYTES))

@@ -84,10 +84,6 @@ class MavlinkSink(Sink):
     def __init__(self, options: MavlinkOptions, lon_lat: LonLatPolynomial) -> None:
         """Opens the line.
 
-        Args:
-            options: Where to, and how.
-            lon_lat: Of the database.
-
         Raises:
             ParameterError: The place is none, can't be opened, or a package is missing.
         """

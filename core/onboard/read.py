@@ -49,7 +49,6 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
     Its database has what localization needs; vectors, positions and areas are as exact as the result says.
 
     Args:
-        path: Of the file.
         with_overview: Whether map correlation needs the overview.
         key_file: The key that the file must be signed with; without one signatures are not looked at.
 

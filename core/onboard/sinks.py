@@ -52,7 +52,7 @@ class Sink:
             self._fails = False
 
     def close(self) -> None:
-        """Ends it."""
+        """Close the connection, if the sink has one."""
 
     def _take(self, line: str) -> None:
         """Sends nothing."""

@@ -47,7 +47,6 @@ class StateFile:
     """The place of a state, and the key that authenticates it.
 
     Attributes:
-        path: Of the file.
         key: Of ``read_key``, or the user's secret.
     """
 
@@ -59,7 +58,6 @@ class StateFile:
         """Return the state file at a path, which need not exist.
 
         Args:
-            path: Of the file.
             key_file: Key of the onboard file; None for the user's secret.
 
         Raises:

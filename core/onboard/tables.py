@@ -30,7 +30,6 @@ class TableOfImages(Generic[Told]):
         """Reads nothing yet.
 
         Args:
-            path: Of the table.
             check: What its header must have.
             read: What a row tells; whether nothing that is known comes before it.
             is_ended: Nobody writes any more.
@@ -124,7 +123,6 @@ class OdometryTable:
         """Reads nothing yet.
 
         Args:
-            path: Of the table.
             is_ended: Nobody writes any more.
         """
         self._table: TableOfImages[OdometryRow] = TableOfImages(path, check_odometry, step_of, is_ended)

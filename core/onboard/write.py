@@ -43,8 +43,6 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
     """Writes a database, with its overview where it has one. Same database and date, same bytes.
 
     Args:
-        path: Of the file.
-        database: To be written.
         lon_lat: Longitude and latitude of its map coordinates; None where the file shall not tell them.
         precision: Largest rounding error of a landmark's x and y, map units; PRECISION_PX pixels without it.
         key_file: The key to sign the file with.

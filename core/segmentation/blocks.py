@@ -23,7 +23,6 @@ def segment_blocks(
     """Yields the share done (0…1) and each row of tiles, from top to bottom.
 
     Args:
-        tiles: Of the image.
         tile_hw: (height, width) of a tile.
         segment: Takes (column and row of a block's first tile, ``TILES_A_BLOCK``) of each block, and gives what was
             found in their order.

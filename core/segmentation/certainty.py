@@ -31,7 +31,7 @@ class Certainty:
 
     @property
     def is_wanted(self) -> bool:
-        """Whether anything is."""
+        """Whether a raster of either kind is written."""
         return self.of_label or self.of_each
 
 

@@ -28,7 +28,6 @@ class Ground:
     """Where a model was trained or tested.
 
     Attributes:
-        place: Its name.
         about: What it is and looks like.
         is_left_out: Tested by a network of the same making that was trained without it.
         iou: Intersection over union by name of class; empty where it was trained on.
@@ -45,14 +44,10 @@ class ModelCard:
     """What there is to know of a model's file; texts are empty, and numbers None, where it does not say.
 
     Attributes:
-        file: Its path.
         fault: Why it can't be used.
-        name: Its title.
         classes: Of its outputs.
         resolution_m: Meters a pixel that it was trained on.
         date: When it was trained.
-        trained_on: Ground.
-        tested_on: Ground.
         validation_iou: On parts of the ground it was trained on that were set aside.
         confusion: Share of each class (row) that is taken for each.
         good_for: In a sentence.

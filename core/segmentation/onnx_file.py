@@ -102,7 +102,6 @@ def with_metadata(data: bytes, key: str, text: str) -> bytes:
     Args:
         data: The file's bytes, of which ``read_header`` says something.
         key: Of the entry; one that is there is replaced.
-        text: Its value.
     """
     kept = []
     for number, value, part in _parts(memoryview(data)):

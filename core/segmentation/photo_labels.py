@@ -46,8 +46,6 @@ class PhotoLabels:
         """Nothing is read yet.
 
         Args:
-            model: The network.
-            photo: The photo.
             values: (C,) class value of each of the model's channels.
             pixel_size_m: Ground meters along a row and along a column of a pixel; None where the photo doesn't say.
             camera: What is known of it; its height and lens count where the photo doesn't say.
@@ -115,8 +113,6 @@ class PhotoReader:
         """Matches the network's classes with the database's.
 
         Args:
-            model: The network.
-            table: Classes of the database.
             open_photo: Opens a file.
             follow: Goes through the steps of a photo; None for who needn't see them.
 
@@ -135,7 +131,6 @@ class PhotoReader:
         """The same of a photo that is open.
 
         Args:
-            path: Of its file.
             photo: Its pixels, and how large they are.
             camera: What is known of it.
             with_pixels: Whether its pixels are needed besides.

@@ -25,7 +25,6 @@ def at_resolution(
     """Brings a photo to a network's resolution: means where it shrinks, bilinear where it grows.
 
     Args:
-        image: The photo.
         pixel_size_m: Ground meters along a row and along a column of one of its pixels; None where unknown.
         resolution_m: Ground meters a pixel that the network wants; None where it does not say.
 

@@ -72,7 +72,6 @@ def open_session(path: str, threads: int, provider: str) -> InferenceSession:
     """Opens a network on one provider, or on the CPU; a provider that does not start is no silent other one.
 
     Args:
-        path: Of the network.
         threads: Of the CPU.
         provider: onnxruntime's name of what shall run it.
 

@@ -55,7 +55,6 @@ def correlated_field(
     """``correlated_shifts`` of all pixels of an image, computed every ``step_px`` and interpolated.
 
     Args:
-        shape_hw: of the image
         kernels: as of ``correlated_shifts``, lengths in pixels
         step_px: between places that are computed
         rng: a seeded one repeats the field

@@ -33,7 +33,6 @@ def spoil_landmarks(
     """Landmarks of an image missed, spurious, mislabeled, their centers and areas perturbed.
 
     Args:
-        landmarks: of the image
         noise: in pixels of the image; what only labels can show is left out
         rng: a seeded one repeats the result
         population: spurious ones lie anywhere in the image and have class and area (px²) of one of these

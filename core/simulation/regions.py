@@ -16,7 +16,6 @@ class ClassRegion:
     """A connected region of one class.
 
     Attributes:
-        value: Its class.
         area_px: Pixels.
         box: Its bounding box as slices (rows, columns).
         mask: (h, w) bool, its pixels in the box.

@@ -100,8 +100,6 @@ def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.nda
 
     Args:
         source: a label map that is read in pieces, or a raster in memory, (H, W) or (H, W, bands)
-        frame: where the raster lies
-        view: where the camera is
 
     Returns:
         (height_px, width_px[, bands]) of the raster's type; 0 beyond the raster.
@@ -166,9 +164,6 @@ def random_view(
         extent: (x_min, y_min, x_max, y_max), map units, that the center lies in
         size_px: (width, height)
         pixel_sizes: smallest and largest; drawn uniformly in the logarithm
-
-    Returns:
-        The view.
     """
     # From north to south, as rows of a map go.
     x, y = rng.uniform(extent[0], extent[2]), -rng.uniform(-extent[3], -extent[1])

@@ -66,7 +66,6 @@ def describe_windows(  # noqa: PLR0913 - labels, what is sought in them, and wha
 
     Args:
         labels_hw: (H, W) uint8, all that the grid covers.
-        grid: Where the windows lie.
         objects: Every landmark that reaches into the labels with at least the same minimum area, as far as it goes.
         reference_values: Class values of landmarks.
         minimum_area_px: Smaller regions are no landmarks.

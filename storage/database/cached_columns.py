@@ -24,7 +24,6 @@ def cached_columns(connection: Snapshot, vector_length: int, read: Callable[[], 
     """Return windows and landmarks; many rows are loaded from the cache, or read and stored there.
 
     Args:
-        connection: To the database.
         vector_length: Of a topology vector.
         read: Reads and checks the rows; whatever that raises goes on.
     """

@@ -24,7 +24,6 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
     Tables, views and triggers of others stay behind; GDAL's triggers, which keep the spatial index, are made anew.
 
     Args:
-        path: The database.
         target: A new file.
         state_when_read: ``connection.state`` of the database when it was read.
 

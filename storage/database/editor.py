@@ -33,7 +33,6 @@ class DatabaseEditor:
         Args:
             path: The new file.
             stored: The database as it is.
-            changes: What becomes of it.
         """
         self._path = path
         self._stored = stored

@@ -42,7 +42,6 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
     """Read a reference database.
 
     Args:
-        path: Of the file.
         with_overview: Whether to read its overview, too.
         with_bounds: Whether to read the bounds of its landmarks, too; old databases have none.
 
@@ -61,7 +60,6 @@ def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
     """(h, w) uint8 class values.
 
     Args:
-        path: The database.
         of: What was read from it before, if anything: what was updated since is refused.
 
     Raises:
@@ -78,8 +76,6 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
     """What a database holds, without the overview; raises what ``snapshot`` makes a DatabaseError of.
 
     Args:
-        connection: To it.
-        path: Its file.
         is_checked: Whether its tables have to be what its checksums say.
         is_cached: Whether the columns of a large one may come from the cache; otherwise the rows are read.
     """

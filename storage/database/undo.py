@@ -34,7 +34,6 @@ def replace_keeping(path: str, updated: str, of: str | None = None) -> str | Non
     file has a table with the checksums of the updated database: only that one can be undone.
 
     Args:
-        path: Of the database.
         updated: A file that the update wrote elsewhere, best in a folder beside the database; it is moved.
         of: ``stated_checksums`` of the database when the update was planned; None not to compare them.
 

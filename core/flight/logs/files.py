@@ -30,7 +30,6 @@ def read_log(path: str, canceled: Callable[[], bool] = never) -> Telemetry:
     """What a flight log tells.
 
     Args:
-        path: Of the file.
         canceled: Asked several times a second; once it returns True, reading ends early.
 
     Raises:
