@@ -6456,10 +6456,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{name} ist kein Labelbild: es hat keine Pixel oder mehrere Kanäle.</translation>
   </message>
   <message>
-   <source>{name} is no tensor of EfficientNet-Lite0.</source>
-   <translation>{name} ist kein Tensor von EfficientNet-Lite0.</translation>
-  </message>
-  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} Pixel annotiert</translation>
   </message>
@@ -6692,10 +6688,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} hat {count} Landmarken und Grenzen von {bounds}; neu erstellen.</translation>
   </message>
   <message>
-   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
-   <translation>{path} hat {extra} Tensoren, die der Encoder nicht hat, etwa {name}.</translation>
-  </message>
-  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} hat {inputs} Eingänge und {outputs} Ausgänge; ein Segmentierungsnetz hat je einen.</translation>
   </message>
@@ -6718,10 +6710,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} enthält keine Ergebnisse von „Bilder lokalisieren“; die Bilder noch einmal lokalisieren.</translation>
-  </message>
-  <message>
-   <source>{path} holds no state dict: names and their tensors.</source>
-   <translation>{path} enthält kein state dict: Namen und ihre Tensoren.</translation>
   </message>
   <message>
    <source>{path} holds no tiles to train on.</source>
@@ -6896,8 +6884,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{path} ist kein Text in UTF-8; speichern Sie es als CSV in UTF-8.</translation>
   </message>
   <message>
-   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
-   <translation>{path} gehört zu einem anderen Encoder: {name} hat die Form {shape} statt {expected}.</translation>
+   <source>{path} is of another encoder: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
@@ -6918,10 +6906,6 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   <message>
    <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
    <translation>{path} hat seine Gewichte in einer anderen Datei und kann daher nicht mit seinem Versatz kopiert werden; als eine Datei exportieren.</translation>
-  </message>
-  <message>
-   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
-   <translation>{path} fehlen {lacking} der {count} Tensoren des Encoders, etwa {name}.</translation>
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
@@ -7112,8 +7096,8 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
    <translation>{source} misst nicht in Metern; das Ergebnis ist in {target}.</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
-   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); eine Klassentabelle in der Reihenfolge der Ausgaben des Netzes angeben oder ein Modell wählen, das sie nennt.</translation>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
+   <translation>{source} nennt seine Klassen nicht (Metadatenschlüssel class_names); ein Modell wählen, das sie nennt, oder mit einer Klassentabelle in der Reihenfolge der Ausgaben des Netzes segmentieren.</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>

@@ -6456,10 +6456,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{name} no es una imagen de etiquetas: no tiene píxeles o tiene varias bandas.</translation>
   </message>
   <message>
-   <source>{name} is no tensor of EfficientNet-Lite0.</source>
-   <translation>{name} no es un tensor de EfficientNet-Lite0.</translation>
-  </message>
-  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}: IoU {iou:.1%}, {pixels} píxeles anotados</translation>
   </message>
@@ -6692,10 +6688,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} tiene {count} hitos y límites de {bounds}; vuelva a crearla.</translation>
   </message>
   <message>
-   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
-   <translation>{path} tiene {extra} tensores que el codificador no tiene, como {name}.</translation>
-  </message>
-  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} tiene {inputs} entradas y {outputs} salidas; una red de segmentación tiene una de cada.</translation>
   </message>
@@ -6718,10 +6710,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} no contiene resultados de «Localizar imágenes»; localice las imágenes de nuevo.</translation>
-  </message>
-  <message>
-   <source>{path} holds no state dict: names and their tensors.</source>
-   <translation>{path} no contiene un state dict: nombres y sus tensores.</translation>
   </message>
   <message>
    <source>{path} holds no tiles to train on.</source>
@@ -6896,8 +6884,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{path} no es texto en UTF-8; guárdelo como CSV en UTF-8.</translation>
   </message>
   <message>
-   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
-   <translation>{path} es de otro codificador: {name} tiene la forma {shape} en lugar de {expected}.</translation>
+   <source>{path} is of another encoder: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
@@ -6918,10 +6906,6 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   <message>
    <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
    <translation>{path} guarda sus pesos en otro archivo, así que no puede copiarse con su sesgo; expórtelo como un solo archivo.</translation>
-  </message>
-  <message>
-   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
-   <translation>A {path} le faltan {lacking} de los {count} tensores del codificador, como {name}.</translation>
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
@@ -7112,8 +7096,8 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
    <translation>{source} no mide en metros; el resultado está en {target}.</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
-   <translation>{source} no nombra sus clases (clave de metadatos class_names); indique una tabla de clases en el orden de las salidas de la red o elija un modelo que las nombre.</translation>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
+   <translation>{source} no nombra sus clases (clave de metadatos class_names); elija un modelo que las nombre o segmente con una tabla de clases en el orden de las salidas de la red.</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>

@@ -6456,10 +6456,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{name} n’est pas une image d’étiquettes : elle n’a pas de pixels, ou a plusieurs bandes.</translation>
   </message>
   <message>
-   <source>{name} is no tensor of EfficientNet-Lite0.</source>
-   <translation>{name} n’est pas un tenseur d’EfficientNet-Lite0.</translation>
-  </message>
-  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name} : IoU {iou:.1%}, {pixels} pixels annotés</translation>
   </message>
@@ -6692,10 +6688,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} a {count} repères visuels et les limites de {bounds} ; recréez-la.</translation>
   </message>
   <message>
-   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
-   <translation>{path} a {extra} tenseurs que l’encodeur n’a pas, comme {name}.</translation>
-  </message>
-  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} a {inputs} entrées et {outputs} sorties ; un réseau de segmentation en a une de chaque.</translation>
   </message>
@@ -6718,10 +6710,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} ne contient pas de résultats de « Localiser des images » ; localisez de nouveau les images.</translation>
-  </message>
-  <message>
-   <source>{path} holds no state dict: names and their tensors.</source>
-   <translation>{path} ne contient pas de state dict : des noms et leurs tenseurs.</translation>
   </message>
   <message>
    <source>{path} holds no tiles to train on.</source>
@@ -6896,8 +6884,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{path} n’est pas du texte en UTF-8 ; enregistrez-le en CSV UTF-8.</translation>
   </message>
   <message>
-   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
-   <translation>{path} est d’un autre encodeur : {name} a la forme {shape} au lieu de {expected}.</translation>
+   <source>{path} is of another encoder: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
@@ -6918,10 +6906,6 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   <message>
    <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
    <translation>{path} garde ses poids dans un autre fichier et ne peut donc pas être copié avec son biais ; exportez-le en un seul fichier.</translation>
-  </message>
-  <message>
-   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
-   <translation>Il manque à {path} {lacking} des {count} tenseurs de l’encodeur, comme {name}.</translation>
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
@@ -7112,8 +7096,8 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
    <translation>{source} ne mesure pas en mètres ; le résultat est dans {target}.</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
-   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; donnez une table de classes dans l’ordre des sorties du réseau, ou choisissez un modèle qui les nomme.</translation>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
+   <translation>{source} ne nomme pas ses classes (clé de métadonnées class_names) ; choisissez un modèle qui les nomme, ou segmentez avec une table de classes dans l’ordre des sorties du réseau.</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>

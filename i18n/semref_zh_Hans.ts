@@ -6456,10 +6456,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{name} 不是标签图像：没有像素，或有多个波段。</translation>
   </message>
   <message>
-   <source>{name} is no tensor of EfficientNet-Lite0.</source>
-   <translation>{name} 不是 EfficientNet-Lite0 的张量。</translation>
-  </message>
-  <message>
    <source>{name}: IoU {iou:.1%}, {pixels} pixels annotated</source>
    <translation>{name}：IoU {iou:.1%}，标注像元 {pixels} 个</translation>
   </message>
@@ -6692,10 +6688,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 有 {count} 个地标，但有 {bounds} 个范围；请重新构建。</translation>
   </message>
   <message>
-   <source>{path} has {extra} tensors that the encoder has not, such as {name}.</source>
-   <translation>{path} 有 {extra} 个编码器没有的张量，例如 {name}。</translation>
-  </message>
-  <message>
    <source>{path} has {inputs} inputs and {outputs} outputs; a segmentation network has one of each.</source>
    <translation>{path} 有 {inputs} 个输入和 {outputs} 个输出；分割网络各有一个。</translation>
   </message>
@@ -6718,10 +6710,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} holds no results of “Localize images”; localize the images again.</source>
    <translation>{path} 不包含“定位影像”的结果；请重新定位影像。</translation>
-  </message>
-  <message>
-   <source>{path} holds no state dict: names and their tensors.</source>
-   <translation>{path} 不含 state dict：名称及其张量。</translation>
   </message>
   <message>
    <source>{path} holds no tiles to train on.</source>
@@ -6896,8 +6884,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{path} 不是 UTF-8 文本；请保存为 UTF-8 的 CSV。</translation>
   </message>
   <message>
-   <source>{path} is of another encoder: {name} has the shape {shape} instead of {expected}.</source>
-   <translation>{path} 属于另一种编码器：{name} 的形状为 {shape}，应为 {expected}。</translation>
+   <source>{path} is of another encoder: {reason}.</source>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>
@@ -6918,10 +6906,6 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   <message>
    <source>{path} keeps its weights in another file, so it can't be copied with its bias; export it as one file.</source>
    <translation>{path} 的权重保存在另一个文件中，因此无法连同其偏移一起复制；请导出为单个文件。</translation>
-  </message>
-  <message>
-   <source>{path} lacks {lacking} of the encoder's {count} tensors, such as {name}.</source>
-   <translation>{path} 缺少编码器 {count} 个张量中的 {lacking} 个，例如 {name}。</translation>
   </message>
   <message>
    <source>{path} names another file for its overviews ({name}), which SemRef does not open; remove {path}.aux.xml, or build the overviews again.</source>
@@ -7112,8 +7096,8 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
    <translation>{source} 不以米为单位；结果采用 {target}。</translation>
   </message>
   <message>
-   <source>{source} does not name its classes (metadata key class_names); give a class table in the order of the network’s outputs, or choose a model that names them.</source>
-   <translation>{source} 没有给出类别名称（元数据键 class_names）；请按网络输出的顺序提供类别表，或选择给出名称的模型。</translation>
+   <source>{source} does not name its classes (metadata key class_names); choose a model that does, or segment with a class table in the order of the network’s outputs.</source>
+   <translation>{source} 没有给出类别名称（元数据键 class_names）；请选择给出名称的模型，或使用按网络输出顺序排列的类别表进行分割。</translation>
   </message>
   <message>
    <source>{source} has a line of more than {most} characters, which no class table has; choose another file.</source>

@@ -144,8 +144,8 @@ def read_classes(texts: Mapping[str, str], channels: int, source: str, given: Cl
     if names is None:
         if given is None:
             raise ModelError(
-                "{source} does not name its classes (metadata key class_names); give a class table in the order of "
-                "the network’s outputs, or choose a model that names them.",
+                "{source} does not name its classes (metadata key class_names); choose a model that does, or segment "
+                "with a class table in the order of the network’s outputs.",
                 source=source,
             )
         names = [c.name for c in given if c.value != UNLABELED]

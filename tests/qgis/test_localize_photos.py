@@ -124,7 +124,7 @@ def test_a_model_without_class_names_is_refused_without_a_key_that_is_not_there(
     photo = write_raster(tmp_path / "photo.tif", photo_of(LABELS[:SIZE, :SIZE]))
     with pytest.raises(QgsProcessingException) as error:
         localize([photo], MODEL=str(nameless))
-    assert "does not name its classes (metadata key class_names); give a class table" in str(error.value)
+    assert "does not name its classes (metadata key class_names); choose a model that does" in str(error.value)
     assert "CLASS_TABLE" not in str(error.value)
 
 

@@ -207,5 +207,5 @@ def test_a_label_map_of_many_rows_is_written_whole(segment, tmp_path):
 
 def test_a_model_without_class_names_is_refused_with_the_key_that_gives_them(segment, tmp_path):
     model = write_model(tmp_path / "nameless.onnx", metadata=metadata(class_names=None))
-    with pytest.raises(QgsProcessingException, match="give a class table"):
+    with pytest.raises(QgsProcessingException, match="segment with a class table"):
         segment(write_raster(tmp_path / "a.tif", PHOTO), MODEL=str(model))
