@@ -106,17 +106,6 @@ def test_a_model_of_other_ground_that_knows_the_classes_is_the_base(add, project
     assert training_at_hand(project, other)["BASE_MODEL"] == other
 
 
-def test_without_a_model_that_knows_the_classes_there_is_no_base(add, project, models):
-    from semref.processing.inspection.models import SHIPPED
-    from semref.ui.at_hand import training_at_hand
-
-    add("cover", [("class", "text")])
-    add.photo("orthophoto")
-    models("water.onnx", class_names={"0": "other", "1": "water"})
-    # The model that ships knows buildings, but made-up ones.
-    assert "BASE_MODEL" not in training_at_hand(project, str(SHIPPED / "sample_area.onnx"))
-
-
 def test_where_it_could_be_several_nothing_is_taken(add, project):
     from semref.ui.at_hand import training_at_hand
 
@@ -179,13 +168,6 @@ def test_the_resolution_is_proposed_from_the_smallest_typical_building(ground, p
     # One shed in twenty does not count; 3.6 m in 14 pixels.
     ground([1.0, *[3.6] * 5, *[12.0] * 14])
     assert training_at_hand(project)["RESOLUTION"] == 25
-
-
-def test_fields_of_grass_propose_no_resolution(ground, project):
-    from semref.ui.at_hand import training_at_hand
-
-    ground([5.0, 6.0, 7.0, 8.0], ["grass", "water", "grass", "water"])
-    assert "RESOLUTION" not in training_at_hand(project) and "UNLABELED" not in training_at_hand(project)
 
 
 def test_the_box_of_photos_begins_with_no_label_map_and_is_empty_when_unsure(add, project, open_dialog):

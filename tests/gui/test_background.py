@@ -66,16 +66,6 @@ def test_of_many_that_are_asked_while_one_runs_the_last_is_answered(reader):
     assert read == [0, 4]
 
 
-def test_what_is_forgotten_is_not_answered(reader):
-    waits = threading.Event()
-    reader.read("Reading", waits.wait, 20)
-    reader.forget()
-    waits.set()
-    wait_until(lambda: reader._task is None, "the end")
-    settle()
-    assert reader.said == []
-
-
 def test_a_reading_whose_task_qgis_never_begins_is_started_anew(reader, first_task_lost):
     reader.read("Reading", len, "four")
     assert ended(reader) == [("answered", 4)]

@@ -90,16 +90,6 @@ def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page
     keep_picture(page, f"components_page_{width}")
 
 
-def test_a_failure_is_shown_on_the_page_and_in_the_message_bar(page, iface, plugin):
-    installer = plugin._entry._installer
-    installer.said.emit("Looking in links: /wheels\nERROR: No matching distribution found\n")
-    installer.failed.emit("The package index can’t be reached; check the network.")
-    assert page.log.isVisible() and "can’t be reached" in page.state.text()
-    assert "can’t be reached" in iface.bar.currentItem().text()
-    assert page.install.isEnabled()
-    keep_picture(page, "components_page_failed")
-
-
 def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
     from qgis.PyQt.QtWidgets import QTabWidget
 

@@ -229,18 +229,6 @@ def test_severities_are_shown_and_read_aloud(dock, issues):
     assert places.item(0, 0).data(Qt.ItemDataRole.AccessibleTextRole) == "Warning"
 
 
-def test_a_done_place_leaves_the_list_of_what_is_open(dock, issues):
-    tab = dock.content.correct
-    assert tab.open.isChecked()
-    tab.places.selectRow(0)
-    for left in (["gap between neighbors", "sliver"], ["sliver"], []):
-        tab.done.click()
-        assert listed(tab) == left
-    assert tab.text.text() == "All places are done." and not tab.done.isEnabled()
-    tab.open.setChecked(False)
-    assert listed(tab) == ["overlap", "gap between neighbors", "sliver"]
-
-
 def test_places_have_two_lines_of_whatever_font_and_are_selected_from_right_to_left(qgis_app):
     from qgis.PyQt.QtCore import Qt
     from qgis.PyQt.QtWidgets import QApplication

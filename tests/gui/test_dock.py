@@ -89,16 +89,6 @@ def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, a
     assert [entry.value for entry in layers[2].renderer().classes()] == [1, 2, 3]
 
 
-def test_a_file_that_is_no_database_does_not_go_to_the_map(dock, iface, area):
-    from qgis.core import QgsProject
-
-    dock.content.database.file.setFilePath(area.image)
-    dock.content.database.add_to_map.click()
-    assert QgsProject.instance().mapLayers() == {}
-    assert len(messages(iface)) == 1
-    assert "is not a SemRef reference database" in messages(iface)[0]
-
-
 def test_layers_that_come_while_the_box_is_folded_away_do_not_open_it(dock, area):
     from qgis.core import QgsProject
 
@@ -128,13 +118,6 @@ def test_a_dock_that_was_open_is_open_again_after_a_reload(plugin, dock, iface, 
         assert iface.docks[-1].content.localize.images.paths() == []
     finally:
         QgsSettings().remove("semref/dock/visible")
-
-
-def test_the_database_is_remembered(plugin, dock, iface, area):
-    dock.content.database.file.setFilePath(area.database)
-    plugin.unload()
-    plugin.initGui()
-    assert iface.docks[0].content.database.path() == area.database
 
 
 def test_a_database_of_the_project_can_be_chosen_or_dropped(dock, area):

@@ -42,14 +42,6 @@ def test_a_dialog_begins_with_the_docks_database_and_a_batch_does_not(wrapper_in
     assert wrapper_in("BatchAlgorithmDialog", "semref:assessdatabase", "DATABASE").parameterValue() in ("", None)
 
 
-def test_an_optional_model_is_not_filled_in(wrapper_in, dock, tmp_path):
-    (tmp_path / "own.onnx").write_bytes(b"a model")
-    dock.content.localize.images.model.setFilePath(str(tmp_path / "own.onnx"))
-    assert wrapper_in("AlgorithmDialog", "semref:localizeimages", "MODEL").parameterValue() in ("", None)
-    assert wrapper_in("AlgorithmDialog", "semref:segmentimage", "MODEL").parameterValue() == str(tmp_path / "own.onnx")
-    dock.content.localize.images.model.setFilePath("")
-
-
 def test_databases_of_the_project_the_dock_and_those_used_last_are_offered_once(wrapper_in, dock, area, tmp_path):
     from qgis.core import QgsProject
 
@@ -205,8 +197,3 @@ def test_the_class_field_of_a_file_that_is_no_layer_yet(dialog_of, polygons, tmp
     set_value(wrappers["CLASS_FIELD"], "id")
     set_value(wrappers["INPUT"], path)
     assert wrappers["CLASS_FIELD"].parameterValue() == "id" and told == [True]
-
-
-def test_without_a_layer_the_class_field_is_empty(dialog_of):
-    wrappers = dialog_of("rasterizeannotation")
-    assert wrappers["CLASS_FIELD"].parameterValue() in ("", None)

@@ -55,15 +55,10 @@ def layer(tmp_path):
 
 KINDS = ("text", lambda n: ["forest", "water", "field"][n % 3])
 UNIQUE = ("text", lambda n: f"polygon {n}")
-SMALL = ("integer", lambda n: n % 4)
 
 
 def test_texts_that_repeat_are_classes_and_unique_ones_are_not(guess, layer):
     assert guess(layer(number=("integer", lambda n: n), label=UNIQUE, kind=KINDS)) == ("kind", "")
-
-
-def test_small_numbers_are_classes_where_there_are_no_texts(guess, layer):
-    assert guess(layer(number=("integer", lambda n: n), label=UNIQUE, kind=SMALL)) == ("kind", "")
 
 
 def test_without_a_field_that_could_tell_there_is_none(guess, layer):

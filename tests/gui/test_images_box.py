@@ -56,15 +56,6 @@ def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, 
     assert "issues: not added" in messages(iface)[0]
 
 
-def test_a_dropped_folder_is_an_entry(dock, area, tmp_path, tab):
-    from qgis.PyQt.QtCore import QMimeData, QUrl
-
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(tmp_path))])
-    assert dropped(tab.images.list, data)
-    assert tab.images.paths() == [str(tmp_path)]
-
-
 @pytest.fixture
 def training_dialog(tab, monkeypatch):
     """Presses the dock's button; a dialog of ours stands for QGIS's, which needs its main window."""

@@ -88,11 +88,6 @@ def test_the_outline_follows_the_canvas_into_another_crs(dock, iface, area):
     assert corners(shown_outline(iface)) == pytest.approx(corners(expected), abs=0.5)
 
 
-def test_the_canvas_moves_to_the_selected_hit(dock, iface, area):
-    localize(dock, area.database, [area.image])
-    assert iface.canvas.extent().contains(cut_extent())
-
-
 def test_an_unreadable_image_has_a_row_with_its_reason_and_no_outline(dock, iface, area, tab):
     localize(dock, area.database, [area.image, area.unreadable])
     tab.results.table.selectRow(1)
@@ -136,15 +131,6 @@ def test_the_position_can_be_copied_in_several_ways(dock, area, tab):
     tab.results.copy.click()
     assert QgsApplication.clipboard().text() == "400250.00, 5399650.00"
     assert "400250.00" in tab.state.text_shown
-
-
-def test_a_file_that_is_no_database_gives_one_sentence(dock, iface, area, tab):
-    localize(dock, area.unreadable, [area.image])
-    assert len(messages(iface)) == 1
-    assert "broken.tif is not a GeoPackage; choose a database" in messages(iface)[0]
-    assert tab.localize_button.text() == "Localize"
-    wait_until(lambda: dock.content.database.fault, "the look at the file")
-    assert not tab.localize_button.isEnabled()
 
 
 def test_cancel_ends_the_run_without_results(dock, iface, area, slow, tab):

@@ -144,20 +144,6 @@ def test_the_image_gets_the_most_room_and_what_was_chosen_is_folded_away(dock, i
     assert not dock.content.database.isCollapsed() and dock.content.database.title() == "Reference database"
 
 
-def test_what_was_folded_away_is_back_after_the_project_was_cleared_behind_another_tab(dock, found):
-    from qgis.core import QgsProject
-
-    model = found.images.model.lineEdit()
-    assert not model.isVisibleTo(found) and not found.method.isVisibleTo(dock)
-    dock.content.tabs.setCurrentIndex(1)
-    settle()
-    QgsProject.instance().clear()
-    settle()
-    dock.content.tabs.setCurrentIndex(0)
-    settle()
-    assert model.isVisibleTo(found) and found.method.isVisibleTo(dock)
-
-
 def test_nothing_of_the_dock_is_cut_off_where_it_is_as_narrow_as_it_gets(dock, iface, found):
     from qgis.PyQt.QtWidgets import QScrollArea
 

@@ -90,13 +90,6 @@ def test_rows_are_read_once_and_nothing_is_written_beside_the_database(path, tim
     assert_same(again, read_stored_database(path).database)
 
 
-def test_columns_come_with_bounds_and_overview_where_they_are_asked_for(path, times_read):
-    read_database(path)
-    found = read_database(path, with_overview=True, with_bounds=True)
-    assert found.references.bounds_px.shape == (417, 4) and found.overview is not None
-    assert len(times_read) == 1
-
-
 def test_what_another_program_changed_is_refused_though_columns_are_cached(path):
     read_database(path)
     edit(path, 'UPDATE "references" SET area = area * 2 WHERE fid = 5')
@@ -151,13 +144,6 @@ def test_a_class_that_was_renamed_is_refused_though_columns_are_cached(path):
     os.utime(path, ns=(then.st_atime_ns, then.st_mtime_ns))
     with pytest.raises(DatabaseError, match="checksum"):
         read_database(path)
-
-
-def test_columns_of_other_shapes_are_not_used(path, times_read, monkeypatch):
-    read_database(path)
-    monkeypatch.setitem(cached_columns._COLUMNS["windows"], "sizes", ("<f4",))
-    read_database(path)
-    assert len(times_read) == 2
 
 
 def test_a_damaged_file_of_columns_is_not_believed(path, times_read):

@@ -120,14 +120,6 @@ def test_a_table_gives_attitude_focal_length_and_time(tmp_path):
     assert camera.leveling((30, 40)).shape_hw != (30, 40)
 
 
-@pytest.mark.parametrize(
-    ("column", "value", "expected"), [("focal_length_35mm", 43.267, 50), ("field_of_view", 53.13, 40)]
-)
-def test_focal_lengths_of_each_kind_become_pixels(tmp_path, column, value, expected):
-    (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, f"image,{column}\nIMG_1,{value}\n"))
-    assert camera.lens.focal_length_px((30, 40)) == pytest.approx(expected, rel=1e-3)
-
-
 @pytest.mark.parametrize("name", ["IMG_1.png", "IMG_1.JPG", "IMG_1", "D:\\flight\\IMG_1.JPG", "/flight/IMG_1.jpg"])
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
 def test_images_are_named_by_their_stem(tmp_path, name, separator):
@@ -159,13 +151,6 @@ def test_a_table_that_is_missing_or_no_text_is_one_sentence(tmp_path):
 
 
 # --- photos ---
-
-
-def test_nothing_known_is_no_error(tmp_path):
-    broken = str(write_text(tmp_path / "broken.png", "no image"))
-    cameras = read_cameras([label_image(tmp_path), str(tmp_path / "none.png"), broken], "")
-    assert [camera.leveling((30, 40)) for camera in cameras] == [None] * 3
-    assert [camera_remark(camera, (30, 40)) for camera in cameras] == [""] * 3
 
 
 def test_the_photo_of_the_same_name_tells_what_its_gimbal_told(tmp_path):

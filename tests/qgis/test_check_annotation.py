@@ -126,12 +126,6 @@ def test_the_report_counts_by_kind_and_class_and_tells_the_largest(check, tmp_pa
     assert not re.search(r"(?i)<script|http(?!://www\.w3\.org/2000/svg)", text)
 
 
-def test_the_report_of_a_clean_layer_says_so(check, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 10), "field")])
-    results = check(layer, REPORT=str(tmp_path / "report.html"))
-    assert "Nothing was found." in Path(results["REPORT"]).read_text(encoding="utf-8")
-
-
 # --- agreement with the label map ---
 
 

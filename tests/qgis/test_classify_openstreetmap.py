@@ -98,22 +98,6 @@ def test_polygons_that_cross_themselves_are_kept_for_whoever_repairs(run_algorit
     assert run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": out})["FEATURE_COUNT"] == 1
 
 
-def test_outlines_without_tags_get_the_class_of_all_others(run_algorithm, tmp_path):
-    layer = layer_of("field=height:double", (3.5,), (None,))
-    given = {"INPUT": layer, "OTHER_CLASS": "building", "OUTPUT": str(tmp_path / "cover.gpkg")}
-    assert run_algorithm(CLASSIFY, given)["FEATURE_COUNT"] == 2
-    assert [row["class"] for row in rows_of(given["OUTPUT"])] == ["building", "building"]
-
-
-def test_own_rules_replace_the_shipped_ones(run_algorithm, tmp_path):
-    rules = tmp_path / "own.csv"
-    rules.write_text("key,value,class,priority\nsurface,*,hard,7\n", encoding="utf-8")
-    layer = layer_of("field=surface:string&field=building:string", ("asphalt", None), (None, "yes"))
-    out = str(tmp_path / "cover.gpkg")
-    assert run_algorithm(CLASSIFY, {"INPUT": layer, "RULES": str(rules), "OUTPUT": out})["FEATURE_COUNT"] == 1
-    assert rows_of(out)[0]["class"] == "hard" and rows_of(out)[0]["priority"] == 7
-
-
 def test_a_layer_without_known_tags_says_which_columns_it_has(run_algorithm, tmp_path):
     layer = layer_of("field=height:double", (3.5,))
     with pytest.raises(QgsProcessingException, match="its columns are height"):

@@ -214,15 +214,6 @@ def test_a_python_of_another_build_or_a_broken_one_is_not_used(root, tmp_path, i
     assert is_tidy(root)
 
 
-@pytest.mark.slow
-@needs_pip
-def test_a_program_that_cannot_be_started_is_passed_over(root, tmp_path, wheels, installer, monkeypatch):
-    (tmp_path / "python3").write_text("no program")
-    monkeypatch.setattr(component_install, "python_candidates", lambda *a: [str(tmp_path / "python3"), sys.executable])
-    installer.start([GOOD], str(wheels))
-    assert end_of(installer) == "installed"
-
-
 @needs_pip
 def test_a_folder_that_cannot_be_made_is_explained(root, tmp_path, wheels, installer):
     (tmp_path / "profile").write_text("a file")
@@ -307,12 +298,6 @@ def test_a_package_without_its_newest_part_is_too_old(qgis_app, tmp_path, monkey
     importlib.invalidate_caches()
     assert not components.is_missing(old)
     assert components.installed_version(old) == ""
-
-
-def test_nothing_installed_adds_nothing_to_the_path(root):
-    path = list(sys.path)
-    components.add_components_to_path()
-    assert sys.path == path and not root.exists()
 
 
 def test_the_plugin_adds_what_is_installed_to_the_end_of_the_path(root, without_provider):

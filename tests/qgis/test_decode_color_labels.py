@@ -74,25 +74,12 @@ def test_what_no_hsv_range_covers_is_unlabeled_and_said(decode, tmp_path, feedba
     assert "75.0%" in feedback.textLog()
 
 
-def test_the_published_method_is_the_default(run_algorithm, tmp_path):
-    image = write_raster(tmp_path / "a.png", bands_of(np.full((4, 4, 3), (255, 0, 0), np.uint8)), transform=None)
-    table = write_text(tmp_path / "t.csv", RED_CSV)
-    parameters = {"INPUT": str(image), "CLASS_TABLE": str(table), "OUTPUT": str(tmp_path / "labels.tif")}
-    assert (read_pixels(run_algorithm(DECODE, parameters)["OUTPUT"]) == 7).all()
-
-
 def test_the_label_map_lies_where_the_image_lies(decode, tmp_path):
     image = write_raster(tmp_path / "a.tif", painted(LABELS), transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
     raster = gdal.Open(decode(image))
     assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)
     layer = QgsRasterLayer(str(tmp_path / "labels.tif"))
     assert layer.crs().authid() == "EPSG:25832"
-
-
-def test_an_image_without_georeference_gives_a_label_map_without_one(decode, tmp_path):
-    raster = gdal.Open(decode(write_raster(tmp_path / "a.png", painted(LABELS), transform=None)))
-    assert raster.GetGeoTransform(can_return_null=True) is None
-    assert raster.GetProjection() == ""
 
 
 def test_the_label_map_has_the_format_of_label_maps(decode, tmp_path):

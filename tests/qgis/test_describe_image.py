@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, METRIC_CRS, NORTH, WEST, scattered_objects, write_raster, write_text
+from made_inputs import CLASSES_CSV, NORTH, WEST, scattered_objects, write_raster, write_text
 from osgeo import gdal, ogr
 
 DESCRIBE = "semref:describeimage"
@@ -73,12 +73,6 @@ def test_points_fall_on_the_objects_of_a_georeferenced_image(describe, georefere
         assert bool(row["touches_edge"]) == expected.touches_edge[n]
 
 
-def test_the_points_lie_in_the_crs_of_the_image(describe, georeferenced, tmp_path):
-    describe(georeferenced)
-    source = ogr.Open(str(tmp_path / "points.gpkg"))
-    assert source.GetLayer(0).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
-
-
 def test_points_of_a_turned_image_fall_on_its_objects(describe, tmp_path):
     transform = (WEST, 1.2, 0.9, NORTH, 0.9, -1.2)
     image = write_raster(tmp_path / "turned.tif", WIDE, transform=transform, names=NAMES)
@@ -95,24 +89,6 @@ def test_points_of_an_image_without_georeference_are_pixels_with_y_up(describe, 
     assert len(found) == len(expected) > 10
     for n, row in enumerate(found):
         assert (row["x"], -row["y"]) == pytest.approx(expected.centers_xy[n] + (30, 0), abs=1e-6)
-
-
-def test_the_vector_is_that_of_the_core(describe, georeferenced):
-    from semref.core.localizer.localizer import describe_image
-
-    _, vector, _ = describe(georeferenced)
-    expected = describe_image(WIDE, (1, 2, 3), 40 / PIXEL**2 / 150**2, 10).vector
-    np.testing.assert_allclose(vector["vector"], expected, rtol=0, atol=1e-7)
-    np.testing.assert_array_equal(
-        vector["vector"], vector["distance_ratios"] + vector["angle_differences"] + vector["class_ranks"]
-    )
-    assert vector["references_per_vector"] == len(vector["class_ranks"]) == 10
-    assert vector["reference_classes"] == [
-        {"value": 1, "name": "building"},
-        {"value": 2, "name": "water"},
-        {"value": 3, "name": "bare_land"},
-    ]
-    assert vector["image_center"] == [105, 75]
 
 
 def test_fewer_than_three_landmarks_give_no_vector_and_that_is_said(describe, tmp_path, feedback):

@@ -63,12 +63,6 @@ def test_every_trial_has_a_point_a_method_where_its_image_was_cut(evaluate):
         assert WEST < row["true_x"] < WEST + 480 and NORTH - 420 < row["true_y"] < NORTH
 
 
-def test_one_trial_is_of_the_map(evaluate):
-    found, results = evaluate(TRIALS=1, METHODS=[2])
-    assert [(row["kind"], row["method"]) for row in found] == [("map", "constellation")]
-    assert results["FALSE_ACCEPT_RATE"] is None and "JSON" not in results and "REPORT" not in results
-
-
 @pytest.mark.slow
 def test_the_rates_are_those_of_the_points(evaluate):
     found, results = evaluate(TRIALS=16)
@@ -161,12 +155,6 @@ def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):
     path = write_raster(tmp_path / "other.tif", LABELS, names=NAMES, crs=METRIC_CRS + 1)
     message = refused(evaluate, LABELS=str(path))
     assert "EPSG:32633" in message and "EPSG:32632" in message and "warp" in message
-
-
-def test_a_map_with_other_classes_is_refused(evaluate, tmp_path):
-    path = write_raster(tmp_path / "other.tif", LABELS, names=["unlabeled", "building", "road", "bare_land", "field"])
-    message = refused(evaluate, LABELS=str(path))
-    assert "“road”" in message and "“water”" in message
 
 
 @pytest.mark.parametrize(

@@ -74,10 +74,6 @@ def test_a_file_is_signed_with_the_key_that_was_given(export, tmp_path):
         read_onboard(signed, key_file=str(tmp_path / "key"))
 
 
-def test_precision_is_in_map_units_and_may_be_text(export):
-    assert onboard(export(PRECISION="0.25")["OUTPUT"]).position_error == 0.25
-
-
 def test_longitude_and_latitude_are_proj_s(export):
     from semref.processing.exchange.reference_systems import longitudes_latitudes
 
@@ -277,13 +273,6 @@ def test_paletted_images_are_read_as_gdal_reads_them(database, tmp_path, name):
     table = whole(database).class_table
     np.testing.assert_array_equal(read_label_image(path, table), LABELS)
     np.testing.assert_array_equal(read_with_gdal(path, table), LABELS)
-
-
-def test_nodata_of_a_tiff_is_unlabeled_as_with_gdal(database, tmp_path):
-    from semref.core.labels.image_files import read_label_image
-
-    path = str(write_raster(tmp_path / "nodata.tif", np.where(LABELS == 4, 255, LABELS), nodata=255))
-    np.testing.assert_array_equal(read_label_image(path, whole(database).class_table), np.where(LABELS == 4, 0, LABELS))
 
 
 # --- GeoPackages that are none, or no longer whole ---

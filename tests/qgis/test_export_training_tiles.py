@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from made_inputs import CLASSES_CSV, NORTH, WEST, read_pixels, scattered_objects, write_raster, write_text
+from made_inputs import NORTH, WEST, read_pixels, scattered_objects, write_raster
 from osgeo import gdal
 from qgis.core import QgsProcessingException, QgsProcessingFeedback
 
@@ -94,12 +94,6 @@ def test_the_class_table_of_the_label_map_goes_with_the_tiles(export):
     result, _ = export()
     rows = (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8").splitlines()
     assert [row.split(",")[1] for row in rows[1:]] == NAMES[1:]
-
-
-def test_a_class_table_may_be_given(export, tmp_path):
-    labels = write_raster(tmp_path / "bare.tif", LABELS)
-    result, _ = export(labels=labels, CLASS_TABLE=str(write_text(tmp_path / "t.csv", CLASSES_CSV)))
-    assert "1,building,#d62728,reference" in (Path(result["OUTPUT"]) / "classes.csv").read_text(encoding="utf-8")
 
 
 @pytest.mark.slow
@@ -202,12 +196,6 @@ def test_what_can_not_be_exported_is_said(export, tmp_path, labels, parameters, 
     with pytest.raises(QgsProcessingException, match=sentence):
         export(labels=labels.astype(np.uint8), **parameters)
     assert not (tmp_path / "tiles").exists()
-
-
-def test_an_image_of_real_numbers_is_refused(export, tmp_path):
-    image = write_raster(tmp_path / "real.tif", photo_of(LABELS).astype(np.float32), kind=gdal.GDT_Float32)
-    with pytest.raises(QgsProcessingException, match="holds Float32 values"):
-        export(image=image)
 
 
 def test_a_cancel_leaves_nothing(run_algorithm, tmp_path):

@@ -117,12 +117,6 @@ def test_matched_landmarks_become_control_points_with_how_far_each_is_off(georef
     np.testing.assert_allclose(np.hypot(points[:, 5], points[:, 6]), points[:, 7], rtol=1e-6)
 
 
-def test_without_matches_corners_edges_and_middle_are_the_control_points(georeference):
-    _, folder = georeference(FORMAT=2)
-    points = points_of(folder / "tilted.png.points")
-    assert points[:, 2:4].tolist() == [[c, -r] for r in (0, 150, 300) for c in (0, 150, 300)]
-
-
 def test_where_map_correlation_placed_an_image_its_fix_tells_the_control_points(georeference, localized, tmp_path):
     """Of houses that a network joins centers are off by meters, while areas place the image to decimeters."""
     by_areas = tmp_path / "by_areas.gpkg"

@@ -73,13 +73,6 @@ def test_the_risk_that_is_allowed_decides_and_the_confidence_has_all_its_digits(
     assert localize(image, RISK=0.5)[0]["confidence"] == found["confidence"]
 
 
-def test_the_footprint_lies_where_the_image_was_taken(localize):
-    _, (footprint,) = localize(view(500, 450, 90))
-    left, right, bottom, top = footprint.GetEnvelope()
-    assert (left, right) == pytest.approx((WEST + 500 - SIZE / 2, WEST + 500 + SIZE / 2), abs=1.5)
-    assert (bottom, top) == pytest.approx((NORTH - 450 - SIZE / 2, NORTH - 450 + SIZE / 2), abs=1.5)
-
-
 def test_matches_say_where_image_and_map_have_the_same_landmarks(localize, tmp_path):
     column, row, heading, scale = 612, 455, 200, 1.2
     matches = tmp_path / "matches.gpkg"

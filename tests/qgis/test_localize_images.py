@@ -139,12 +139,6 @@ def test_an_image_cut_on_a_window_is_found_there(localize, tmp_path, column, row
     assert results["FIX_COUNT"] == 1
 
 
-def test_what_the_topology_vector_does_not_tell_is_null(localize, tmp_path):
-    (found,), _ = localize([image(tmp_path, "a.png", window(0, 0))])
-    for name in ("heading", "pixel_size", "inliers", "log_odds", "error_95"):
-        assert found[name] is None
-
-
 def test_too_few_references_give_no_geometry_and_say_how_many_are_missing(localize, tmp_path):
     labels = np.full((SIZE, SIZE), 4, np.uint8)
     labels[20:40, 20:40] = 1
@@ -192,12 +186,6 @@ def test_a_folder_stands_for_its_images_in_order_of_name(localize, three):
     found, _ = localize([str(folder)])
     assert [row["image"] for row in found] == paths
     assert [row["window"] for row in found] == ["0_0", "40_40", "80_80"]
-
-
-def test_files_and_folders_may_be_mixed(localize, three, tmp_path):
-    folder, paths = three
-    single = image(tmp_path, "single.png", window(0, 0))
-    assert [row["image"] for row in localize([single, str(folder)])[0]] == [single, *paths]
 
 
 def test_a_name_with_spaces_umlauts_and_a_semicolon_is_found(localize, tmp_path):

@@ -22,14 +22,6 @@ def test_a_photo_is_shown_no_larger_than_asked(qgis_app, tmp_path, longest, shap
         assert shown[height // 2, 3 * width // 4].tolist() == [0, 0, 100, 255]
 
 
-def test_what_has_no_data_is_transparent_in_a_reduced_photo_too(qgis_app, tmp_path):
-    alpha = np.full((1, 300, 401), 255, np.uint8)
-    alpha[:, :150] = 0
-    shown = photo_rgba(str(write_raster(tmp_path / "a.png", np.concatenate([HALVES, alpha]), transform=None)), 100)
-    assert shown.shape == (60, 80, 4)
-    assert (shown[:28, :, 3] == 0).all() and (shown[32:, :, 3] == 255).all()
-
-
 def test_a_photo_of_16_bits_is_shown_stretched_when_reduced(qgis_app, tmp_path):
     shown = photo_rgba(str(write_raster(tmp_path / "a.tif", HALVES.astype(np.uint16) * 20, transform=None)), 100)
     assert shown.shape == (60, 80, 4) and shown[30, 20, 0] > 200 and shown[30, 60, 0] < 50

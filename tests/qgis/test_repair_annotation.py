@@ -120,9 +120,3 @@ def test_unknown_classes_are_refused_as_in_rasterizing(repair, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "lighthouse")])
     with pytest.raises(QgsProcessingException, match="“lighthouse”"):
         repair(layer, CLASS_TABLE=str(table))
-
-
-def test_the_changes_may_be_left_out(run_algorithm, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "a")])
-    results = run_algorithm(REPAIR, {"INPUT": str(layer), "CLASS_FIELD": "class", "OUTPUT": "TEMPORARY_OUTPUT"})
-    assert set(results) == {"OUTPUT"}

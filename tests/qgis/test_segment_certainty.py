@@ -147,18 +147,6 @@ def test_a_turned_image_is_masked_where_its_ground_is(segment, tmp_path):
     np.testing.assert_array_equal(found, wanted)
 
 
-def test_a_resampled_image_is_masked_on_its_new_pixels(segment, image, tmp_path):
-    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=200))
-    found = read_pixels(segment(image, MODEL=str(model), MASK=str(two_squares(tmp_path)))["OUTPUT"])
-    np.testing.assert_array_equal(found > 0, in_two_squares()[::2, ::2])
-
-
-def test_the_mask_and_an_extent_both_count(segment, image, tmp_path):
-    extent = f"{WEST + 30},{WEST + 230},{NORTH - 300},{NORTH - 40}"
-    found = read_pixels(segment(image, MASK=str(two_squares(tmp_path)), EXTENT=extent)["OUTPUT"])
-    np.testing.assert_array_equal(found > 0, in_two_squares()[40:, 30:])
-
-
 def test_of_map_tiles_the_masks_extent_is_drawn(segment, tmp_path):
     model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=100))
     with tile_server() as source:

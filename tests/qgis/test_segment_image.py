@@ -50,17 +50,6 @@ def test_an_orthophoto_becomes_a_label_map_on_the_same_ground(segment, tmp_path)
     assert QgsRasterLayer(str(tmp_path / "labels.tif")).crs().authid() == "EPSG:25832"
 
 
-def test_a_jpeg_photo_will_do(segment, tmp_path):
-    smooth = cv2.resize(painted(LABELS), None, fx=4, fy=4, interpolation=cv2.INTER_NEAREST)
-    path = tmp_path / "a.jpg"
-    memory = gdal.GetDriverByName("MEM").Create("", smooth.shape[1], smooth.shape[0], 3, gdal.GDT_Byte)
-    memory.WriteArray(bands_of(smooth))
-    gdal.GetDriverByName("JPEG").CreateCopy(str(path), memory, options=["QUALITY=95"])
-    found = read_pixels(segment(path))
-    wanted = cv2.resize(LABELS, None, fx=4, fy=4, interpolation=cv2.INTER_NEAREST)
-    assert (found[wanted > 0] == wanted[wanted > 0]).mean() > 0.97
-
-
 def test_the_label_map_has_the_models_classes(segment, tmp_path):
     more = metadata(class_values={"0": 5, "1": 2, "2": 9}, class_colors=["#ff0000", "#0000ff", "#00ff00"])
     model = write_model(tmp_path / "m.onnx", metadata=more)
@@ -129,10 +118,6 @@ def test_bands_are_found_by_their_color_interpretation(segment, tmp_path):
     np.testing.assert_array_equal(read_pixels(segment(path)), SEEN)
 
 
-def test_a_gray_image_is_taken_as_gray(segment, tmp_path):
-    assert (read_pixels(segment(write_raster(tmp_path / "a.tif", PHOTO[0]))) == 1).all()
-
-
 def test_a_paletted_image_is_seen_in_its_colors(segment, tmp_path):
     path = tmp_path / "a.png"
     memory = gdal.GetDriverByName("MEM").Create("", 230, 170, 1, gdal.GDT_Byte)
@@ -162,12 +147,6 @@ def test_a_resampled_label_map_has_square_pixels_as_a_database_needs_them(segmen
     image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
     path = segment(image, RESOLUTION=37)
     require_map_grid(gdal.Open(path).GetGeoTransform(), path)
-
-
-def test_a_resolution_given_goes_before_the_models(segment, tmp_path):
-    model = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50))
-    image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
-    assert gdal.Open(segment(image, MODEL=str(model), RESOLUTION=100)).RasterXSize == round(230 / 4)
 
 
 def test_degrees_are_turned_into_meters(segment, tmp_path):

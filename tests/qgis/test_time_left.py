@@ -83,12 +83,6 @@ def test_what_is_done_next_keeps_the_time_beside_it(dialog, clock, telling):
     assert dialog.texts[-1].startswith("Epoch 2 – about 4 min left, until ")
 
 
-def test_a_short_run_says_nothing_of_time(dialog, clock, telling):
-    telling.setProgressText("Localizing")
-    run_for(telling, clock, 20)
-    assert dialog.texts == ["Localizing"]
-
-
 def test_the_dock_whose_bar_tells_is_not_told_twice(dialog, clock):
     from semref.processing.framework.time_left import TellingFeedback
 

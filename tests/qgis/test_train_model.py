@@ -109,16 +109,6 @@ def test_the_training_gets_tiles_of_image_and_labels(train, tmp_path):
         np.testing.assert_array_equal(read_pixels(path), LABELS[part])
 
 
-def test_the_polygon_of_higher_priority_is_learned_where_two_overlap(train, tmp_path):
-    kept = tmp_path / "kept"
-    polygons = [(square(200, 200, 90), "building", 60), (square(100, 100, 400), "field", 10)]
-    layer = write_layer(tmp_path / "drawn.gpkg", polygons, [("class", "text"), ("zorder", "integer")])
-    annotation = {"LABELS": None, "INPUT": str(layer), "CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}
-    train(training=f"shutil.copytree(folder, {str(kept)!r}); " + EPOCH, **annotation)
-    burnt = read_pixels(kept / "labels.tif")
-    assert sorted(np.bincount(burnt.ravel())[1:]) == [90 * 90, 400 * 400 - 90 * 90]
-
-
 @pytest.mark.parametrize("something_else", [0, 1])
 def test_ground_outside_the_mask_is_not_learned_from(train, tmp_path, something_else):
     kept = tmp_path / "kept"
@@ -430,14 +420,6 @@ def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, t
     # Of the training's shares 0.2 and 0.5; before it, nothing that an end could be told from.
     assert max(percent for percent in percents if percent < passed - 1) <= 1
     assert percents[-2:] == pytest.approx([passed + 0.2 * (100 - passed), passed + 0.5 * (100 - passed)], abs=1)
-
-
-def test_a_training_that_is_gone_on_with_shows_the_time_of_this_run(train):
-    """Half was done by an earlier run: of what is left this one has done half."""
-    percents, said = [], Said()
-    said.progressChanged.connect(percents.append)
-    train(said, training='tell("resumed", epoch=1, share=0.5); tell("epoch", share=0.75, **row)', MINUTES=0)
-    assert percents[-1] == pytest.approx(1 + 0.5 * 99)
 
 
 def test_how_fast_a_training_was_is_remembered_for_the_next_estimate(train):

@@ -84,11 +84,6 @@ def test_an_image_that_is_not_rgb_of_8_bits_cannot_be_decoded(refused, tmp_path,
     assert said in refused(DECODE, INPUT=str(path))
 
 
-def test_an_image_of_one_pixel_is_decoded(run_algorithm, defaults, tmp_path):
-    path = write_raster(tmp_path / "pixel.png", np.zeros((3, 1, 1), np.uint8), transform=None)
-    run_algorithm(DECODE, {**defaults[DECODE], "INPUT": str(path)})
-
-
 def test_a_folder_without_images_is_named(refused, tmp_path):
     (tmp_path / "flight").mkdir()
     (tmp_path / "flight" / "notes.txt").write_text("fog")

@@ -33,10 +33,6 @@ def test_a_label_map_that_is_not_metric_north_up_and_square_is_refused(refused, 
     assert said in sentence and "labels.tif" in sentence
 
 
-def test_a_label_map_without_georeference_is_refused(refused, tmp_path):
-    refused(BUILD, LABELS=str(write_raster(tmp_path / "labels.tif", LABELS, transform=None)))
-
-
 @pytest.mark.parametrize("kind", ["Float32", "Float64", "CInt16"])
 def test_a_label_map_that_is_not_of_whole_numbers_is_refused(refused, tmp_path, kind):
     labels = write_raster(tmp_path / "labels.tif", LABELS, kind=gdal.GetDataTypeByName(kind))

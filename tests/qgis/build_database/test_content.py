@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import struct
 
 import numpy as np
 import pytest
@@ -47,17 +46,6 @@ def test_the_values_of_the_overview_come_back_exactly(database):
 def test_the_classes_are_the_table_of_the_map_with_the_asked_roles(query):
     found = query("SELECT value, name, role FROM classes ORDER BY value")
     assert found == [(n, NAMES[n], "background" if n == 4 else "reference") for n in range(1, 5)]
-
-
-def test_each_reference_lies_within_its_bounds(query):
-    rows = query(
-        'SELECT r.geom, r.touches_edge, b.* FROM "references" AS r JOIN reference_bounds AS b ON b.fid = r.fid'
-    )
-    assert len(rows) == query('SELECT count(*) FROM "references"')[0][0] > 50
-    for geometry, touches_edge, _, left, top, right, bottom in rows:
-        x, y = struct.unpack_from("<dd", geometry, 13)
-        assert left < x - WEST < right and top < NORTH - y < bottom
-        assert touches_edge == (left == 0 or top == 0 or right == WIDTH or bottom == HEIGHT)
 
 
 def test_the_parameters_tell_how_it_was_built(query):

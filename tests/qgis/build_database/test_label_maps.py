@@ -10,7 +10,6 @@ from built_database import (
     MINIMUM_AREA,
     NAMES,
     SIZE,
-    SIZE_COLUMN,
     STRIDE,
     content,
     map_labels,
@@ -95,25 +94,6 @@ def test_roles_of_the_stored_class_table_count_when_none_are_asked(build, tmp_pa
     del labels
     made = content(build(path, REFERENCE_CLASSES="")["DATABASE"])
     assert [row[2] for row in made["classes"] if row[4] == "reference"] == ["building", "water", "bare_land"]
-
-
-def test_reference_classes_are_names_or_values_in_any_order_and_case(build, label_map, database):
-    made = build(label_map, REFERENCE_CLASSES=" 3;Water ; 1;")["DATABASE"]
-    assert content(made) == content(database)
-
-
-def test_windows_that_are_no_whole_pixels_are_rounded_and_that_is_said(run_algorithm, label_map, feedback, tmp_path):
-    parameters = {
-        "LABELS": str(label_map),
-        "REFERENCE_CLASSES": "building",
-        "WINDOW_SIZE": 100.4,
-        "STRIDE": 49.7,
-        "MINIMUM_AREA": MINIMUM_AREA,
-        "DATABASE": str(tmp_path / "area.gpkg"),
-    }
-    made = run_algorithm(BUILD, parameters, feedback)
-    assert "window size 100, stride 50" in feedback.textLog()
-    assert {row[SIZE_COLUMN] for row in content(made["DATABASE"])["windows"]} == {100.0}
 
 
 def test_windows_without_vector_are_counted_and_said(run_algorithm, label_map, feedback, tmp_path, query):

@@ -72,11 +72,6 @@ def test_a_database_is_opened_as_a_styled_group(run_as_dialog, project, label_ma
     assert landmarks.renderer().type() == "categorizedSymbol"
 
 
-def test_nothing_is_opened_where_nobody_asks_for_it(run_as_dialog, project, label_map, tmp_path):
-    run_as_dialog(BUILD, build_parameters(label_map, tmp_path / "area.gpkg"))
-    assert project.mapLayers() == {}
-
-
 def test_a_script_that_runs_an_algorithm_gets_no_layers(run_algorithm, project, label_map, tmp_path):
     run_algorithm(BUILD, build_parameters(label_map, tmp_path / "area.gpkg", OPEN_OUTPUT=True))
     assert project.mapLayers() == {}

@@ -66,11 +66,6 @@ def test_a_class_table_gives_values_to_text_in_any_case_and_is_written_into_the_
     assert "4,field,#2ca02c,background" in stored_table(results["OUTPUT"])
 
 
-def test_a_class_table_gives_values_to_a_real_field_of_whole_numbers(labels, tmp_path, classes_csv):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), 3.0), (square(4, 0, 4), 4.0)], [("class", "real")])
-    np.testing.assert_array_equal(labels(layer, CLASS_TABLE=classes_csv)[0], [3] * 4 + [4] * 4)
-
-
 def test_without_table_and_style_text_classes_are_numbered_by_name(rasterize, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "water"), (square(4, 0, 4), "building")])
     results = rasterize(layer)
@@ -149,13 +144,6 @@ def test_ground_without_a_polygon_becomes_a_class_of_its_own_where_that_is_asked
     assert category_names(results["OUTPUT"])[1:3] == ["building", "other"] and results["LABELED_FRACTION"] == 1
 
 
-def test_it_lies_beneath_polygons_without_a_priority_too(rasterize, tmp_path):
-    shapes = [(square(0, 0, 4), "building", None), (square(12, 0, 4), "building", 3)]
-    layer = write_layer(tmp_path / "a.gpkg", shapes, [("class", "text"), ("order", "integer")])
-    results = rasterize(layer, OTHER_GROUND=True, PRIORITY_FIELD="order")
-    np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
-
-
 def test_beyond_the_polygons_nothing_tells_that_there_is_something_else(rasterize, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", TWO)
     alone, wide = rasterize(layer, OTHER_GROUND=True)["OUTPUT"], tmp_path / "wide.tif"
@@ -179,11 +167,6 @@ def test_ground_around_a_single_class_becomes_other_without_being_asked(rasteriz
     results = rasterize(write_layer(tmp_path / "a.gpkg", TWO))
     np.testing.assert_array_equal(read_pixels(results["OUTPUT"])[0], [1] * 4 + [2] * 8 + [1] * 4)
     assert "ground without a polygon becomes class “other”" in feedback.textLog()
-
-
-def test_ground_around_several_classes_stays_unlabeled_unless_asked(labels, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(12, 0, 4), "water")])
-    np.testing.assert_array_equal(labels(layer)[0], [1] * 4 + [0] * 8 + [2] * 4)
 
 
 def test_what_became_of_features_is_told_in_the_users_language(qgis_app, monkeypatch):

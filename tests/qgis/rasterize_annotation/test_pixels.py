@@ -11,7 +11,6 @@ from made_inputs import (
     ring,
     square,
     write_layer,
-    write_text,
 )
 from osgeo import gdal, ogr
 
@@ -68,14 +67,6 @@ def test_the_higher_priority_lies_on_top_null_below_all_and_ties_in_feature_orde
     )
     made = labels(layer, CLASS_TABLE=classes_csv, PRIORITY_FIELD="zorder")
     np.testing.assert_array_equal(made[0], [1, 1, 1, 3, 3, 3, 3])
-
-
-def test_the_draw_order_of_the_class_table_counts_without_a_priority_field(labels, tmp_path):
-    table = write_text(
-        tmp_path / "t.csv", "value,name,color,role,draw_order\n1,building,#ff0000,reference,9\n4,field,#00ff00,,1\n"
-    )
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "building"), (square(2, 0, 4), "field")])
-    np.testing.assert_array_equal(labels(layer, CLASS_TABLE=str(table))[0], [1, 1, 1, 1, 4, 4])
 
 
 def test_holes_stay_unlabeled(labels, tmp_path):
@@ -139,11 +130,3 @@ def test_curved_polygons_are_burnt_with_their_arcs(labels, tmp_path):
     circle = f"CURVEPOLYGON (CIRCULARSTRING ({arcs}))"
     made = labels(write_layer(tmp_path / "a.gpkg", [(circle, "water")], geometry=ogr.wkbCurvePolygon))
     assert (made == 1).sum() == pytest.approx(np.pi * 50**2, rel=0.005)
-
-
-def test_curved_parts_of_a_multisurface_are_burnt(labels, tmp_path):
-    around = [(50, 0), (100, 50), (50, 100), (0, 50), (50, 0)]
-    arcs = ", ".join(f"{WEST + x} {NORTH - y}" for x, y in around)
-    surface = f"MULTISURFACE (CURVEPOLYGON (CIRCULARSTRING ({arcs})), {square(200, 0, 10)})"
-    made = labels(write_layer(tmp_path / "a.gpkg", [(surface, "water")], geometry=ogr.wkbMultiSurface))
-    assert (made == 1).sum() == pytest.approx(np.pi * 50**2 + 100, rel=0.005)

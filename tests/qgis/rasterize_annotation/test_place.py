@@ -13,7 +13,6 @@ from made_inputs import (
 )
 from osgeo import gdal, ogr
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsPalettedRasterRenderer,
     QgsProcessingFeatureSourceDefinition,
     QgsRasterLayer,
@@ -29,14 +28,6 @@ def test_the_grid_is_aligned_to_multiples_of_the_pixel_size(rasterize, tmp_path)
     raster = gdal.Open(rasterize(layer, PIXEL_SIZE=2)["OUTPUT"])
     assert raster.GetGeoTransform() == (WEST, 2, 0, NORTH - 2, 0, -2)
     assert (raster.RasterXSize, raster.RasterYSize) == (6, 3)
-
-
-def test_the_extent_is_widened_to_whole_pixels(rasterize, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 100), "field")])
-    extent = f"{WEST + 10.5},{WEST + 19.5},{NORTH - 30.5},{NORTH - 20.5} [EPSG:32632]"
-    raster = gdal.Open(rasterize(layer, EXTENT=extent)["OUTPUT"])
-    assert raster.GetGeoTransform() == (WEST + 10, 1, 0, NORTH - 20, 0, -1)
-    assert (raster.RasterXSize, raster.RasterYSize) == (10, 11)
 
 
 def test_an_extent_in_another_crs_is_brought_to_the_maps(rasterize, tmp_path):
@@ -87,15 +78,6 @@ def test_a_crs_in_feet_becomes_meters_and_that_is_said(rasterize, tmp_path, feed
     assert QgsRasterLayer(results["OUTPUT"]).crs().authid() == "EPSG:32618"
     assert (read_pixels(results["OUTPUT"]) == 1).sum() == pytest.approx(304.8**2, rel=0.01)
     assert "EPSG:2263" in feedback.textLog()
-
-
-def test_the_target_crs_is_used(rasterize, tmp_path):
-    layer = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 100), "field")])
-    target = QgsCoordinateReferenceSystem("EPSG:25833")
-    results = rasterize(layer, TARGET_CRS=target)
-    raster = QgsRasterLayer(results["OUTPUT"])
-    assert raster.crs().authid() == "EPSG:25833"
-    assert (read_pixels(results["OUTPUT"]) == 1).sum() == pytest.approx(100 * 100, rel=0.03)
 
 
 def test_only_the_selected_features_are_burnt_when_asked(labels, tmp_path, project):
