@@ -158,11 +158,17 @@ def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "wrong",
-    [{"SCALE": "1.2,0.8"}, {"MISSED": "0,120"}, {"OFFSET": "0,0.7"}, {"RAGGED": "a,b"}, {"MINIMUM_REFERENCES": 999}],
+    ("wrong", "said"),
+    [
+        ({"SCALE": "1.2,0.8"}, "scale goes from 1.2 to 0.8"),
+        ({"MISSED": "0,120"}, "missed goes from 0 to 120"),
+        ({"OFFSET": "0,0.7"}, "offset goes from 0 to 0.7"),
+        ({"RAGGED": "a,b"}, "RAGGED"),
+        ({"MINIMUM_REFERENCES": 999}, "999 landmarks or more"),
+    ],
 )
-def test_wrong_values_are_told_by_their_key(evaluate, wrong):
-    assert next(iter(wrong)) in refused(evaluate, **wrong)
+def test_wrong_values_are_named(evaluate, wrong, said):
+    assert said in refused(evaluate, **wrong)
 
 
 def test_a_cancel_during_one_image_is_heeded_before_it_ends(inputs, tmp_path, monkeypatch):
