@@ -28,10 +28,10 @@ from distributed.scheduler import KilledWorker
 from distributed.security import Security
 
 from ..core import errors
-from ..core.errors import SemRefError
+from ..core.errors import SemRefError, reason_of
 from ..core.sentences import Sentence
 from . import shipped
-from .reach import CONNECTED_WITHIN_S, no_scheduler, reason_of, require_scheduler
+from .reach import CONNECTED_WITHIN_S, no_scheduler, require_scheduler
 
 ROOT = Path(__file__).resolve().parents[1]
 SENT_ROOMS = ("core", "storage", "cluster")

@@ -11,7 +11,7 @@ from distributed.comm import connect
 from distributed.comm.addressing import parse_address, parse_host_port
 from distributed.security import Security
 
-from ..core.errors import SemRefError
+from ..core.errors import SemRefError, reason_of
 
 CONNECTED_WITHIN_S = 15
 
@@ -73,9 +73,3 @@ async def _greeted(address: str) -> None:
     given = Security().get_connection_args("client")
     comm = await asyncio.wait_for(connect(address, timeout=CONNECTED_WITHIN_S, **given), CONNECTED_WITHIN_S)
     await comm.close()
-
-
-def reason_of(error: BaseException) -> str:
-    """An error's first line as part of a sentence."""
-    text = getattr(error, "strerror", None) or str(error) or type(error).__name__
-    return text.strip().partition("\n")[0].rstrip(".")

@@ -78,3 +78,9 @@ class TrainingError(SemRefError):
 
 class ComponentError(SemRefError):
     """A Python package that SemRef needs can't be installed or removed."""
+
+
+def reason_of(error: BaseException) -> str:
+    """Return the first line of an error of the system or of another library, as part of a sentence."""
+    text = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    return text.strip().partition("\n")[0].rstrip(".")

@@ -14,7 +14,7 @@ from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..core.errors import ParameterError
+from ..core.errors import ParameterError, reason_of
 from .replaceable import (
     derived_files,
     is_foreign_note,
@@ -171,7 +171,7 @@ class Batch:
             ) from None
         except OSError as error:
             raise ParameterError(
-                "{path} can't be written: {reason}; choose another place.", path=final, reason=error.strerror
+                "{path} can't be written: {reason}; choose another place.", path=final, reason=reason_of(error)
             ) from None
         self._staged.append(_Staged(final, Path(workplace), require_free))
         return self._staged[-1]

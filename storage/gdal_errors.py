@@ -5,10 +5,14 @@ from __future__ import annotations
 import contextlib
 import re
 from collections.abc import Iterator
+from typing import Callable, TypeVar
 
 from osgeo import gdal
 
+from ..core.errors import SemRefError
 from ..core.sentences import Sentence
+
+_Read = TypeVar("_Read")
 
 
 def gdal_failure(error: object = None) -> str | Sentence:
@@ -18,6 +22,28 @@ def gdal_failure(error: object = None) -> str | Sentence:
         return Sentence("unknown reason")
     # GDAL 3.10 appends the earlier messages as sentences of their own.
     return re.sub(r"\.\s+(?=[A-Z])", "; ", " ".join(text.split())).rstrip(".")
+
+
+def read_by_gdal(
+    kind: type[SemRefError], path: str, read: Callable[..., _Read], *arguments: object, **keywords: object
+) -> _Read:
+    """Return what GDAL reads; it may raise or return None, as the user set it.
+
+    Args:
+        kind: Of the error that a damaged file is.
+        path: Of the file, for the error.
+        read: A method of GDAL.
+        arguments: Of ``read``.
+        keywords: Of ``read``.
+    """
+    error: object = None
+    try:
+        found = read(*arguments, **keywords)
+        if found is not None:
+            return found
+    except RuntimeError as raised:
+        error = raised
+    raise kind(Sentence("{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure(error)))
 
 
 @contextlib.contextmanager

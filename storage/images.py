@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Callable, TypeVar
-
 import numpy as np
 from osgeo import gdal
 
 from ..core.errors import ImageError, LabelMapError
-from .gdal_errors import gdal_failure
+from .gdal_errors import read_by_gdal
 from .rasters import open_raster
 
 WAVELENGTHS_UM = (0.665, 0.560, 0.490)
@@ -22,8 +20,6 @@ _SAMPLES, _SAMPLE_EDGE = 8, 128
 
 Window = tuple[int, int, int, int]
 """(first column, first row, width, height) in pixels."""
-
-_Read = TypeVar("_Read")
 
 
 class GdalImage:
@@ -100,22 +96,12 @@ class GdalImage:
 
     def _bytes(self, window: Window) -> np.ndarray:
         """(height, width, 3) uint8 as they lie in the file, all bands in one go."""
-        column, row, width, height = window
+        *_, width, height = window
         pixels = np.empty((height, width, 3), np.uint8)
+        sizes, bands = (width, height, gdal.GDT_Byte), list(self.bands)
         spaces = 3, 3 * width, 1  # bytes from pixel to pixel, from line to line, from band to band
-        self._read(
-            self._view.ReadRaster,
-            column,
-            row,
-            width,
-            height,
-            width,
-            height,
-            gdal.GDT_Byte,
-            list(self.bands),
-            *spaces,
-            buf_obj=pixels,
-        )
+        read = self._view.ReadRaster
+        read_by_gdal(ImageError, self._path, read, *window, *sizes, bands, *spaces, buf_obj=pixels)
         return pixels
 
     def _stretched(self, window: Window) -> np.ndarray:
@@ -125,23 +111,7 @@ class GdalImage:
         return np.stack([_stretched(read[number], *limits) for number, limits in limited], axis=2)
 
     def _values(self, band: gdal.Band, window: Window) -> np.ndarray:
-        return self._read(band.ReadAsArray, *window)
-
-    def _read(self, read: Callable[..., _Read], *arguments: object, **keywords: object) -> _Read:
-        """What GDAL reads; it may raise or give None, as the user set it.
-
-        Raises:
-            ImageError: The file is damaged.
-        """
-        try:
-            found = read(*arguments, **keywords)
-        except RuntimeError as error:
-            raise ImageError(
-                "{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure(error)
-            ) from None
-        if found is None:
-            raise ImageError("{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure())
-        return found
+        return read_by_gdal(ImageError, self._path, band.ReadAsArray, *window)
 
     def _percentiles(self) -> np.ndarray:
         height, width = self.shape_hw

@@ -12,7 +12,7 @@ from ..core.labels.class_table import UNLABELED, ClassTable
 from ..core.labels.color_labels import decode_colors
 from ..core.labels.image_files import require_size
 from ..core.segmentation.class_bias import KEY, known_biases, read_class_bias
-from .gdal_errors import gdal_failure
+from .gdal_errors import read_by_gdal
 from .images import GdalImage
 from .label_map_file import CLASS_BIAS_ITEM
 from .rasters import GdalLabels, open_raster
@@ -79,17 +79,9 @@ def has_photo_colors(path: str) -> bool:
 def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
     """(H, W) bool: what a mask in the file keeps; None without one. Raises LabelMapError."""
     band = dataset.GetRasterBand(1)
-    try:
-        if band.GetMaskFlags() != gdal.GMF_PER_DATASET:
-            return None
-        mask = band.GetMaskBand().ReadAsArray()
-    except RuntimeError as error:
-        raise LabelMapError(
-            "{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure(error)
-        ) from None
-    if mask is None:
-        raise LabelMapError("{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure())
-    return mask > 0
+    if read_by_gdal(LabelMapError, path, band.GetMaskFlags) != gdal.GMF_PER_DATASET:
+        return None
+    return read_by_gdal(LabelMapError, path, band.GetMaskBand().ReadAsArray) > 0
 
 
 def stated_biases(path: str) -> str | None:
@@ -119,12 +111,4 @@ def _read_bytes(dataset: gdal.Dataset, number: int, path: str, first_row: int, r
     if band.DataType != gdal.GDT_Byte:
         kind = gdal.GetDataTypeName(band.DataType)
         raise LabelMapError("{path} holds {kind} values; a color label image has 8 bits a band.", path=path, kind=kind)
-    try:
-        data = band.ReadAsArray(0, first_row, dataset.RasterXSize, rows)
-    except RuntimeError as error:
-        raise LabelMapError(
-            "{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure(error)
-        ) from None
-    if data is None:
-        raise LabelMapError("{path} is damaged or cut short: {reason}.", path=path, reason=gdal_failure())
-    return data
+    return read_by_gdal(LabelMapError, path, band.ReadAsArray, 0, first_row, dataset.RasterXSize, rows)

@@ -13,7 +13,7 @@ import numpy as np
 from osgeo import gdal
 
 from ..core import limits
-from ..core.errors import LabelMapError, UnwritableError
+from ..core.errors import LabelMapError, UnwritableError, reason_of
 from ..core.labels.class_table import (
     ClassTable,
     LandCoverClass,
@@ -23,7 +23,7 @@ from ..core.labels.class_table import (
 )
 from ..core.labels.image_files import require_kind_of_name
 from ..core.labels.sources import ArrayLabels, LabelSource, count_labels
-from .gdal_errors import gdal_failure, gdal_failures
+from .gdal_errors import gdal_failure, gdal_failures, read_by_gdal
 from .label_map_file import CLASS_TABLE_ITEM
 
 HELD_PIXELS = 400_000_000
@@ -280,14 +280,7 @@ class GdalLabels:
         Raises:
             LabelMapError: The file is damaged, or a value is no label.
         """
-        try:
-            block = self._band.ReadAsArray(column, row, width, height)
-        except RuntimeError as error:
-            raise LabelMapError(
-                "{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure(error)
-            ) from None
-        if block is None:
-            raise LabelMapError("{path} is damaged or cut short: {reason}.", path=self._path, reason=gdal_failure())
+        block = read_by_gdal(LabelMapError, self._path, self._band.ReadAsArray, column, row, width, height)
         # Blocks that are read once and in order would only fill GDAL's cache.
         if not self._keeps_blocks or width == self._dataset.RasterXSize:
             self._dataset.FlushCache()
@@ -402,7 +395,7 @@ def image_files(paths: list[str]) -> list[str]:
         try:
             inside = sorted(os.listdir(path))
         except OSError as error:
-            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=error.strerror) from None
+            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
         if not images:
             raise LabelMapError("The folder {path} holds no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)

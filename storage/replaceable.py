@@ -9,7 +9,7 @@ import stat
 from collections.abc import Collection
 from pathlib import Path
 
-from ..core.errors import ParameterError
+from ..core.errors import ParameterError, reason_of
 from .sqlite_copy import WAIT_S
 
 _SQLITE, _TIFF, _ZIP, _MARKUP, _JSON, _PDF, _SHAPEFILE, _FLATGEOBUF = range(1, 9)
@@ -108,7 +108,7 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
         return
     except OSError as error:
         raise ParameterError(
-            "{path} can't be written: {reason}; choose another place.", path=final, reason=error.strerror
+            "{path} can't be written: {reason}; choose another place.", path=final, reason=reason_of(error)
         ) from None
     if not head:
         return

@@ -9,7 +9,7 @@ from qgis.core import Qgis, QgsProject, QgsRasterLayer, QgsReferencedRectangle, 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
 
-from ..core.errors import ParameterError, SemRefError
+from ..core.errors import ParameterError, SemRefError, reason_of
 from ..processing.exchange.class_styles import annotation_renderer
 from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.inspection.models import SHIPPED
@@ -158,9 +158,7 @@ def copy_sample(folder: Path) -> None:
         with folder_written_beside(str(folder)) as made:
             shutil.copytree(SAMPLE, made, dirs_exist_ok=True, ignore=shutil.ignore_patterns(".*"))
     except OSError as error:
-        raise ParameterError(
-            "{path} can't be written: {reason}.", path=folder, reason=error.strerror or error
-        ) from error
+        raise ParameterError("{path} can't be written: {reason}.", path=folder, reason=reason_of(error)) from error
 
 
 def parameters(folder: Path) -> dict:

@@ -7,7 +7,7 @@ import stat
 from collections.abc import Iterator
 
 from .. import limits
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from .table import Check, Columns, Row
 
 
@@ -57,8 +57,7 @@ class GrowingTable:
                     yield from self._taken(line)
         except (OSError, ValueError) as error:
             # ValueError: a path with a null character.
-            reason = getattr(error, "strerror", None) or str(error)
-            raise ParameterError("{path} can't be read: {reason}.", path=self.path, reason=reason) from None
+            raise ParameterError("{path} can't be read: {reason}.", path=self.path, reason=reason_of(error)) from None
 
     def _taken(self, line: bytes) -> Iterator[Row | ParameterError]:
         """One line as a row; nothing of the header and of an empty line."""

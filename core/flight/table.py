@@ -12,7 +12,7 @@ from math import isfinite
 from typing import Callable
 
 from .. import limits
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from ..sentences import Sentence
 
 
@@ -54,8 +54,7 @@ def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
             return file.read(min(most if count is None else count, state.st_size))
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ParameterError("{path} can't be read: {reason}.", path=path, reason=reason) from None
+        raise ParameterError("{path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from typing import TextIO
 import cv2
 
 from .. import limits
-from ..errors import ParameterError, SemRefError
+from ..errors import ParameterError, SemRefError, reason_of
 from .logs.files import read_log
 from .table import bytes_of, stem_of
 from .telemetry import Telemetry, log_cameras
@@ -106,18 +106,14 @@ def _write(path: str, data: bytes) -> None:
     except FileExistsError:
         raise ParameterError("{path} is there already; choose another folder.", path=path) from None
     except OSError as error:
-        raise ParameterError(
-            "{path} can't be written: {reason}.", path=path, reason=error.strerror or str(error)
-        ) from None
+        raise ParameterError("{path} can't be written: {reason}.", path=path, reason=reason_of(error)) from None
     try:
         with file:
             file.write(data)
     except OSError as error:
         with contextlib.suppress(OSError):
             os.remove(path)
-        raise ParameterError(
-            "{path} can't be written: {reason}.", path=path, reason=error.strerror or str(error)
-        ) from None
+        raise ParameterError("{path} can't be written: {reason}.", path=path, reason=reason_of(error)) from None
 
 
 def _table(names: list[str], times: list[float], log: Telemetry | None) -> str:

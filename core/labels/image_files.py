@@ -18,7 +18,7 @@ from PIL.PngImagePlugin import PngImageFile
 from PIL.TiffImagePlugin import TiffImageFile
 
 from .. import limits
-from ..errors import ImageError, LabelMapError, SemRefError
+from ..errors import ImageError, LabelMapError, SemRefError, reason_of
 from ..sentences import Sentence
 from .class_table import ClassTable
 from .color_labels import decode_colors
@@ -149,7 +149,7 @@ def image_files(paths: list[str]) -> list[str]:
         try:
             names = sorted(os.listdir(path))
         except OSError as error:
-            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=error.strerror) from None
+            raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         images = [os.path.join(path, name) for name in names if is_image_name(name)]
         if not images:
             raise LabelMapError("The folder {path} holds no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
@@ -213,8 +213,7 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
         ) from None
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
-        reason = getattr(error, "strerror", None) or str(error)
-        raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=reason)) from None
+        raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error))) from None
     require_kind_of_name(path, data, kind)
     return data
 

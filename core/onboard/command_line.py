@@ -14,7 +14,7 @@ from typing import Any
 import cv2
 
 from .. import limits
-from ..errors import DatabaseError, ParameterError, SemRefError
+from ..errors import DatabaseError, ParameterError, SemRefError, reason_of
 from ..flight.settings import FLIGHT
 from ..labels.image_files import image_files
 from ..localization import LEAST_RISK, RISK, Method, Prior, Status
@@ -168,7 +168,7 @@ def _write(text: str) -> None:
         print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
     except OSError as error:
         raise ParameterError(
-            "{where} can't be written: {reason}; choose another place.", where="stdout", reason=error.strerror
+            "{where} can't be written: {reason}; choose another place.", where="stdout", reason=reason_of(error)
         ) from None
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import ParameterError, SemRefError
+from ..errors import ParameterError, SemRefError, reason_of
 from ..geometry.camera import Camera
 from ..labels.class_shares import SeenLabels
 from ..labels.class_table import ClassTable
@@ -116,5 +116,4 @@ def time_of(path: str) -> datetime:
         return datetime.fromtimestamp(os.stat(path).st_mtime, timezone.utc)
     except (OSError, OverflowError, ValueError) as error:
         # A file system may hold years that no calendar has.
-        reason = getattr(error, "strerror", None) or str(error)
-        raise ParameterError("Image {path} can't be read: {reason}.", path=path, reason=reason) from None
+        raise ParameterError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None

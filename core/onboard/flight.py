@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from .. import limits
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from ..flight.memory import checked_array
 from ..flight.model import FlightImage
 from ..flight.motion import Link
@@ -166,7 +166,7 @@ class FlightFinding(FinderSettings):
             memory.is_kept = True
         except OSError as error:
             if memory.is_kept:
-                say(logging.ERROR, "state_not_kept", state=self.state.path, reason=error.strerror or str(error))
+                say(logging.ERROR, "state_not_kept", state=self.state.path, reason=reason_of(error))
             memory.is_kept = False
 
     def _resume(self, state: StateFile) -> FlightTracker:

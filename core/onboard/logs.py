@@ -10,6 +10,7 @@ import stat
 import time
 from dataclasses import replace
 
+from ..errors import reason_of
 from ..flight.logs.files import MOST_LOG_BYTES
 from ..flight.logs.mavlink import TlogReader, is_tlog
 from ..flight.table import bytes_of
@@ -78,7 +79,7 @@ class GrowingLog:
             self._fails = False
         except OSError as error:
             if not self._fails:
-                say(logging.ERROR, "log_fails", path=self.path, reason=error.strerror or str(error))
+                say(logging.ERROR, "log_fails", path=self.path, reason=reason_of(error))
             self._fails = True
 
 

@@ -17,7 +17,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from ..geometry.lon_lat import LonLatPolynomial, local_axes, meters_from
 from .sinks import LOOPBACK, Sink
 
@@ -281,9 +281,8 @@ def _opened(where: str) -> _Line:
             ) from None
         return Serial(name, number, write_timeout=1)
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
         raise ParameterError(
-            "{where} can't be written: {reason}; choose another place.", where=where, reason=reason
+            "{where} can't be written: {reason}; choose another place.", where=where, reason=reason_of(error)
         ) from None
 
 

@@ -19,7 +19,7 @@ from .. import limits
 from ..database.checks import require_sound
 from ..database.model import MapLandmarks, ReferenceDatabase, Windows
 from ..database.parameters import BuildParameters, build_parameters
-from ..errors import ClassTableError, DatabaseError
+from ..errors import ClassTableError, DatabaseError, reason_of
 from ..geometry.lon_lat import HIGHEST_DEGREE, LonLatPolynomial, term_count
 from ..labels.class_table import ClassTable, class_table_from_csv
 from ..values import checked, number, read_json
@@ -66,7 +66,7 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
             files = _unpacked(archive, path)
     except UNREADABLE as error:
         if isinstance(error, OSError) and error.errno is not None:
-            raise DatabaseError("{path} can't be read: {reason}.", path=path, reason=error.strerror) from None
+            raise DatabaseError("{path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         raise _damaged(path, error) from None
     try:
         members = {name: _array(name, data) for name, data in files.items()}

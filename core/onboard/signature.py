@@ -6,7 +6,7 @@ import hashlib
 import hmac
 from collections.abc import Mapping
 
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from .format import HASH, SIGNATURE
 
 SHORTEST_KEY, LONGEST_KEY = 16, 4096
@@ -26,7 +26,7 @@ def read_key(path: str) -> bytes:
         with open(path, "rb") as file:
             key = file.read(LONGEST_KEY + 1)
     except OSError as error:
-        raise ParameterError("The key {path} can't be read: {reason}.", path=path, reason=error.strerror) from None
+        raise ParameterError("The key {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
     if not SHORTEST_KEY <= len(key) <= LONGEST_KEY:
         raise ParameterError(
             "The key {path} has {size} bytes; a key has {least} to {most} random ones.",

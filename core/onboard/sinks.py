@@ -12,7 +12,7 @@ import socket
 import sys
 from typing import Callable
 
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from .log import say
 
 LOOPBACK = "127.0.0.1"
@@ -44,7 +44,7 @@ class Sink:
         except OSError as error:
             self.lost += 1
             if not self._fails:
-                say(logging.ERROR, "sink_fails", where=self.where, reason=error.strerror or str(error))
+                say(logging.ERROR, "sink_fails", where=self.where, reason=reason_of(error))
             self._fails = True
         else:
             if self._fails:
@@ -71,9 +71,8 @@ class _File(Sink):
             # Without a buffer: what a full disk did not take must not come later, out of order.
             self._file = open(where, "ab", buffering=0)  # noqa: SIM115  closed by close
         except (OSError, ValueError) as error:
-            reason = getattr(error, "strerror", None) or str(error)
             raise ParameterError(
-                "{where} can't be written: {reason}; choose another place.", where=where, reason=reason
+                "{where} can't be written: {reason}; choose another place.", where=where, reason=reason_of(error)
             ) from None
         self._before = b"\n" if _ends_within_a_line(where) else b""
 

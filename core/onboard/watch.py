@@ -13,7 +13,7 @@ from contextlib import ExitStack, closing
 from datetime import datetime, timezone
 from typing import TYPE_CHECKING, Any, Callable
 
-from ..errors import ParameterError
+from ..errors import ParameterError, reason_of
 from ..labels.image_files import is_image_name
 from ..localizer.record import gga_sentence
 from .log import json_line, say
@@ -94,10 +94,10 @@ def arriving(folder: str, once: bool, after: tuple[int, str] | None = None) -> I
                 raise ParameterError(
                     "The folder {folder} can't be looked into ({reason}); start again when it can.",
                     folder=folder,
-                    reason=error.strerror,
+                    reason=reason_of(error),
                 ) from None
             if not gone:
-                say(logging.ERROR, "folder_gone", folder=folder, reason=error.strerror)
+                say(logging.ERROR, "folder_gone", folder=folder, reason=reason_of(error))
             gone, before = True, {}
             time.sleep(LOOK_EVERY_S)
             continue
@@ -136,7 +136,7 @@ def _images_in(folder: str) -> dict[str, State]:
                 state = entry.stat() if entry.is_file() else None
             except OSError as error:
                 # Removed between being listed and being looked at, a link to itself, no right to look.
-                say(logging.DEBUG, "left_out", path=entry.path, reason=error.strerror)
+                say(logging.DEBUG, "left_out", path=entry.path, reason=reason_of(error))
                 continue
             if state is not None:
                 found[entry.path] = (state.st_mtime_ns, state.st_size)

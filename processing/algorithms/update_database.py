@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsCsException,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterRasterLayer,
@@ -143,6 +142,8 @@ class UpdateDatabase(SemRefAlgorithm):
         self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
     ) -> list[tuple[int, int, int, int]] | None:
         """(left, top, right, bottom) in pixels around every changed polygon; None without CHANGED."""
+        from ..exchange.reference_systems import transformed_box
+
         if self._changed is None:
             return None
         transform = QgsCoordinateTransform(self._changed.sourceCrs(), self._layer.crs, values.transform_context)
@@ -150,15 +151,14 @@ class UpdateDatabase(SemRefAlgorithm):
         for feature in self._changed.getFeatures():
             check_canceled(feedback)
             for part in feature.geometry().asGeometryCollection():
-                try:
-                    box = transform.transformBoundingBox(part.boundingBox())
-                except QgsCsException:
+                box = transformed_box(transform, part.boundingBox())
+                if box.isNull():
                     raise ParameterError(
                         "{key}: the area of feature {feature} can't be brought to the label map's CRS; check the "
                         "layer's CRS.",
                         key=self.CHANGED,
                         feature=feature.id(),
-                    ) from None
+                    )
                 areas.append(_pixels_around(box, frame))
         if not areas:
             raise ParameterError(

@@ -33,7 +33,7 @@ from ...core.annotation.findings import (
 from ...core.annotation.polygons import AnnotatedFeature
 from ..compat import is_null
 from .annotation import AnnotationSource, drawing_priority
-from .reference_systems import WGS84
+from .reference_systems import WGS84, transformed_box
 
 
 @dataclass
@@ -122,13 +122,8 @@ class _AreaOfUse:
         self._bounds = source.crs.bounds()
         self._to_degrees = QgsCoordinateTransform(source.crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
         # Nearly always the whole layer lies inside: no feature has to be looked at.
-        self._all_inside = self._bounds.isEmpty() or self._bounds.contains(self._degrees(source.extent))
+        whole = transformed_box(self._to_degrees, source.extent)
+        self._all_inside = self._bounds.isEmpty() or self._bounds.contains(whole)
 
     def touches(self, box: QgsRectangle) -> bool:
-        return self._all_inside or self._bounds.intersects(self._degrees(box))
-
-    def _degrees(self, box: QgsRectangle) -> QgsRectangle:
-        try:
-            return self._to_degrees.transformBoundingBox(box)
-        except QgsCsException:
-            return QgsRectangle()
+        return self._all_inside or self._bounds.intersects(transformed_box(self._to_degrees, box))

@@ -29,6 +29,22 @@ def describe_crs(crs: QgsCoordinateReferenceSystem) -> str:
     return f"{crs.authid()} {crs.description()}".strip() or "unnamed CRS"
 
 
+def transformed_box(transform: QgsCoordinateTransform, box: QgsRectangle) -> QgsRectangle:
+    """Return the box around ``box`` in the other CRS; null where that has no such place."""
+    try:
+        return transform.transformBoundingBox(box)
+    except QgsCsException:
+        return QgsRectangle()
+
+
+def transformed_point(transform: QgsCoordinateTransform, point: QgsPointXY) -> QgsPointXY | None:
+    """Return the point in the other CRS; None where that has no such place."""
+    try:
+        return QgsPointXY(transform.transform(point))
+    except QgsCsException:
+        return None
+
+
 def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
     """The CRS that a database is in. Raises DatabaseError for one that can't be read."""
     crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
@@ -66,17 +82,13 @@ def utm_zone(
 ) -> QgsCoordinateReferenceSystem:
     """The UTM zone (near the poles UPS) of the middle of ``extent``, on WGS 84."""
     to_degrees = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
-    try:
-        middle = to_degrees.transform(extent.center())
-        longitude, latitude = middle.x(), middle.y()
-        fits = abs(longitude) <= 360 and abs(latitude) <= 90
-    except QgsCsException:
-        fits = False
-    if not fits:
+    middle = transformed_point(to_degrees, extent.center())
+    if middle is None or not (abs(middle.x()) <= 360 and abs(middle.y()) <= 90):
         raise ParameterError(
             "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.",
             crs=describe_crs(crs),
         )
+    longitude, latitude = middle.x(), middle.y()
     if latitude > 84:
         code = _UPS_NORTH
     elif latitude < -80:
@@ -105,10 +117,7 @@ def meters_from(
     """
     degrees = QgsCoordinateReferenceSystem(WGS84)
     transform = QgsCoordinateTransform(crs, degrees, transform_context)
-    try:
-        box = transform.transformBoundingBox(QgsRectangle(*extent)) if transform.isValid() else QgsRectangle()
-    except QgsCsException:
-        return None
+    box = transformed_box(transform, QgsRectangle(*extent)) if transform.isValid() else QgsRectangle()
     if box.isEmpty() or not box.isFinite():
         return None
     measure = QgsDistanceArea()

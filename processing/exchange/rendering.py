@@ -14,7 +14,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsCsException,
     QgsDistanceArea,
     QgsMapLayer,
     QgsMapRendererSequentialJob,
@@ -33,7 +32,7 @@ from ...core.geometry.frame import MapFrame
 from ...storage.pictures import ColorPicture
 from ..compat import MAP_TILE, is_metric, wkt_for_gdal
 from .downloads import Downloads, install, watched_downloads
-from .reference_systems import describe_crs, utm_zone
+from .reference_systems import describe_crs, transformed_box, utm_zone
 
 TILE_PX = 1024
 """Edge of what is drawn at a time; a cancel ends the drawing of one within CANCEL_EVERY_MS."""
@@ -97,10 +96,7 @@ def plan_drawing(
         ImageError: The extent can't be brought to a metric CRS, or is too large.
     """
     crs = _true_crs(extent, extent_crs, context)
-    try:
-        ground = QgsCoordinateTransform(extent_crs, crs, context).transformBoundingBox(extent)
-    except QgsCsException:
-        ground = QgsRectangle()
+    ground = transformed_box(QgsCoordinateTransform(extent_crs, crs, context), extent)
     if ground.isEmpty() or not ground.isFinite():
         raise ImageError(
             "The extent for “{layer}” does not fit its CRS {crs}; choose another one.",

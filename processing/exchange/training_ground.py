@@ -13,7 +13,6 @@ from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
-    QgsCsException,
     QgsFeatureRequest,
     QgsRasterLayer,
     QgsRectangle,
@@ -29,7 +28,7 @@ from ..compat import is_metric, is_null, wkt_for_gdal
 from .annotation import AnnotationSource
 from .areas import DrawnArea, area_mask
 from .layers import RasterLayer, image_layer
-from .reference_systems import describe_crs, metric_crs
+from .reference_systems import describe_crs, metric_crs, transformed_box
 
 Placed = tuple[QgsRectangle, QgsCoordinateReferenceSystem]
 
@@ -47,10 +46,7 @@ def require_common_ground(
     """
     if not (image.crs().isValid() and crs.isValid()):
         return
-    try:
-        moved = QgsCoordinateTransform(crs, image.crs(), context).transformBoundingBox(extent)
-    except QgsCsException:
-        moved = QgsRectangle()
+    moved = transformed_box(QgsCoordinateTransform(crs, image.crs(), context), extent)
     if moved.isEmpty() or not moved.intersects(image.extent()):
         raise ParameterError(
             "{image} and {labels} show different ground; choose an image and labels of the same place, and check "
@@ -87,11 +83,8 @@ def classes_on(
 
 def _moved(rectangle: QgsRectangle, transform: QgsCoordinateTransform) -> QgsRectangle | None:
     """None where the CRS can't tell, such as that of a map of the world, or is unknown."""
-    try:
-        moved = transform.transformBoundingBox(rectangle)
-    except QgsCsException:
-        return None
-    return moved if transform.isValid() and moved.isFinite() else None
+    moved = transformed_box(transform, rectangle)
+    return moved if transform.isValid() and moved.isFinite() and not moved.isNull() else None
 
 
 def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -> None:
@@ -194,13 +187,13 @@ class TrainingGround:
     def _in(
         self, crs: QgsCoordinateReferenceSystem, rectangle: QgsRectangle, own: QgsCoordinateReferenceSystem
     ) -> QgsRectangle:
-        try:
-            return QgsCoordinateTransform(own, crs, self.context).transformBoundingBox(rectangle)
-        except QgsCsException:
+        moved = transformed_box(QgsCoordinateTransform(own, crs, self.context), rectangle)
+        if moved.isNull():
             raise ParameterError(
                 "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.",
                 crs=describe_crs(own),
-            ) from None
+            )
+        return moved
 
     def told(self, image: RasterFile) -> dict:
         """What the model's metadata tell of the ground it was trained on."""

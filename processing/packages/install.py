@@ -20,7 +20,7 @@ from qgis.core import QgsNetworkAccessManager
 from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtNetwork import QNetworkProxy
 
-from ...core.errors import ComponentError, SemRefError
+from ...core.errors import ComponentError, SemRefError, reason_of
 from ...core.sentences import Sentence
 from ...storage.atomic_output import folder_written_beside
 from ..translation import tr
@@ -179,7 +179,7 @@ def _install_one(python: str, package: Package, wheels: str) -> Commands:
         raise ComponentError(
             "{package} can’t be installed: {reason}: {name}.",
             package=package.pip_name,
-            reason=error.strerror,
+            reason=reason_of(error),
             name=name,
         ) from error
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from osgeo import gdal
 
-from ...core.errors import DatabaseError, DatabaseInUseError
+from ...core.errors import DatabaseError, DatabaseInUseError, reason_of
 from ..sqlite_copy import WAIT_S
 from . import schema
 
@@ -73,7 +73,7 @@ def snapshot(path: str) -> Iterator[Snapshot]:
             ) from None
         raise damaged(path, error) from None
     except OSError as error:
-        raise damaged(path, error.strerror or error) from None
+        raise damaged(path, reason_of(error)) from None
     except _DAMAGES as error:
         raise damaged(path, error) from None
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import cos, radians, sin, sqrt
 
-from qgis.core import QgsCsException, QgsGeometry, QgsPointXY
+from qgis.core import QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsVertexMarker
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
+from ...processing.exchange.reference_systems import transformed_point
 from ...processing.inspection.image import RUNNERS_UP
 from ...processing.inspection.window import LookAlike
 from ..findings import Finding
@@ -77,10 +78,7 @@ class HitHighlight(Marks):
     def _center_on_canvas(self) -> QgsPointXY | None:
         if self._hit is None or self._hit.center is None:
             return None
-        try:
-            return QgsPointXY(to_canvas(self._canvas, self._hit.crs).transform(self._hit.center))
-        except QgsCsException:
-            return None
+        return transformed_point(to_canvas(self._canvas, self._hit.crs), self._hit.center)
 
 
 def _runner_up(rank: int) -> str:

@@ -7,7 +7,6 @@ from typing import Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsCsException,
     QgsMapLayer,
     QgsProcessingContext,
     QgsProcessingFeatureSourceDefinition,
@@ -17,7 +16,7 @@ from qgis.core import (
 )
 
 from ...processing.compat import is_metric
-from ...processing.exchange.reference_systems import metric_crs
+from ...processing.exchange.reference_systems import metric_crs, transformed_box
 from ...processing.framework.training_estimate import epochs_within
 from ...processing.translation import tr
 from ...training.job import LITE0, SMALL
@@ -63,14 +62,10 @@ def _shape(image: QgsRasterLayer, labels: QgsMapLayer | None, resolution_cm: Any
     crs = image.crs()
     if not is_metric(crs):
         crs = metric_crs(crs, QgsCoordinateReferenceSystem(), image.extent(), context)
-    try:
-        ground = QgsCoordinateTransform(image.crs(), crs, context).transformBoundingBox(image.extent())
-        pixel = float(resolution_cm) / 100 if resolution_cm else ground.width() / max(image.width(), 1)
-        if labels is not None and labels.crs().isValid():
-            own = QgsCoordinateTransform(labels.crs(), crs, context).transformBoundingBox(labels.extent())
-            ground = ground.intersect(own)
-    except QgsCsException:
-        return None
+    ground = transformed_box(QgsCoordinateTransform(image.crs(), crs, context), image.extent())
+    pixel = float(resolution_cm) / 100 if resolution_cm else ground.width() / max(image.width(), 1)
+    if labels is not None and labels.crs().isValid():
+        ground = ground.intersect(transformed_box(QgsCoordinateTransform(labels.crs(), crs, context), labels.extent()))
     if ground.isEmpty() or pixel <= 0:
         return None
     return max(1, round(ground.height() / pixel)), max(1, round(ground.width() / pixel))

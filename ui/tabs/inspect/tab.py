@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsCsException,
     QgsPointXY,
     QgsProject,
 )
@@ -26,6 +25,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....processing.exchange.reference_systems import transformed_point
 from ....processing.inspection.window import (
     Comparison,
     InspectedWindow,
@@ -213,11 +213,9 @@ class InspectTab(QWidget):
             self._wanted_point = point
             self.databaseWanted.emit()
             return
-        try:
-            project = QgsProject.instance()
-            crs = self._canvas.mapSettings().destinationCrs()
-            place = QgsCoordinateTransform(crs, self._crs, project).transform(point)
-        except QgsCsException:
+        crs = self._canvas.mapSettings().destinationCrs()
+        place = transformed_point(QgsCoordinateTransform(crs, self._crs, QgsProject.instance()), point)
+        if place is None:
             return
         index = window_under(self._database, place.x(), place.y())
         if index is None:

@@ -6,11 +6,10 @@ from qgis.core import (
     QgsCoordinateFormatter,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
-    QgsCsException,
-    QgsPointXY,
     QgsProject,
 )
 
+from ....processing.exchange.reference_systems import transformed_point
 from ....processing.translation import tr
 from ...findings import Finding
 
@@ -68,10 +67,7 @@ def _in_project(finding: Finding, project: QgsProject):
     crs: QgsCoordinateReferenceSystem = project.crs()
     if not crs.isValid():
         return None
-    try:
-        return QgsPointXY(QgsCoordinateTransform(finding.crs, crs, project).transform(finding.center))
-    except QgsCsException:
-        return None
+    return transformed_point(QgsCoordinateTransform(finding.crs, crs, project), finding.center)
 
 
 def possible_formats(finding: Finding, project: QgsProject) -> list[str]:
