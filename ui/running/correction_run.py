@@ -106,7 +106,7 @@ class CorrectionRun(QObject):
         self.rasterizing: dict[str, Any] = {}
         self.asked: dict[str, Any] = {}
         self._known: _Known | None = None
-        self._changed: list[QgsRectangle] = []
+        self._changed: QgsVectorLayer | None = None
         self._next = self._rasterize
         self._reader = Reader(self)
         self._reader.answered.connect(self._go_on)
@@ -190,7 +190,7 @@ class CorrectionRun(QObject):
         """The part of the map where features are others than in the database; None for all of it."""
         from ...processing.inspection.correction import changed_bounds, part_to_rasterize
 
-        known, self._changed = self._known, []
+        known, self._changed = self._known, None
         if known is None or known.of != of or known.checksums is None or known.checksums != plan.checksums:
             return None
         if known.drawn is None or plan.drawn is None:
@@ -199,8 +199,10 @@ class CorrectionRun(QObject):
         if not changed or not os.path.isfile(known.labels):
             return None
         context = QgsProject.instance().transformContext()
-        part = part_to_rasterize(plan.grid, changed, self._wanted.annotation.crs(), context)
-        self._changed = changed if part is not None else []
+        # The layer may be gone when the database is updated.
+        crs = self._wanted.annotation.crs()
+        part = part_to_rasterize(plan.grid, changed, crs, context)
+        self._changed = None if part is None else _layer_of(changed, crs)
         return part
 
     def _paste(self, rasterized: dict) -> None:
@@ -214,8 +216,8 @@ class CorrectionRun(QObject):
         self._next, self._first_percent = self._replace, _RASTERIZED_PERCENT
         self._updated = self._beside(self._wanted.database) or os.path.join(self._folder, "updated.gpkg")
         self.asked = {"DATABASE": self._wanted.database, "LABELS": rasterized["OUTPUT"], "OUTPUT": self._updated}
-        if self._changed:
-            self.asked["CHANGED"] = _layer_of(self._changed, self._wanted.annotation.crs())
+        if self._changed is not None:
+            self.asked["CHANGED"] = self._changed
         self._run.start_algorithm(UPDATE, self.asked, tr("Updating the database"))
 
     def _replace(self, _updated: dict) -> None:
