@@ -53,11 +53,6 @@ def test_an_overlap_is_told_with_the_upper_polygon_first_and_its_area(priority, 
     assert finding.decided == (priority > 0)
 
 
-def test_polygons_left_out_do_not_overlap():
-    polygons, partition = laid(feature(square(0, 0, 5)), feature(square(3, 0, 5), 2))
-    assert find_overlaps(polygons, partition, np.array([0, 1]), np.array([False, True])) == []
-
-
 def test_a_hidden_polygon_is_told_with_what_covers_most_of_it():
     polygons, partition = laid(feature(square(0, 0, 6)), feature(square(-1, -1, 6), 2), feature(square(0, 0, 9), 3))
     (finding,) = find_hidden(polygons, partition, np.array([0, 2, 1]), [])

@@ -61,11 +61,6 @@ def test_geometries_are_those_of_the_features_and_none_where_there_is_none():
     assert geometries[2] is None
 
 
-def test_heights_are_dropped():
-    flat = feature_geometries([feature(shapely.force_3d(square(0, 0, 3), 400.0))])
-    assert not shapely.has_z(flat).any()
-
-
 def test_in_drawing_the_later_of_equal_priority_lies_on_top():
     polygons = polygons_of(feature(square(0, 0, 1), 1, 5.0), feature(square(0, 0, 2)), feature(square(0, 0, 3)))
     assert polygons.drawn_ranks().tolist() == [2, 0, 1]

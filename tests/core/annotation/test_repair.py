@@ -69,17 +69,6 @@ def test_polygons_are_valid_and_share_no_area(kind, seed):
 
 @every_kind
 @every_seed
-def test_neighbors_of_one_class_are_one_polygon(kind, seed):
-    features = random_features(kind, seed)
-    done = repair(features)
-    polygons, classes = polygons_of(done), classes_of(done, features)
-    one, other = shapely.STRtree(polygons).query(polygons, predicate="intersects")
-    same = (one < other) & (classes[one] == classes[other])
-    assert shapely.length(shapely.intersection(polygons[one[same]], polygons[other[same]])).sum() == 0
-
-
-@every_kind
-@every_seed
 def test_on_its_own_output_nothing_changes(kind, seed):
     features = random_features(kind, seed)
     once = repair(features, 1.0, 3.0)
@@ -201,8 +190,3 @@ def test_touching_polygons_of_one_class_take_the_attributes_of_the_largest():
     assert [polygon.feature for polygon in done.polygons] == [1, 2]
     (change,) = done.changes
     assert (change.kind, change.feature_id, change.number) == (DISSOLVED, 1, 2)
-
-
-def test_parts_of_a_multipolygon_become_polygons_of_the_same_feature():
-    parts = shapely.union_all([square(0, 0, 2), square(5, 5, 2)])
-    assert [polygon.feature for polygon in repair([feature(parts)]).polygons] == [0, 0]

@@ -39,11 +39,6 @@ def test_each_broken_part_is_told_and_the_whole_not_again():
     assert [f.feature_id for f in invalid(feature(shapely.multipolygons([BOWTIE, other, square(50, 0, 2)])))] == [0, 0]
 
 
-def test_valid_parts_that_do_not_fit_are_told_once():
-    parts = shapely.multipolygons([square(0, 0, 5), square(5, 0, 5)])
-    assert [f.kind for f in invalid(feature(parts))] == [INVALID]
-
-
 @pytest.mark.parametrize(
     ("broken", "kind", "severity"),
     [

@@ -19,12 +19,6 @@ def test_points_lie_at_even_distances_and_at_both_ends():
     assert points.lengths == (155.0,)
 
 
-def test_every_line_is_a_route_of_its_own():
-    points = route_points([BENT[:2], BENT[:1], BENT[2:]], 100.0)
-    assert points.lines.tolist() == [0, 0, 1, 1]
-    assert points.lengths == (100.0, 55.0)
-
-
 @pytest.mark.parametrize("lines", [[], [np.zeros((1, 2))], [np.zeros((3, 2))]])
 def test_a_route_without_length_is_refused(lines):
     with pytest.raises(ParameterError, match="no line with a length"):

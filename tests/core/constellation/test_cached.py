@@ -83,9 +83,3 @@ def test_an_index_of_something_else_is_built_again(tmp_path, monkeypatch, what):
     found = cached_index(references, pixel, settings)
     np.testing.assert_array_equal(found.keys, build_index(references, pixel, settings).keys)
     assert len(before) == 1 and len(files(tmp_path)) == 2
-
-
-def test_the_index_of_few_landmarks_is_not_stored(tmp_path, monkeypatch):
-    monkeypatch.setattr(cached, "FEWEST", COUNT + 1)
-    loaded(landmarks())
-    assert files(tmp_path) == []

@@ -6,7 +6,6 @@ import pytest
 from semref.core.constellation.index import (
     build_index,
     expand_ranges,
-    full_area,
     key_ranges,
     like_triangles,
     part_shapes,
@@ -64,8 +63,3 @@ def test_the_code_of_the_last_triangle_fits_its_kind_whatever_the_number_of_land
     assert last <= np.iinfo(kind).max
     # Half the memory where that is enough.
     assert (kind == np.int32) == (last <= np.iinfo(np.int32).max)
-
-
-def test_classes_have_their_places_and_unknown_ones_none(index):
-    assert index.rank_of(np.array([5, 1, 99, 2, 3])).tolist() == [2, 0, -1, 1, -1]
-    assert full_area(np.array([81.0]), 1.0).tolist() == [100.0]

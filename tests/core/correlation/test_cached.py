@@ -11,9 +11,7 @@ from semref.core.correlation import cached
 from semref.core.correlation.cached import cached_pyramid
 from semref.core.correlation.class_pyramid import MapPyramid, part_shapes, pyramid_parts
 from semref.core.correlation.settings import CORRELATION
-from semref.core.correlation.solver import localize
 from semref.core.geometry.frame import MapFrame
-from semref.core.localization import Prior
 
 FRAME = MapFrame.at((500_000.0, 5_200_000.0), 4.0)
 
@@ -64,15 +62,6 @@ def test_a_pyramid_is_made_once_and_then_loaded_to_the_last_bit(monkeypatch):
     assert not pyramid.stored(3).evidence.flags.writeable
 
 
-def test_an_image_is_found_in_a_loaded_pyramid_as_in_one_that_was_made():
-    labels = overview(7, (400, 400))
-    image = labels[100:260, 150:310]
-    prior = Prior(pixel_size_range=(3.8, 4.2))
-    loaded(labels)
-    found, expected = (localize(image, one, prior) for one in (loaded(labels), MapPyramid(labels, FRAME)))
-    assert expected.best is not None and found.best == expected.best and found.risk == expected.risk
-
-
 @pytest.mark.parametrize("what", ["labels", "shape", "settings", "version"])
 def test_a_pyramid_of_something_else_is_made_again(tmp_path, monkeypatch, what):
     labels, settings = overview(), CORRELATION
@@ -95,12 +84,6 @@ def test_settings_that_only_tell_how_it_is_searched_leave_it_as_it_is(monkeypatc
     loaded(overview())
     never_made(monkeypatch)
     assert loaded(overview(), replace(CORRELATION, candidates=7)).settings.candidates == 7
-
-
-def test_the_pyramid_of_a_small_map_is_not_stored(tmp_path, monkeypatch):
-    monkeypatch.setattr(cached, "FEWEST_PIXELS", overview().size + 1)
-    loaded(overview())
-    assert files(tmp_path) == []
 
 
 @pytest.mark.parametrize("shape_hw", [(1, 1), (4, 4), (5, 3), (17, 64), (203, 310)])

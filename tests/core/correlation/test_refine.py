@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, axes, pose_covariance, refine, score_at
+from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_covariance, refine, score_at
 
 TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
 PIXEL_M = 500 / 64 * TRUE.pixel_size_m
@@ -29,11 +29,6 @@ def test_the_score_is_high_at_the_true_pose_low_elsewhere_and_none_beside_the_ma
     places = [TRUE, ScoredPose(TRUE.x + 150, TRUE.y - 80, 41.0, 1.03), ScoredPose(-3000, 0, 0, 1)]
     here, there, beside = (score_at(image, patch_pyramid, place, patch_pyramid.quiet) for place in places)
     assert here > 0.8 and there < 0.4 and beside == NOT_COMPARABLE
-
-
-def test_axes_lead_right_and_down_as_the_heading_turns_them():
-    np.testing.assert_allclose(axes(ScoredPose(0, 0, 90.0, 2.0)) @ [1, 0], [0, 2], atol=1e-12)
-    np.testing.assert_allclose(axes(ScoredPose(0, 0, 0.0, 2.0)) @ [1, 3], [2, 6], atol=1e-12)
 
 
 def test_the_covariance_grows_with_the_noise_of_the_labels(patch_pyramid, image):

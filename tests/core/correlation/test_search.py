@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.search import SearchSpace, search, template_edge, turn_image
+from semref.core.correlation.search import SearchSpace, search
 
 HEADINGS = np.arange(0.0, 360.0, 30.0)
 
@@ -28,14 +28,3 @@ def test_peaks_are_told_best_first_and_inside_the_box_only(patch_pyramid, image_
 def test_nothing_is_found_beside_the_map(patch_pyramid, image_at):
     space = SearchSpace(HEADINGS, np.array([1.0]), (9000.0, 9000.0, 9400.0, 9400.0))
     assert search(image_at(850, 640, 120, 1.0, 32), patch_pyramid, space).shape == (0, 5)
-
-
-def test_a_turned_image_fits_its_template_and_has_norm_one(image_at):
-    image = image_at(850, 640, 0, 1.0, 32)
-    edge = template_edge(image)
-    assert edge % 2 == 1 and edge >= 32 * np.sqrt(2)
-    for heading in (0.0, 45.0, 200.0):
-        turned = turn_image(image, heading, edge, 500 / 32)
-        assert (turned.evidence**2).sum() == pytest.approx(1, abs=1e-4)
-        np.testing.assert_allclose(turned.evidence.sum(axis=(0, 1)), 0, atol=1e-3)
-        assert turned.mask.sum() == pytest.approx(32 * 32, rel=0.02)

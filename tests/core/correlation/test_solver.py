@@ -133,13 +133,6 @@ def test_a_prior_tells_the_two_places_apart(labels):
     assert error_m(result.best, (2100, 1450)) < 4
 
 
-def test_a_heading_prior_may_wrap_around_north(labels, pyramid):
-    prior = replace(PRIOR, heading_deg=0.0, heading_range_deg=10.0)
-    result = localize(view(labels, (1300, 1000), 356, 1.0), pyramid, prior)
-    assert result.status == "fix"
-    assert abs(result.heading_deg - 356) < 0.3
-
-
 @pytest.mark.slow
 def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid, monkeypatch):
     image = view(labels, (1500, 700), 123, 0.9)

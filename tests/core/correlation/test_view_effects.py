@@ -39,13 +39,6 @@ def test_a_tilted_camera_is_seen_and_the_place_put_right(patches, patch_pyramid,
     assert away(level) > 3.0 and away(found.moved(level)) < 0.3 * away(level)
 
 
-def test_a_level_camera_is_left_where_it_is(patches, patch_pyramid):
-    image, level = seen(patches, patch_pyramid)
-    found = view_effect(image, patch_pyramid, level, FACTOR, ERRORS)
-    assert math.dist((level.x, level.y), (found.moved(level).x, found.moved(level).y)) < 0.5
-    assert np.sqrt(found.covariance[0, 0]) * PIXEL_M < 1.0
-
-
 def test_a_lens_that_bends_makes_the_pixel_size_uncertain_or_right(patches, patch_pyramid):
     image, level = seen(patches, patch_pyramid, lens=0.03)
     found = view_effect(image, patch_pyramid, level, FACTOR, ERRORS)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.flight.links import halves, links_by_image, rest
-from semref.core.flight.motion import Link, LinkSource, as_rows
+from semref.core.flight.links import links_by_image, rest
+from semref.core.flight.motion import Link, as_rows
 
 KNOWN = as_rows(np.diag([1.0, 2.0, 1e-4, 1e-4]))
 
@@ -28,18 +28,6 @@ def test_what_is_left_of_a_link_over_an_image_ends_where_that_link_does(in_meter
     assert (later.first, later.second) == (1, 2)
     assert joined(earlier, later) == pytest.approx(joined(over))
     assert np.linalg.eigvalsh(np.array(later.covariance)).min() > 1e-5
-
-
-@pytest.mark.parametrize("in_meters", [False, True])
-def test_two_halves_end_where_the_whole_does_and_know_less(in_meters):
-    over = link(3, 5, (50.0, -170.0), -0.2, 0.1, in_meters)
-    pair = halves(over)
-    assert [(one.first, one.second, one.source) for one in pair] == [
-        (3, 4, LinkSource.ASSUMED),
-        (4, 5, LinkSource.ASSUMED),
-    ]
-    assert joined(*pair) == pytest.approx(joined(over))
-    assert all(one.covariance[0][0] > 50 for one in pair)
 
 
 def test_a_link_over_an_image_counts_only_where_neighbors_have_none():

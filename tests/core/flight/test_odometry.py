@@ -53,11 +53,6 @@ def test_steps_of_images_that_the_flight_lacks_are_put_together(tmp_path):
     assert link.covariance[0][0] > one.covariance[0][0]
 
 
-def test_a_row_without_numbers_breaks_the_chain(tmp_path):
-    found = links(tmp_path, ["a,,,", "b,1,2,3", "c,,,", "d,1,2,3"], ["a", "b", "c", "d"])
-    assert [(link.first, link.second) for link in found] == [(0, 1), (2, 3)]
-
-
 def test_a_table_in_the_other_order_is_turned_round(tmp_path):
     (there,) = links(tmp_path, ["a,,,", "b,3,200,-30"], ["b", "a"])
     (back,) = links(tmp_path, ["a,,,", "b,3,200,-30"], ["a", "b"])

@@ -62,13 +62,6 @@ def test_stated_deviations_are_those_of_the_errors():
     assert np.sqrt(np.mean(np.square(units))) == pytest.approx(1.0, abs=0.1)
 
 
-def test_between_fixes_the_deviation_grows_to_the_middle():
-    found = track(11, {0, 10}, np.random.default_rng(2))
-    sizes = [deviation(estimate).max() for estimate in found]
-    assert sizes[5] > 1.2 * max(sizes[0], sizes[10])
-    assert all(a < b for a, b in zip(sizes[:5], sizes[1:6]))
-
-
 def test_many_measurements_do_not_promise_what_they_share():
     rng = np.random.default_rng(3)
     middle = deviation(track(12, set(range(12)), rng)[6]).max()

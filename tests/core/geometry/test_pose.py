@@ -21,11 +21,6 @@ def test_a_turn_tells_its_heading_and_pixel_size(heading):
 
 
 @pytest.mark.parametrize("pose", [LEVEL, TILTED])
-def test_what_goes_to_the_map_comes_back(pose):
-    np.testing.assert_allclose(pose.in_image(pose.on_map(IMAGE)), IMAGE, atol=1e-5)
-
-
-@pytest.mark.parametrize("pose", [LEVEL, TILTED])
 def test_the_size_of_a_pixel_is_the_root_of_its_ground(pose):
     if pose is TILTED:
         pose = Pose(pose.center, pose.turn, 0j, pose.slope)

@@ -44,10 +44,6 @@ def test_saturation_and_value_count_on_both_sides_of_the_wrap(color):
     assert decode_by_hsv(image_of(color), ClassTable((RED,))).tolist() == [[0]]
 
 
-def test_a_class_without_range_is_never_decoded_by_hsv():
-    assert decode_by_hsv(image_of((0, 255, 0)), ClassTable((RED, GREEN))).tolist() == [[0]]
-
-
 def test_where_ranges_overlap_the_first_class_by_value_wins():
     image = image_of((0, 0, 255), (128, 128, 255))
     assert decode_by_hsv(image, ClassTable((BLUISH, BLUE))).tolist() == [[2, 2]]

@@ -84,7 +84,3 @@ def test_maps_without_common_names_are_matched_by_value(predicted):
     np.testing.assert_array_equal(match.values, np.arange(256))
     assert match.name(1) == "water"
     assert match.name(9) == ("b" if predicted else "9")
-
-
-def test_maps_without_any_names_go_by_their_numbers():
-    assert match_classes(None, None).name(3) == "3"

@@ -40,11 +40,6 @@ def test_validation_holds_about_the_fraction_of_the_labels(fraction):
     assert labeled[taken].sum() / labeled.sum() == pytest.approx(fraction, abs=0.02)
 
 
-@pytest.mark.parametrize("labeled", [[[7]], [[0, 0, 9]], [[0, 5], [0, 0]]])
-def test_one_labeled_block_is_never_set_aside(labeled):
-    assert not validation_blocks(np.array(labeled), 0.9).any()
-
-
 def test_an_image_smaller_than_a_tile_is_refused():
     with pytest.raises(ParameterError, match="300 × 50 pixels, less than a tile of 64"):
         plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)

@@ -169,15 +169,6 @@ def test_objects_come_by_class_and_then_from_top_to_bottom():
     assert (rows_from_objects(again) == rows_from_objects(objects)).all()
 
 
-def test_objects_can_be_selected_by_mask_and_by_index():
-    objects = extract_landmarks(random_labels(6), [1, 2, 3], 4.0)
-    large = objects.select(objects.areas_px > 50)
-    assert 0 < len(large) < len(objects) and large.areas_px.min() > 50
-    first_two = objects.select(np.array([1, 0]))
-    assert first_two.centers_xy.tolist() == objects.centers_xy[[1, 0]].tolist()
-    assert len(objects.select(np.zeros(len(objects), bool))) == 0
-
-
 @pytest.mark.parametrize("values", [[], [1, 2, 3]], ids=["empty", "three classes"])
 def test_objects_become_rows_and_back(values):
     objects = extract_landmarks(random_labels(7), values, 4.0)

@@ -86,10 +86,6 @@ def test_a_fix_tells_what_its_radius_is_made_of():
     assert both.startswith("In the left part of the image only 0 of 24 landmarks agree") and both.endswith(said)
 
 
-def test_deviations_that_no_trials_confirm_are_not_told():
-    assert "heading_deviation" not in record(replace(FIX, covariance=replace(COVARIANCE, ellipse_95=None)))
-
-
 def test_a_sentence_has_its_checksum_and_never_sixty_minutes():
     moment = datetime(2026, 5, 1, 12, 34, 56, 789_000, timezone.utc)
     # Checked by hand: the exclusive or of all characters between $ and *.

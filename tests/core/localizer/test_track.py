@@ -35,11 +35,6 @@ def test_errors_of_both_fixes_are_allowed_for():
     assert flagged([0, 1, 2], [0, 17, 20], errors=[3, 3, 3]) == [1]
 
 
-def test_of_two_that_contradict_each_other_the_less_confident_one_is_flagged():
-    assert flagged([0, 1], [0, 100], confidences=[0.9, 0.95]) == [0]
-    assert flagged([0, 1], [0, 100], confidences=[0.95, 0.9]) == [1]
-
-
 def test_fixes_of_the_same_moment_must_lie_together():
     assert flagged([0, 0, 1], [0, 50, 5]) == [1]
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -57,12 +55,6 @@ def test_what_lies_in_the_area_is_kept_and_nothing_else(database):
     assert 0 < least <= len(part.references) <= most
     assert part.overview.shape == database.overview.shape
     assert not part.overview[:, : 200 // 8 - 1].any() and part.overview[20:40, 30:60].any()
-
-
-def test_a_database_without_overview_is_clipped_too(database):
-    mask = area_mask([RING], database.parameters)
-    part = clipped(replace(database, overview=None), mask)
-    assert part.overview is None and len(part.references) == len(clipped(database, mask).references)
 
 
 def test_an_area_without_landmarks_is_refused(database):

@@ -193,14 +193,6 @@ def test_a_wrong_command_line_ends_with_the_usage(capsys):
     assert "--database" in capsys.readouterr().err
 
 
-def test_the_help_names_the_commands_and_exit_codes(capsys):
-    with pytest.raises(SystemExit):
-        main(["--help"])
-    said = capsys.readouterr().out
-    for text in ("info", "localize", "watch", "examples:", "exit codes:"):
-        assert text in said
-
-
 def test_a_copy_of_core_is_all_that_is_needed(database, image, repository, tmp_path):
     copy_core(repository, tmp_path)
     program = (

@@ -36,14 +36,6 @@ def test_everything_comes_back_as_exactly_as_the_file_says(database, written):
     np.testing.assert_array_equal(found.database.overview, database.overview)
 
 
-def test_the_asked_precision_is_kept(database, tmp_path):
-    path = str(tmp_path / "coarse.npz")
-    write_onboard(path, database, None, precision=0.5)
-    found = read_onboard(path)
-    worst = np.abs(found.database.references.positions - database.references.positions).max()
-    assert 0.4 < worst <= found.position_error == 0.5
-
-
 def test_a_database_of_no_windows_and_no_overview_comes_back(database, tmp_path):
     path = str(tmp_path / "bare.npz")
     arrays = {item.name: getattr(database.windows, item.name) for item in fields(Windows)}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from made_models import metadata, painted, write_model
+from made_models import painted, write_model
 
 from semref.core.errors import ModelError
 from semref.core.segmentation.devices import (
@@ -164,9 +164,3 @@ def test_images_that_were_looked_at_are_counted(load):
     model.scores([photo])
     model.scores([photo, photo][:1])
     assert model.tiles_seen == 2
-
-
-def test_notes_on_metadata_are_told_once(load, monkeypatch):
-    FakeOnnxruntime(monkeypatch, EVERY, fails=[CUDA.provider])
-    model = load(size=(64, 64), metadata=metadata(tile_size=32))
-    assert len(model.notes) == 1

@@ -81,13 +81,6 @@ def test_a_single_probability_counts_from_its_threshold_on(load, threshold, shar
     np.testing.assert_array_equal(found, photo[..., 0] / 255 > share)
 
 
-def test_several_images_at_once_give_what_each_gives(load):
-    model = load(batch="batch")
-    model.tiles_at_once = 2
-    both = model.scores([PHOTO, PHOTO[::-1]])
-    np.testing.assert_array_equal(both[1], model.scores([PHOTO[::-1]])[0])
-
-
 def test_a_class_table_names_the_channels_of_a_model_that_does_not(load):
     table = class_table_from_csv("value,name\n10,a\n20,b\n30,c\n")
     np.testing.assert_array_equal(seen_by(load(table=table, metadata=metadata(class_names=None))), LABELS * 10)

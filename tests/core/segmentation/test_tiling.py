@@ -83,12 +83,6 @@ def test_pixels_without_data_are_0_and_empty_tiles_skip_the_network(model, monke
     assert sum(given) == 4  # of 8 tiles
 
 
-def test_the_share_done_grows_tile_by_tile_to_1(model):
-    shares = [share for share, _ in segment(model, ArrayImage(painted(labels_hw(150, 190))), VALUES, 0.25)]
-    assert len(shares) == 3 * 4
-    np.testing.assert_allclose(np.diff([0, *shares]), 1 / len(shares))
-
-
 @pytest.mark.parametrize("shape", [(1, 1), (7, 100), (100, 7)])
 def test_an_image_of_a_few_pixels_is_refused(model, shape):
     with pytest.raises(ImageError, match=f"{shape[1]} × {shape[0]} pixels shows too little"):

@@ -141,13 +141,6 @@ def test_mislabeled_landmarks_keep_their_shape():
     assert 8 <= len(changed) <= 32
 
 
-def test_regions_smaller_than_a_landmark_are_left_alone():
-    labels = np.full((50, 50), 7, np.uint8)
-    labels[10:13, 10:13] = 1
-    noise = LabelNoise(missed=1.0)
-    np.testing.assert_array_equal(spoiled(labels, noise, values=(1, 2), donor=labels, minimum_area_px=10), labels)
-
-
 # --- background ---
 
 

@@ -26,14 +26,6 @@ def seen_from(column, row, heading=0.0, width=61, height=61, **changes) -> View:
     return View(column, -row, heading, 1.0, width, height, **changes)
 
 
-@pytest.mark.parametrize(("heading", "quarter_turns"), [(0, 0), (90, 1), (180, 2), (270, 3)])
-@pytest.mark.parametrize("size", [63, 64])
-def test_quarter_turns_lose_no_pixel(labels_hw, heading, quarter_turns, size):
-    window = labels_hw[40 : 40 + size, 70 : 70 + size]
-    view = seen_from(70 + size / 2, 40 + size / 2, heading, size, size)
-    np.testing.assert_array_equal(cut(labels_hw, PIXELS, view), np.rot90(window, quarter_turns))
-
-
 def test_heading_90_shows_the_east_at_the_top():
     labels = np.zeros((100, 100), np.uint8)
     labels[50, 70] = 9

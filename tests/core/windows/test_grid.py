@@ -5,7 +5,7 @@ import re
 import pytest
 
 from semref.core.errors import WindowError
-from semref.core.windows.grid import WindowGrid, centered_square, whole_pixels, window_name
+from semref.core.windows.grid import WindowGrid, centered_square, window_name
 
 
 def refuses(sentence):
@@ -47,14 +47,6 @@ def test_a_window_larger_than_the_map_is_refused(width, height):
 
 def test_windows_are_named_after_their_first_pixel_column_first():
     assert window_name(5950, 2100) == "5950_2100"
-
-
-@pytest.mark.parametrize(
-    ("length", "pixel_size", "pixels"),
-    [(0, 1, 0), (1280, 1, 1280), (1280, 0.1, 12800), (0.3, 0.1, 3), (350, 4, 88), (10, 4, 3), (9.9, 4, 2), (1, 10, 0)],
-)
-def test_lengths_become_the_nearest_whole_number_of_pixels(length, pixel_size, pixels):
-    assert whole_pixels(length, pixel_size) == pixels
 
 
 @pytest.mark.parametrize(

@@ -104,13 +104,6 @@ def test_the_order_of_the_objects_changes_nothing():
     assert (vector_rows(shuffled) == vector_rows(objects)).all()
 
 
-def test_moving_image_and_objects_together_changes_nothing():
-    points, classes = polar(*random_objects(4, 8))
-    here = topology_vector(points, classes, CENTER, (1, 2, 3))
-    there = topology_vector(points + 10000, classes, (CENTER[0] + 10000, CENTER[1] + 10000), (1, 2, 3))
-    np.testing.assert_allclose(there, here, rtol=0, atol=1e-6)
-
-
 def test_mirroring_the_image_changes_the_vector():
     objects = random_objects(5, 8)
     mirrored = [(d, -a, c) for d, a, c in objects]
