@@ -10,8 +10,8 @@ import stat
 import time
 from dataclasses import replace
 
+from .. import limits
 from ..errors import reason_of
-from ..flight.logs.files import MOST_LOG_BYTES
 from ..flight.logs.mavlink import TlogReader, is_tlog
 from ..flight.table import bytes_of
 from ..flight.telemetry import MOST_GAP_S, Telemetry
@@ -85,4 +85,4 @@ class GrowingLog:
 
 def is_growing_log(path: str) -> bool:
     """Whether a file is a log that can be read while it grows; raises ParameterError where it can't be read."""
-    return is_tlog(bytes_of(path, MOST_LOG_BYTES, _HEAD_BYTES))
+    return is_tlog(bytes_of(path, limits.LOG_BYTES, _HEAD_BYTES))

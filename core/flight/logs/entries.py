@@ -11,6 +11,7 @@ from typing import Callable, Union
 
 import numpy as np
 
+from ... import limits
 from ..telemetry import FIELDS, Telemetry, telemetry
 
 Data = Union[bytes, mmap.mmap]
@@ -19,10 +20,6 @@ Data = Union[bytes, mmap.mmap]
 GPS_EPOCH_S = 315_964_800
 LEAP_SECONDS = 18
 """From 2017 on; GPS's clock is ahead of UTC by so much."""
-
-
-MOST_ENTRIES = 200_000
-"""Of a kind of messages: over half an hour at 100 a second, some 13 MB; of a longer log every second one is kept."""
 
 
 LOOK_EVERY = 1 << 16
@@ -69,7 +66,7 @@ class _Kind:
 
     def add(self, row: list[float]) -> None:
         if self.seen % self.stride == 0:
-            if len(self.numbers) >= MOST_ENTRIES * len(row):
+            if len(self.numbers) >= limits.LOG_ENTRIES * len(row):
                 thinned = np.array(self.numbers).reshape(-1, len(row))[::2]
                 self.numbers = array("d", thinned.tobytes())
                 self.stride *= 2

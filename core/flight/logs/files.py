@@ -22,9 +22,6 @@ from .ulog import read_ulog
 
 KINDS = ("DJI .SRT", "geo.txt", "ArduPilot .bin", ".tlog", "PX4 .ulg")
 
-MOST_LOG_BYTES = 1_000_000_000
-"""Of a binary log: an autopilot's card writes some 20 MB a minute at most."""
-
 
 def read_log(path: str, canceled: Callable[[], bool] = never) -> Telemetry:
     """What a flight log tells.
@@ -36,7 +33,7 @@ def read_log(path: str, canceled: Callable[[], bool] = never) -> Telemetry:
         ParameterError: It can't be read, is no such log, or tells nothing of a flight.
     """
     # What kind it is shows in few bytes, and whether it may be read at all.
-    if len(bytes_of(path, MOST_LOG_BYTES, 1)) == 0:
+    if len(bytes_of(path, limits.LOG_BYTES, 1)) == 0:
         found = None
     else:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:

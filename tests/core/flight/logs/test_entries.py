@@ -21,7 +21,7 @@ def test_no_entries_are_no_error():
 
 
 def test_what_is_kept_of_a_log_does_not_grow_and_spans_all_of_it(monkeypatch):
-    monkeypatch.setattr("semref.core.flight.logs.entries.MOST_ENTRIES", 100)
+    monkeypatch.setattr("semref.core.limits.LOG_ENTRIES", 100)
     entries = Entries()
     for n in range(5_000):
         entries.add(n / 50, heading=float(n % 360))

@@ -7,8 +7,9 @@ import time
 import pytest
 from growth import LINEAR, growth
 
+from semref.core import limits
 from semref.core.errors import ParameterError
-from semref.core.flight.logs import entries, ulog
+from semref.core.flight.logs import ulog
 from semref.core.flight.logs.dataflash import read_dataflash
 from semref.core.flight.logs.files import read_log
 from semref.core.flight.logs.geo import read_geo
@@ -94,7 +95,7 @@ def test_a_topic_of_unused_fields_keeps_none_of_them():
 
 
 def test_subtitles_keep_a_bounded_number_of_entries(monkeypatch):
-    monkeypatch.setattr(entries, "MOST_ENTRIES", 100)
+    monkeypatch.setattr(limits, "LOG_ENTRIES", 100)
     text = "".join(f"00:{n // 60:02d}:{n % 60:02d},000 --> \n[gb_yaw: {n % 360}]\n" for n in range(3000))
     log = read_srt(text)
     assert 50 <= len(log.times_s) <= 101
