@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,7 +26,7 @@ from ...storage.database.reader import stored_style
 from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
 from ...storage.replaceable import MARK_OF_NOTE
 from .layer_metadata import Note, keep_beside
-from .styles import STYLES, apply_style, name_columns, style_document
+from .styles import STYLES, apply_style, name_columns
 
 if TYPE_CHECKING:
     from .annotation import AnnotationSource
@@ -92,15 +93,14 @@ def repaired_renderer(lookup: ClassLookup, source: AnnotationSource) -> QgsCateg
 
 def label_style(table: ClassTable) -> str:
     """QML of a raster of class values: class colors and names, 0 transparent."""
-    document = style_document("labels")
-    palette = document.elementsByTagName("colorPalette").at(0)
-    for one in table:
-        if one.value:
-            entry = document.createElement("paletteEntry")
-            for name, text in (("value", str(one.value)), ("color", one.color), ("label", one.name), ("alpha", "255")):
-                entry.setAttribute(name, text)
-            palette.appendChild(entry)
-    return document.toString()
+    # As text: Qt writes the attributes of an element in another order in each process.
+    entries = (
+        f'    <paletteEntry value="{one.value}" color="{one.color}" label="{escape(one.name)}" alpha="255"/>\n'
+        for one in table
+        if one.value
+    )
+    qml = (STYLES / "labels.qml").read_text(encoding="utf-8")
+    return qml.replace("<colorPalette/>", "<colorPalette>\n" + "".join(entries) + "   </colorPalette>")
 
 
 def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> str:
