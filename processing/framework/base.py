@@ -170,7 +170,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             for definition in self.parameterDefinitions():
                 if values.has(definition.name()):
                     _READ.get(definition.type(), lambda *_: None)(values, definition.name())
-            require_outputs_apart(self, values, self.MAY_REPLACE)
+            require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
             self.check(values)
         except SemRefError as error:
             return False, worded(error)
@@ -184,7 +184,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
             require(self.PACKAGES)
             values = Values(self, parameters, context)
             values.require_texts()
-            require_outputs_apart(self, values, self.MAY_REPLACE)
+            require_outputs_apart(self, parameters, context, self.MAY_REPLACE)
             self.read_layers(values)
             self._note = note_of_run(self, parameters, context, plugin_version())
         except SemRefError as error:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from qgis.core import (
     QgsMapLayer,
@@ -26,9 +26,6 @@ from qgis.core import (
 from ...core.errors import ParameterError
 from ...storage.atomic_output import require_empty
 from ...storage.replaceable import require_replaceable
-
-if TYPE_CHECKING:
-    from .values import Values
 
 _OGR = re.compile(r"^ogr:(?=.*dbname=)", re.IGNORECASE)
 _DATABASE = re.compile(r"""dbname=(?:'([^']*)'|"([^"]*)"|(\S+))""")
@@ -109,24 +106,39 @@ class _Input:
     layer: str = ""
 
 
-def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may_replace: dict) -> None:
+def replaced_by(definition: QgsProcessingParameterDefinition) -> tuple[str, tuple[str, ...] | None]:
+    """Usual suffix and tables of the older files that an output replaces, see ``require_replaceable``."""
+    from ...storage.database.schema import TABLES
+
+    if definition.type() == "rasterDestination":
+        return ".tif", ()
+    if definition.type() != "fileDestination":
+        return "", ()
+    suffix = f".{definition.defaultFileExtension()}"
+    return suffix, TABLES if suffix == ".gpkg" else ()
+
+
+def require_outputs_apart(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, may_replace: dict
+) -> None:
     """Refuses an output that is an input, or another output, by name, link or inode, or would replace anything foreign.
 
     Args:
         algorithm: Whose parameters are looked at.
-        values: What the user gave; call it where layers live.
+        parameters: What the user gave.
+        context: Of the run; call it where layers live.
         may_replace: Output keys whose file may be that of an input key, since it is read whole before.
 
     Raises:
         ParameterError: With both titles and the path.
     """
     seen: list[tuple[QgsProcessingParameterDefinition, Destination]] = []
-    inputs = list(_inputs(algorithm, values))
+    inputs = list(_inputs(algorithm, parameters, context))
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():
             continue
         is_layer = definition.type() in ("sink", "vectorDestination")
-        wanted = destination_of(values.raw(definition.name()), values.context, is_layer)
+        wanted = destination_of(parameters.get(definition.name()), context, is_layer)
         if not wanted.path:
             continue
         if _LAYER_OF_FILE.search(wanted.path):
@@ -157,15 +169,15 @@ def require_outputs_apart(algorithm: QgsProcessingAlgorithm, values: Values, may
                     path=wanted.path,
                 )
         seen.append((definition, wanted))
-        _require_free(definition, wanted, values)
+        _require_free(definition, wanted)
 
 
-def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destination, values: Values) -> None:
+def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destination) -> None:
     """As when the output is written, which may be after hours."""
     if definition.type() == "folderDestination":
         require_empty(Path(wanted.path))
     else:
-        suffix, tables = values.replaces(definition.name())
+        suffix, tables = replaced_by(definition)
         require_replaceable(wanted.path, suffix, None if wanted.is_table else tables)
 
 
@@ -178,10 +190,12 @@ def _adds_a_layer(wanted: Destination, read: _Input) -> bool:
     return bool(table) and bool(read.layer) and table != read.layer
 
 
-def _inputs(algorithm: QgsProcessingAlgorithm, values: Values) -> Iterator[_Input]:
+def _inputs(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> Iterator[_Input]:
     for definition in algorithm.parameterDefinitions():
         if not definition.isDestination():
-            for source in _sources(values.raw(definition.name()), values.context):
+            for source in _sources(parameters.get(definition.name()), context):
                 path = source.split("|")[0]
                 if os.path.exists(path):
                     layer = _LAYER_NAME.search(source)

@@ -24,7 +24,7 @@ from qgis.core import (
 from ...core import limits
 from ...core.errors import ParameterError
 from ...core.labels.class_table import split_list
-from .destinations import Destination, destination_of, with_destination
+from .destinations import Destination, destination_of, replaced_by, with_destination
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
@@ -232,15 +232,7 @@ class Values:
 
     def replaces(self, key: str) -> tuple[str, tuple[str, ...] | None]:
         """Usual suffix and tables of the older files that an output replaces, see ``require_replaceable``."""
-        from ...storage.database.schema import TABLES
-
-        definition = self._algorithm.parameterDefinition(key)
-        if definition.type() == "rasterDestination":
-            return ".tif", ()
-        if definition.type() != "fileDestination":
-            return "", ()
-        suffix = f".{definition.defaultFileExtension()}"
-        return suffix, TABLES if suffix == ".gpkg" else ()
+        return replaced_by(self._algorithm.parameterDefinition(key))
 
     def destination(self, key: str) -> Destination:
         """Where a layer goes."""
