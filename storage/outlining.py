@@ -10,8 +10,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal
 
-from ..core.annotation.coverage import can_simplify, on_map, simplified
-from ..core.annotation.outlines import outlined
+from ..core.annotation.outlines import can_simplify, on_map, outlined, simplified
 from ..core.errors import LabelMapError
 from .gdal_errors import gdal_failures
 from .rasters import open_raster

@@ -10,7 +10,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from ..core.errors import ParameterError, reason_of
-from .sqlite_copy import WAIT_S
+from .vector_files import WAIT_S
 
 _SQLITE, _TIFF, _ZIP, _MARKUP, _JSON, _PDF, _SHAPEFILE, _FLATGEOBUF = range(1, 9)
 _FOREIGN = -1

@@ -4,12 +4,14 @@ A ring runs along the edges of pixels with its region at its right hand (rows co
 region, the other way round in its holes. It has a vertex where it turns and where other regions meet at its edge. Along
 a line of the grid, edges of one direction lie one behind the other; so sorted, the n-th vertex that one leaves in that
 direction is followed by the n-th that one comes to in it.
+
+Polygons with such borders (a coverage) are simplified alike on both sides.
 """
 
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Callable
 
@@ -17,6 +19,7 @@ import numpy as np
 import shapely
 
 from ..labels.class_table import UNLABELED
+from .polygons import to_wkb
 
 RIGHT, DOWN, LEFT, UP = range(4)
 _STRAIGHT, _TO_OWN_SIDE, _AWAY = 0, 1, 3
@@ -254,3 +257,34 @@ def _spread(order: np.ndarray, begins: np.ndarray) -> np.ndarray:
     ring_of = np.empty(len(order), np.int64)
     ring_of[order] = np.repeat(np.arange(len(begins)), np.diff(begins, append=len(order)))
     return ring_of
+
+
+def can_simplify() -> bool:
+    """Whether this shapely and GEOS can simplify polygons that share borders (shapely 2.1 and GEOS 3.12 can)."""
+    return hasattr(shapely, "coverage_simplify") and shapely.geos_version >= (3, 12, 0)
+
+
+def areas_and_wkb(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(n,) areas and (n,) well-known binaries; of all at once, for asking each polygon takes several times as long."""
+    return shapely.area(polygons), np.asarray(to_wkb(polygons), object)
+
+
+def simplified(polygons: np.ndarray, tolerance: float) -> np.ndarray:
+    """(n,) polygons of a coverage, borders straightened alike on both sides; needs ``can_simplify``.
+
+    Args:
+        polygons: (n,) shapely polygons that share borders vertex by vertex.
+        tolerance: Corners go whose triangle is smaller than the square of it (Visvalingam and Whyatt 1993).
+    """
+    return np.asarray(shapely.coverage_simplify(polygons, tolerance), object)
+
+
+def on_map(polygons: np.ndarray, transform: Sequence[float]) -> np.ndarray:
+    """(n,) polygons in pixel coordinates (column, row), in map coordinates; ``transform``: GDAL's six numbers."""
+    x0, x_column, x_row, y0, y_column, y_row = transform
+
+    def moved(points: np.ndarray) -> np.ndarray:
+        columns, rows = points.T
+        return np.column_stack([x0 + columns * x_column + rows * x_row, y0 + columns * y_column + rows * y_row])
+
+    return shapely.transform(polygons, moved)

@@ -150,7 +150,7 @@ def write_polygons(
     """
     if not outputs.wants(key):
         return
-    from ...core.annotation.coverage import areas_and_wkb, can_simplify
+    from ...core.annotation.outlines import areas_and_wkb, can_simplify
     from ...storage.outlining import LabelPolygons
     from ...storage.rasters import open_raster
     from ..exchange.class_styles import annotation_renderer

@@ -12,7 +12,7 @@ from pathlib import Path
 from osgeo import gdal
 
 from ...core.errors import DatabaseError, DatabaseInUseError, reason_of
-from ..sqlite_copy import WAIT_S
+from ..vector_files import WAIT_S
 from . import schema
 
 _WAL_VERSION = 2

@@ -9,7 +9,7 @@ import tempfile
 
 from osgeo import gdal, ogr
 
-from ..sqlite_copy import copy_whole
+from ..vector_files import copy_whole
 from . import schema
 from .connection import require_unchanged_since, snapshot
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ...core.errors import DatabaseError, ParameterError
 from ..atomic_output import Batch
-from ..sqlite_copy import WAIT_S, copy_whole
+from ..vector_files import WAIT_S, copy_whole
 
 _BEFORE = "_before_update"
 

@@ -20,7 +20,7 @@ def file(tmp_path):
 
 def copied(file, target):
     """Copies in a thread of its own, so that a copy that never ends fails; what it raised, or None."""
-    from semref.storage.sqlite_copy import copy_whole
+    from semref.storage.vector_files import copy_whole
 
     raised = []
 
