@@ -17,7 +17,6 @@ class Code(WorkerPlugin):
         """Keeps what is sent.
 
         Args:
-            package: The name.
             archive: A zip whose one folder has that name.
         """
         self.name = package

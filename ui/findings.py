@@ -138,7 +138,6 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
     """The findings in the order of the images; none without positions.
 
     Args:
-        layers: Of one run.
         labels: The folder LABELS of that run; empty without one.
     """
     positions, footprints, places, *_ = layers

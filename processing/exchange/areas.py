@@ -111,7 +111,6 @@ def area_mask(
     """The pixels of an image that lie in an area of polygons.
 
     Args:
-        area: The polygons.
         crs: Of the image.
         geotransform: GDAL's six numbers of the image.
         shape_hw: (height, width) of the image.

@@ -110,7 +110,6 @@ def write_label_map_style(path: str, table: ClassTable, note: Note | None = None
 
     Args:
         path: Of the label map.
-        table: Its classes.
         note: What the map tells about itself, written beside it as well.
 
     Returns:

@@ -151,7 +151,6 @@ def open_when_done(path: str, labels: object, output: str, context: QgsProcessin
         path: Of the database.
         labels: LABELS as given: where the same run opens that file as well, it joins the group of the database.
         output: The key of the output.
-        context: Of the run.
     """
     if context.project() is None:
         return

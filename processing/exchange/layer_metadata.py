@@ -58,8 +58,6 @@ class Note:
     """What a layer tells about itself.
 
     Attributes:
-        title: What it is called.
-        abstract: What it is.
         history: Lines, the oldest first. A run adds one: when, by which version, and the call that makes it again.
         sources: Of the inputs that name licenses or rights: title, with these in brackets.
     """

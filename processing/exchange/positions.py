@@ -81,7 +81,6 @@ def read_positions(
     """The rows of the positions, in their order.
 
     Args:
-        source: The positions.
         footprints: The footprints of the same run; None for none.
         key: Of the positions, for errors.
         footprints_key: Of the footprints, for errors.

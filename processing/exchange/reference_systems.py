@@ -113,7 +113,6 @@ def meters_from(
         lon_lat: Longitude and latitude, degrees.
         extent: (x_min, y_min, x_max, y_max) of the box.
         crs: Of the box.
-        transform_context: How coordinates are transformed.
     """
     degrees = QgsCoordinateReferenceSystem(WGS84)
     transform = QgsCoordinateTransform(crs, degrees, transform_context)

@@ -124,7 +124,6 @@ def draw(
     """Draws into a GeoTIFF; yields (what is being done, share done 0…1) tile by tile.
 
     Args:
-        drawing: What.
         path: Of the new file.
         context: How the project transforms coordinates.
         canceled: Asked several times a second; once True the drawing ends early.

@@ -125,7 +125,6 @@ def require_outputs_apart(
 
     Args:
         algorithm: Whose parameters are looked at.
-        parameters: What the user gave.
         context: Of the run; call it where layers live.
         may_replace: Output keys whose file may be that of an input key, since it is read whole before.
 

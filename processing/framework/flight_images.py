@@ -35,7 +35,6 @@ class TakenImage:
     """An image before the flight is heard.
 
     Attributes:
-        path: Of the file.
         camera: That took it.
         result: Of the image alone; None with an error.
         flown: What the flight is told of it: labels as a level camera shows them, its own result; None with an error.
@@ -72,9 +71,7 @@ def with_log(
     """The cameras with what a flight log tells and they don't.
 
     Args:
-        cameras: Of the images.
         log: Of the flight; None without one.
-        paths: Of the images.
         with_attitude: Whether images are leveled.
 
     Raises:

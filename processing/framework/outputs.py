@@ -165,8 +165,6 @@ class Outputs:
         """Gives a sink to fill; one that is not wanted takes features and forgets them.
 
         Args:
-            key: The output.
-            schema: Its fields.
             geometry: One of ``compat``'s kinds of geometry.
             crs: What the geometries are in.
             style: Its file in ``resources/styles``; columns get their titles without one as well.

@@ -50,7 +50,6 @@ class NetworkPace:
     """What ran a network, and how fast.
 
     Attributes:
-        model: The network.
         seconds: That it took, with reading images and putting tiles together.
     """
 

@@ -222,7 +222,6 @@ def draw_for_model(
         layer: What ``rendering.drawable`` gave.
         extent: The ground wanted.
         crs: Of the extent.
-        model_path: The network.
         context: How the project transforms coordinates.
         canceled: Asked several times a second.
 

@@ -66,7 +66,6 @@ def require_scheduler(values: Values, others: Sequence[str] = ()) -> None:
     """Raises ParameterError where SCHEDULER can't be what is meant, ComponentError where packages are missing.
 
     Args:
-        values: Of the algorithm.
         others: Keys of what only QGIS can do.
     """
     if not values.has(SCHEDULER):
@@ -195,7 +194,6 @@ def workers(
     """Those of SCHEDULER; None where it is not given.
 
     Args:
-        values: Of the algorithm.
         feedback: Takes what the process reports.
         files: That workers read, with their ``storage.file_states.state`` before they were read here.
         labels: The label map, for tasks of ``core.database.tasks``.

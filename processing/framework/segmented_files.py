@@ -66,7 +66,6 @@ class SegmentedFiles:
         """Nothing is written yet.
 
         Args:
-            outputs: Of the run.
             grid: Where the pixels lie.
             model: Whose classes they are.
             keys: Of the label map, the confidence and the probabilities.

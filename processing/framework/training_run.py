@@ -52,9 +52,6 @@ class TrainingRun:
 
     The user's settings keep its name and a secret that is also in the folder: a folder that SemRef did not make is
     neither used nor removed, whatever its name and its files.
-
-    Attributes:
-        folder: Its path.
     """
 
     def __init__(self, model: str, resume: bool) -> None:

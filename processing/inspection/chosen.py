@@ -26,7 +26,6 @@ class ChosenImages:
     """Images in files and folders.
 
     Attributes:
-        count: Number of images.
         has_photos: Whether some are photos, by their names or their colors.
         flight: ``count`` if they look like the photos of one flight; otherwise 0.
     """

@@ -18,9 +18,7 @@ class ClassRow:
 
     Attributes:
         value: Of its pixels.
-        name: Of the class.
         color: ``#rrggbb``.
-        is_landmark: Its role.
         order: Its draw order; empty for none.
         hsv: Its least and greatest color of label images, as the file has them.
     """

@@ -71,7 +71,6 @@ def plan_rasterizing(
     """Read what an update of a database needs.
 
     Args:
-        path: Of the database.
         grounds: What must lie on its map: the annotation, the places that were corrected.
         folder: Where the database's class table is written.
         context: How the project transforms coordinates.

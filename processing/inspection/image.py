@@ -131,7 +131,6 @@ def photo_rgba(path: str, longest_px: int) -> np.ndarray:
     """A photo's colors as a network sees them.
 
     Args:
-        path: Of the photo.
         longest_px: A photo whose longer side has more pixels is reduced.
 
     Returns:

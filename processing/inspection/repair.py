@@ -58,7 +58,6 @@ def apply_repair(
     Nothing is saved: the layer is in edit mode afterwards, with one step to undo.
 
     Args:
-        layer: The annotation.
         repaired: OUTPUT of *Repair annotation*, with the fields of ``layer``.
         changes: CHANGES of the same run.
         context: How the project transforms coordinates.

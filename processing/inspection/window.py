@@ -18,7 +18,6 @@ class Ray:
     """One landmark of a topology vector.
 
     Attributes:
-        class_name: Of the landmark.
         color: '#rrggbb' of its class.
         length: Distance from the center over the largest distance, 0–1.
         step: Angle to the next landmark over the largest angle, 0–1.

@@ -20,7 +20,6 @@ def flight_html(
 
     Args:
         points: All images, in order.
-        database: Its name.
         links: Sentences about the motion between images.
         settings: (name, value) of what was chosen.
     """

@@ -14,7 +14,6 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
     """Georeferences an image, in the background.
 
     Args:
-        image: Path.
         corners: Map (x, y) of its four corners (``Finding.corners``).
         crs_wkt: What they are in.
 

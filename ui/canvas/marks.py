@@ -114,7 +114,6 @@ def band(
     """An empty rubber band.
 
     Args:
-        canvas: Where it is drawn.
         kind: ``POLYGON_GEOMETRY`` or ``LINE_GEOMETRY`` of ``processing.compat``.
         color: Of its line; the rim is as opaque as it.
         width: Of its line, in pixels.
@@ -161,7 +160,6 @@ class PlaceMark(Marks):
         super().__init__(canvas, {"place": band(canvas, POLYGON_GEOMETRY, RED, filled=40, rim=False)})
 
     def show(self, place: QgsGeometry, crs: QgsCoordinateReferenceSystem) -> None:
-        """Marks a place."""
         self.draw({"place": place}, crs)
 
     def zoom(self, least_extent: float) -> None:

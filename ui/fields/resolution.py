@@ -32,7 +32,6 @@ def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], 
     """Centimeters a pixel; None where the photo is not finer, or without buildings in the annotation.
 
     Args:
-        layer: The annotation.
         given: Its CLASS or CLASS_FIELD.
         photo: What is learned from.
     """

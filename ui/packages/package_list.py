@@ -28,7 +28,6 @@ class PackageList(QTreeWidget):
         """Without rows.
 
         Args:
-            headings: Of the columns.
             wrapped: The column whose texts are wrapped.
         """
         super().__init__()

@@ -73,7 +73,6 @@ class ShownHit(QObject):
         """Sets paths of what the results that come now were found with.
 
         Args:
-            database: The database.
             model: Empty for label images.
             chosen: Returns files and folders in which images are opened; None where the user chose all images.
         """
