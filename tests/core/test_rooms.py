@@ -173,6 +173,16 @@ def test_the_table_of_rooms_names_every_room_and_has_no_circle(top):
     graphlib.TopologicalSorter(MAY_IMPORT[top]).prepare()
 
 
+def test_no_modules_import_each_other():
+    """Inside functions and for types neither: a circle hides that two modules are one, or that a third is missing."""
+    files = {named(path)[: -len(".py")].replace("/", "."): path for room in ROOMS for path in source_files(room)}
+    imports = {}
+    for module, path in files.items():
+        used = {name if name in files else name.rpartition(".")[0] for name in imported_modules(path)}
+        imports[module] = used & files.keys() - {module}
+    graphlib.TopologicalSorter(imports).prepare()
+
+
 def test_at_most_one_file_of_core_imports_onnxruntime():
     assert len([path for path in source_files("core") if imports_of(path, "onnxruntime")]) <= 1
 
