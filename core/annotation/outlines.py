@@ -39,8 +39,7 @@ def outlined(
     """The 4-connected regions of a label map but those without a label.
 
     Args:
-        rows: Reads it.
-        shape_hw: Its (height, width) in pixels.
+        shape_hw: (height, width) of the label map in pixels.
         proceed: Asked now and then; once False nothing is found any more.
 
     Returns:
@@ -198,7 +197,6 @@ class _Corners:
 
         Args:
             leftmost: (m,) numbers of vertices which one leaves downwards.
-            rows: Reads the label map.
             proceed: Asked now and then.
         """
         places, width = self.places[leftmost], self.shape_hw[1] + 1

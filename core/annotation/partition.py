@@ -133,7 +133,6 @@ def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> 
     """The polygon that covers most of each region as seen from above, the first of equals.
 
     Args:
-        regions: R regions.
         top: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
         face_areas: (F,) m².
 

@@ -99,7 +99,6 @@ def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words
     """What is told of each square, by the names of FIELDS; None for what is not known.
 
     Args:
-        cells: The squares.
         footprint: Edge of the ground that images show.
         threshold: Success that is good enough, 0…1.
         wording: How a reason is said.

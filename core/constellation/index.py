@@ -241,7 +241,6 @@ def cell_keys(ranks: np.ndarray, class_count: int, cells: np.ndarray) -> np.ndar
 
     Args:
         ranks: (T, 3) label ranks of A, B, C.
-        class_count: Classes of the catalogue.
         cells: (T, 5) int64, quantized numbers.
     """
     key = ((ranks[:, 0] * class_count + ranks[:, 1]) * class_count + ranks[:, 2]) % LABEL_BUCKETS
@@ -266,7 +265,6 @@ def key_ranges(
     """Stretches of the index that may hold triangles like the given ones.
 
     Args:
-        index: The map's catalogue.
         numbers: (Q, 5) descriptors.
         ranks: (Q, 3) label ranks of A, B, C, all known.
         tolerances: (Q, 5) of the descriptors.

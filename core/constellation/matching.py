@@ -47,7 +47,6 @@ def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray | float, noise
     Args:
         log_areas_px: (…, n) ln of areas in px².
         pixel_size: Map units, broadcastable.
-        noise: What is assumed.
     """
     return pixel_size * np.hypot(noise.center_noise_px, noise.center_noise_in_sizes * np.exp(log_areas_px / 2))
 

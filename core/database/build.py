@@ -299,7 +299,6 @@ def tile_boxes(shape_hw: tuple[int, int], factor: int) -> list[Box]:
 
     Args:
         shape_hw: (height, width) of the map, pixels.
-        factor: Of the overview.
     """
     height, width = shape_hw
     unit = HASHED_BLOCK * factor // gcd(HASHED_BLOCK, factor)

@@ -60,7 +60,6 @@ def first_pixels_of(centers: np.ndarray, sizes: np.ndarray, frame: MapFrame) -> 
     Args:
         centers: (N, 2) map coordinates (x, y).
         sizes: (N,) edges, map units.
-        frame: Of the label map.
 
     Raises:
         ValueError: A window does not lie on whole pixels.

@@ -35,8 +35,6 @@ class BuildParameters:
     Attributes:
         crs: WKT of the metric CRS.
         geotransform: GDAL's six numbers of the label map.
-        map_width_px: Of the label map.
-        map_height_px: Of the label map.
         pixel_size: Of the label map, map units.
         window_size: Edge of a window of level 1, map units.
         stride: From window to window, map units.

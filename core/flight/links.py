@@ -24,7 +24,6 @@ def links_by_image(links: Sequence[Link], count: int) -> dict[int, Link]:
 
     Args:
         links: Of the flight, in any order.
-        count: Of images.
 
     Raises:
         ParameterError: A link is of images that the flight doesn't have.

@@ -117,7 +117,6 @@ def odometry_links(steps: Sequence[OdometryRow], names: Sequence[str]) -> list[L
     Rows of images that the flight lacks are gone through: their steps are put together.
 
     Args:
-        steps: Rows of the table.
         names: Of the flight's images, in its order; folders and extensions don't matter.
     """
     numbers = {stem_of(name): number for number, name in enumerate(names)}

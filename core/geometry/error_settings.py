@@ -65,7 +65,6 @@ class ClassBias:
     """How far from where it is a network, or a map, shows a class, meters on the ground.
 
     Attributes:
-        value: Of the class.
         east: Along the map's axes, as shadows make it.
         north: The same.
         right: Along the image's axes, as a network's own habits make it.

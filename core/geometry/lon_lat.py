@@ -41,7 +41,6 @@ class LonLatPolynomial:
     i + j ≤ degree in the order (0, 0), (0, 1), … (0, degree), (1, 0), … (degree, 0).
 
     Attributes:
-        degree: Of the polynomials.
         center: (x, y).
         half_size: (half_width, half_height), map units.
         longitude: The coefficients c of the longitude.

@@ -178,9 +178,7 @@ def phase_deviation(turn: complex, map_pixel_size: float, size_px: float) -> flo
     phase drifts over the image, and the shifts average out.
 
     Args:
-        turn: Of the pose.
         map_pixel_size: Of the label map, map units; 0 where it has no pixels.
-        size_px: Of the image.
     """
     if map_pixel_size <= 0:
         return 0.0

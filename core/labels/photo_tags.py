@@ -40,7 +40,6 @@ class PhotoTags:
         zoom: Digital zoom, as a ratio; 1 for none.
         taken: EXIF's date and time of exposure, ``YYYY:MM:DD hh:mm:ss``.
         fraction: Digits of its seconds behind the decimal point.
-        xmp: The XMP packet.
     """
 
     shape_hw: tuple[int, int] | None = None

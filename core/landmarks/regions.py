@@ -36,7 +36,6 @@ class ReachingRegions:
 
         Args:
             source: The label map.
-            value: Of the class.
             places: Apart from each other, on the map.
             minimum_area: Of a landmark, pixels.
             tile_px: See TILE.

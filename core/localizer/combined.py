@@ -68,7 +68,6 @@ def agreed(
     Args:
         objects: Of the constellation, without class areas.
         areas: Of map correlation.
-        shorter_edge_px: Of the image.
         settings: How near is the same place, and the risk that is allowed.
     """
     if objects.best is None or areas.best is None or objects.risk is None or areas.risk is None:
@@ -112,8 +111,6 @@ def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: Locali
     Args:
         fix: Of map correlation.
         prior: What is known of the image besides.
-        shorter_edge_px: Of the image.
-        settings: How near is near.
 
     Raises:
         ValueError: There is no fix.
@@ -171,7 +168,6 @@ def neither(
     Args:
         objects: Of the constellation.
         areas: Of map correlation.
-        shorter_edge_px: Of the image.
         settings: How near two places are the same.
     """
     known = [place.position for place in objects.alternatives]

@@ -17,7 +17,6 @@ def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
 
     Args:
         seen: In the image as it is.
-        way: How it is leveled.
     """
     shares = seen.shares
     if shares is not None:
@@ -43,7 +42,6 @@ def as_taken(found: Localization, way: Leveling) -> Localization:
 
     Args:
         found: Of the leveled image.
-        way: How it was leveled.
 
     Returns:
         The position is that of the image's center, heading and pixel size are those there, the heading that of its top

@@ -34,7 +34,6 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
 
     Args:
         model_path: Of the network; None for label images.
-        threads: That it may use.
         device: That it is run on.
 
     Raises:

@@ -39,8 +39,6 @@ class View:
         y: northing of the image's center, map units
         heading_deg: direction of the image's top, clockwise from grid north
         pixel_size: map units an image pixel shows at the center
-        width_px: columns of the image
-        height_px: rows of the image
         tilt_deg: angle of the optical axis from the vertical
         tilt_direction_deg: where to it is tilted, clockwise from the image's top
         field_of_view_deg: across the image's width; used by tilted views alone
