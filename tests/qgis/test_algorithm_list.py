@@ -65,5 +65,5 @@ def test_where_no_pages_were_made_help_opens_their_text_while_nobody_has_said_wh
 def test_where_no_pages_were_made_help_opens_the_web_when_there_is_one(tmp_path, monkeypatch):
     from semref.processing import version
 
-    monkeypatch.setattr(version, "plugin_metadata", lambda: {"homepage": "https://forge.net/semref"})
+    monkeypatch.setattr(version, "_metadata", lambda: {"homepage": "https://forge.net/semref"})
     assert version.guide_url(root=tmp_path) == "https://forge.net/semref/blob/main/docs/user_guide.md"

@@ -41,9 +41,9 @@ def test_diagnostics_tell_versions_packages_settings_and_messages(qgis_app):
 def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch):
     from semref.processing import version
 
-    monkeypatch.setattr(version, "plugin_metadata", lambda: {"tracker": "https://example.org/semref/issues"})
+    monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://example.org/semref/issues"})
     assert version.tracker_url() == ""
-    monkeypatch.setattr(version, "plugin_metadata", lambda: {"tracker": "https://forge.net/semref/issues"})
+    monkeypatch.setattr(version, "_metadata", lambda: {"tracker": "https://forge.net/semref/issues"})
     assert version.tracker_url() == "https://forge.net/semref/issues"
 
 
