@@ -30,7 +30,7 @@ def listening() -> Iterator[http.server.ThreadingHTTPServer]:
     server.asked = []
     server.url = f"http://127.0.0.1:{server.server_port}"
     server.name = lambda: f"/vsicurl/{server.url}/{next(_NUMBERS)}.tif"
-    threading.Thread(target=server.serve_forever, daemon=True).start()
+    threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
     try:
         yield server
     finally:

@@ -498,6 +498,7 @@ def test_changes_that_wait_beside_a_geopackage_are_not_applied_to_the_newer_one(
     assert not Path(f"{target}-wal").exists()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["DELETE", "WAL"])
 def test_a_geopackage_that_another_program_writes_to_is_not_replaced(run_algorithm, given, tmp_path, mode):
     target = tmp_path / "fixes.gpkg"

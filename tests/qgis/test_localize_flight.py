@@ -165,6 +165,7 @@ def test_what_can_not_be_read_is_a_row_with_its_reason_and_the_flight_goes_on(lo
     assert [row["status"] for row in rows[3:]] == ["fix", "fix"]
 
 
+@pytest.mark.slow
 def test_a_flight_over_other_ground_has_no_track(localize, tmp_path):
     elsewhere = scattered_objects(900, 1400, 800, seed=6)
     for number, view in enumerate(VIEWS, start=5):
@@ -182,6 +183,7 @@ def geo(names: Sequence[str], turned: float = 0.0) -> str:
     return "\n".join(["EPSG:4326", *lines])
 
 
+@pytest.mark.slow
 def test_headings_of_a_log_narrow_the_search(localize, flight, tmp_path):
     names = [f"image{n}.png" for n in range(5, 5 + COUNT)]
     _, right = localize(LOG=str(write_text(tmp_path / "geo.txt", geo(names))))

@@ -54,7 +54,7 @@ def served(tmp_path):
 
     sent = []
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
+    threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True).start()
 
     def name(path: Path) -> str:
         path.rename(folder / path.name)

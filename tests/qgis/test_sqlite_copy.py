@@ -45,6 +45,7 @@ def test_a_copy_holds_what_was_committed(file, tmp_path):
         assert copy.execute("SELECT number FROM numbers").fetchall() == [(7,)]
 
 
+@pytest.mark.slow
 def test_a_file_that_another_program_keeps_locked_is_said_to_be_locked(file, tmp_path):
     with closing(sqlite3.connect(file, isolation_level=None)) as other:
         other.execute("BEGIN EXCLUSIVE")
