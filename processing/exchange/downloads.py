@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import Callable
 from urllib.parse import unquote
 
 from qgis.core import QgsMapLayer, QgsNetworkAccessManager, QgsNetworkRequestParameters
@@ -32,6 +33,9 @@ class Downloads:
     schemes: set[str] = field(default_factory=lambda: set(_SCHEMES))
     refused: str = ""
     is_too_large: bool = False
+    looks: list[Callable[[], None]] = field(default_factory=list)
+    """What replies call, kept alive: a reply and its function refer to each other, and Python's garbage collector
+    would end their connection."""
 
     @property
     def is_broken(self) -> bool:
@@ -84,7 +88,8 @@ def _check_request(request: QNetworkRequest) -> None:
 
 def _limit_reply(request: QNetworkRequest, reply: QNetworkReply) -> None:
     """Ends a reply that grows too large, in the thread that asks."""
-    if not _watched or not _is_for_raster(request):
+    watching = tuple(_watched)
+    if not watching or not _is_for_raster(request):
         return
 
     def look() -> None:
@@ -99,6 +104,7 @@ def _limit_reply(request: QNetworkRequest, reply: QNetworkReply) -> None:
     reply.setReadBufferSize(2 * limits.ANSWER_BYTES)
     # Not downloadProgress: Qt leaves out some of its signals, perhaps that for the bytes that fill the buffer, after
     # which QGIS would wait for its timeout.
+    watching[0].looks.append(look)
     reply.readyRead.connect(look)
 
 

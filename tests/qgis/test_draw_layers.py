@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import threading
 import time
 
 import numpy as np
@@ -119,6 +121,19 @@ def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, t
     # Some tiles at a time, and what the buffers of the system hold; a minute of them would be many gigabytes.
     assert 20e6 < sum(sent) < 1e9
     assert list(tmp_path.iterdir()) == []
+
+
+def test_tiles_without_an_end_are_given_up_also_when_python_collects_garbage_meanwhile(segment, tiles, monkeypatch):
+    from semref.processing.exchange import downloads
+
+    is_for_raster = downloads._is_for_raster
+    timer = threading.Timer(0.5, gc.collect)
+    monkeypatch.setattr(downloads, "_is_for_raster", lambda request: (gc.collect(), is_for_raster(request))[1])
+    began = time.monotonic()
+    timer.start()
+    with pytest.raises(QgsProcessingException, match="more than 20 MB for one tile"):
+        segment(tiles(sent=[]))
+    assert time.monotonic() - began < 30
 
 
 def test_a_redirect_to_a_file_is_not_followed(segment, tiles, tmp_path):
