@@ -30,8 +30,8 @@ from distributed.security import Security
 from ..core import errors
 from ..core.errors import SemRefError, reason_of
 from ..core.sentences import Sentence
-from . import shipped
-from .reach import CONNECTED_WITHIN_S, no_scheduler, require_scheduler
+from . import code_upload
+from .connection import CONNECTED_WITHIN_S, no_scheduler, require_scheduler
 
 ROOT = Path(__file__).resolve().parents[1]
 SENT_ROOMS = ("core", "storage", "cluster")
@@ -131,7 +131,7 @@ def _wait_for_workers(client: Client, tell: _Tell) -> None:
 
 
 @lru_cache(1)
-def _code() -> shipped.Code:
+def _code() -> code_upload.Code:
     """SemRef's rooms that workers need, as a plugin of theirs."""
     files = {"__init__.py": b""}
     for room in SENT_ROOMS:
@@ -142,8 +142,8 @@ def _code() -> shipped.Code:
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as written:
         for name, content in files.items():
             written.writestr(f"{package}/{name}", content)
-    cloudpickle.register_pickle_by_value(shipped)
-    return shipped.Code(package, archive.getvalue())
+    cloudpickle.register_pickle_by_value(code_upload)
+    return code_upload.Code(package, archive.getvalue())
 
 
 class DaskRunner:
@@ -170,7 +170,7 @@ class DaskRunner:
         numbers: dict[str, int] = {}
         waiting, finished = enumerate(calls), as_completed()
         try:
-            kept = self._client.submit(shipped.held, shared, pure=False)
+            kept = self._client.submit(code_upload.held, shared, pure=False)
             self._submit(task, waiting, kept, numbers, finished)
             for future in finished:
                 number = numbers.pop(future.key)
@@ -189,7 +189,7 @@ class DaskRunner:
         """
         waiting, ahead = iter(calls), deque[Any]()
         try:
-            kept = self._client.submit(shipped.held, shared, pure=False)
+            kept = self._client.submit(code_upload.held, shared, pure=False)
             while True:
                 more = max(self._room() - len(ahead), 0)  # Workers may have gone since.
                 ahead += (self._given(task, kept, call) for call in islice(waiting, more))
@@ -203,7 +203,7 @@ class DaskRunner:
             raise _lost(error) from None
 
     def _given(self, task: str, kept: Any, arguments: tuple) -> Any:
-        return self._client.submit(shipped.call, self._package, task, self._path, kept, arguments, pure=False)
+        return self._client.submit(code_upload.call, self._package, task, self._path, kept, arguments, pure=False)
 
     def _submit(self, task: str, waiting: Iterator, kept: Any, numbers: dict[str, int], finished: as_completed) -> None:
         """Fills up what the scheduler has to give out."""

@@ -13,7 +13,7 @@ from ..core.errors import SemRefError
 from ..core.geometry.frame import MapFrame
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.tiling import segment_tiles
-from ..storage.burning import burnt_strip
+from ..storage.rasterize import burnt_strip
 from ..storage.rasters import GdalLabels
 from . import jobs
 from .photos import Opening, opened

@@ -8,7 +8,7 @@ from .sentences import Sentence, english
 class SemRefError(Exception):
     """Base of every error that the user can mend.
 
-    Its text is English; ``processing/wording`` says the same in the user's language.
+    Its text is English; ``processing/messages`` says the same in the user's language.
 
     >>> str(LabelMapError("{path} has no pixels.", path="a.tif"))
     'a.tif has no pixels.'

@@ -345,7 +345,7 @@
   </message>
   <message>
    <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
-   <translation type="unfinished" />
+   <translation>Ein Orthofoto, Kartenkacheln oder die Übersicht der Datenbank; im Bericht unter allem gezeichnet.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -1225,7 +1225,7 @@ Trainings- und Validierungskacheln sind nach Orten getrennt: Ganze Geländeblöc
   </message>
   <message>
    <source>Everything: images, and what cameras write into photos</source>
-   <translation type="unfinished" />
+   <translation>Alles: Bilder und was Kameras in Fotos schreiben</translation>
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -2365,7 +2365,7 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   </message>
   <message>
    <source>Map</source>
-   <translation type="unfinished" />
+   <translation>Karte</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2377,11 +2377,11 @@ Wo Polygone sich überlappen, bleibt die höhere Priorität oben, sonst das klei
   </message>
   <message>
    <source>Map of the route</source>
-   <translation type="unfinished" />
+   <translation>Karte der Route</translation>
   </message>
   <message>
    <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
-   <translation type="unfinished" />
+   <translation>Karte der Route, Profil des erwarteten Erfolgs und ihre Lücken, in einer Datei zum Lesen und Drucken.</translation>
   </message>
   <message>
    <source>Map of the track</source>
@@ -4505,7 +4505,7 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   </message>
   <message>
    <source>The route by expected success; {count} points, {date}. North is up.</source>
-   <translation type="unfinished" />
+   <translation>Die Route nach erwartetem Erfolg; {count} Punkte, {date}. Norden ist oben.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4577,7 +4577,7 @@ Die Methode ist die von He &amp; Wu, Remote Sensing 2025, 17, 1671. Fenster mit 
   </message>
   <message>
    <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
-   <translation type="unfinished" />
+   <translation>Die Quadrate, die „Referenzdatenbank beurteilen“ schrieb; im Bericht unter der Route gezeichnet.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -6885,7 +6885,7 @@ Farben sind die des kategorisierten Stils des Layers, sonst die der Nomenklatur,
   </message>
   <message>
    <source>{path} is of another encoder: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} gehört zu einem anderen Encoder: {reason}.</translation>
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>

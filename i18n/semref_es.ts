@@ -345,7 +345,7 @@
   </message>
   <message>
    <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
-   <translation type="unfinished" />
+   <translation>Una ortofoto, teselas o la vista general de la base de datos, dibujada debajo de todo en el informe.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -1225,7 +1225,7 @@ Las teselas de entrenamiento y de validación se separan por lugar: bloques ente
   </message>
   <message>
    <source>Everything: images, and what cameras write into photos</source>
-   <translation type="unfinished" />
+   <translation>Todo: imágenes y lo que las cámaras escriben en las fotos</translation>
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -2365,7 +2365,7 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   </message>
   <message>
    <source>Map</source>
-   <translation type="unfinished" />
+   <translation>Mapa</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2377,11 +2377,11 @@ Donde se superponen polígonos, queda encima la prioridad más alta; si no, el p
   </message>
   <message>
    <source>Map of the route</source>
-   <translation type="unfinished" />
+   <translation>Mapa de la ruta</translation>
   </message>
   <message>
    <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
-   <translation type="unfinished" />
+   <translation>Mapa de la ruta, perfil del éxito esperado y sus huecos, en un archivo para leer e imprimir.</translation>
   </message>
   <message>
    <source>Map of the track</source>
@@ -4505,7 +4505,7 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   </message>
   <message>
    <source>The route by expected success; {count} points, {date}. North is up.</source>
-   <translation type="unfinished" />
+   <translation>La ruta según el éxito esperado; {count} puntos, {date}. El norte está arriba.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4577,7 +4577,7 @@ El método es el de He &amp; Wu, Remote Sensing 2025, 17, 1671. Las ventanas con
   </message>
   <message>
    <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
-   <translation type="unfinished" />
+   <translation>Los cuadrados que escribió «Evaluar base de datos de referencia», dibujados debajo de la ruta en el informe.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -6885,7 +6885,7 @@ Los colores son los del estilo categorizado de la capa; si no, los de la nomencl
   </message>
   <message>
    <source>{path} is of another encoder: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} es de otro codificador: {reason}.</translation>
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>

@@ -345,7 +345,7 @@
   </message>
   <message>
    <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
-   <translation type="unfinished" />
+   <translation>Une orthophoto, des tuiles ou l’aperçu de la base de données, dessinée sous tout le reste dans le rapport.</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -1225,7 +1225,7 @@ Les tuiles d’entraînement et de validation sont séparées par lieu : des bl
   </message>
   <message>
    <source>Everything: images, and what cameras write into photos</source>
-   <translation type="unfinished" />
+   <translation>Tout : images, et ce que les appareils écrivent dans les photos</translation>
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -2365,7 +2365,7 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   </message>
   <message>
    <source>Map</source>
-   <translation type="unfinished" />
+   <translation>Carte</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2377,11 +2377,11 @@ Là où des polygones se superposent, la priorité la plus élevée reste au-des
   </message>
   <message>
    <source>Map of the route</source>
-   <translation type="unfinished" />
+   <translation>Carte de l’itinéraire</translation>
   </message>
   <message>
    <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
-   <translation type="unfinished" />
+   <translation>Carte de l’itinéraire, profil du succès attendu et ses lacunes, en un fichier à lire et à imprimer.</translation>
   </message>
   <message>
    <source>Map of the track</source>
@@ -4505,7 +4505,7 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   </message>
   <message>
    <source>The route by expected success; {count} points, {date}. North is up.</source>
-   <translation type="unfinished" />
+   <translation>L’itinéraire selon le succès attendu ; {count} points, {date}. Le nord est en haut.</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4577,7 +4577,7 @@ La méthode est celle de He &amp; Wu, Remote Sensing 2025, 17, 1671. Les fenêtr
   </message>
   <message>
    <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
-   <translation type="unfinished" />
+   <translation>Les carrés écrits par « Évaluer une base de données de référence », dessinés sous l’itinéraire dans le rapport.</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -6885,7 +6885,7 @@ Les couleurs sont celles du style catégorisé de la couche, sinon celles de la 
   </message>
   <message>
    <source>{path} is of another encoder: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} est d’un autre encodeur : {reason}.</translation>
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>

@@ -345,7 +345,7 @@
   </message>
   <message>
    <source>An orthophoto, map tiles, or the overview of the database, drawn below everything in the report.</source>
-   <translation type="unfinished" />
+   <translation>正射影像、地图瓦片或数据库的概览，绘制在报告中所有内容的下方。</translation>
   </message>
   <message>
    <source>Angle</source>
@@ -1225,7 +1225,7 @@ Training and validation tiles are divided by place: whole blocks of ground are s
   </message>
   <message>
    <source>Everything: images, and what cameras write into photos</source>
-   <translation type="unfinished" />
+   <translation>全部：图像，以及相机写入照片的信息</translation>
   </message>
   <message>
    <source>Everything: label maps, databases, localization</source>
@@ -2365,7 +2365,7 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Map</source>
-   <translation type="unfinished" />
+   <translation>地图</translation>
   </message>
   <message>
    <source>Map correlation</source>
@@ -2377,11 +2377,11 @@ Where polygons overlap, the higher priority stays on top, else the smaller polyg
   </message>
   <message>
    <source>Map of the route</source>
-   <translation type="unfinished" />
+   <translation>航线地图</translation>
   </message>
   <message>
    <source>Map of the route, profile of expected success, and its gaps, in one file to read and print.</source>
-   <translation type="unfinished" />
+   <translation>航线地图、预期成功率剖面及其空缺，集中在一个可阅读和打印的文件中。</translation>
   </message>
   <message>
    <source>Map of the track</source>
@@ -4505,7 +4505,7 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   </message>
   <message>
    <source>The route by expected success; {count} points, {date}. North is up.</source>
-   <translation type="unfinished" />
+   <translation>按预期成功率显示的航线；{count} 个点，{date}。上方为北。</translation>
   </message>
   <message>
    <source>The route has no line with a length; draw one through two points at least.</source>
@@ -4577,7 +4577,7 @@ The method is that of He &amp; Wu, Remote Sensing 2025, 17, 1671. Windows with f
   </message>
   <message>
    <source>The squares that “Assess reference database” wrote, drawn below the route in the report.</source>
-   <translation type="unfinished" />
+   <translation>“评价参考数据库”写出的方格，在报告中绘制于航线下方。</translation>
   </message>
   <message>
    <source>The stride ({stride:g}) is larger than the window ({size:g}), so ground between the windows would be missed; make the stride at most the window size.</source>
@@ -6885,7 +6885,7 @@ Colors are those of the layer’s categorized style, else of the nomenclature, e
   </message>
   <message>
    <source>{path} is of another encoder: {reason}.</source>
-   <translation type="unfinished" />
+   <translation>{path} 属于另一个编码器：{reason}。</translation>
   </message>
   <message>
    <source>{path} is rotated or mirrored; warp it to a north-up grid first.</source>

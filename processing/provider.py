@@ -25,8 +25,8 @@ from .algorithms.repair_annotation import RepairAnnotation
 from .algorithms.segment_image import SegmentImage
 from .algorithms.train_model import TrainModel
 from .algorithms.update_database import UpdateDatabase
-from .framework.base import ICON_PATH
-from .framework.shipped_models import shipped_models
+from .base.algorithm import ICON_PATH
+from .base.shipped_models import shipped_models
 
 ALGORITHMS = (
     ClassifyOpenStreetMap,

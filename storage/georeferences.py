@@ -14,7 +14,7 @@ import numpy as np
 
 from ..core.errors import LabelMapError
 from ..core.geometry.footprint import is_parallelogram, on_ground
-from .draped import geotransform
+from .georeferenced_vrt import geotransform
 from .rasters import open_raster
 
 

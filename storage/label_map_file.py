@@ -10,7 +10,7 @@ from osgeo import gdal
 from ..core.errors import UnwritableError
 from ..core.labels.class_table import ClassTable
 from .gdal_errors import close, gdal_failure, gdal_failures
-from .written_raster import WrittenRaster
+from .raster_writer import WrittenRaster
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
 """Metadata item of a label map that holds its class table as CSV."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..core.segmentation.certainty import NO_DATA
 from .gdal_errors import gdal_failures
-from .written_raster import TILED, WrittenRaster
+from .raster_writer import TILED, WrittenRaster
 
 
 class PercentRaster(WrittenRaster):

@@ -11,8 +11,8 @@ from ..core.errors import UnwritableError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.image_source import PixelMask
 from .gdal_errors import close, gdal_failures
+from .raster_writer import TILED, WrittenRaster
 from .rasters import open_raster
-from .written_raster import TILED, WrittenRaster
 
 JPEG_QUALITY = 85
 _ROWS_AT_ONCE = 256

@@ -8,8 +8,8 @@ from qgis.core import QgsProject
 from qgis.gui import QgsCustomDropHandler
 
 from ..core.errors import SemRefError
-from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.inspection.chosen import require_database
+from ..processing.layers.database_layers import add_database_to_map
 from .running.localization_run import named_results
 
 

@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
-from ..processing.framework.base import ICON_PATH
+from ..processing.base.algorithm import ICON_PATH
 from ..processing.packages.components import NEEDED, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url

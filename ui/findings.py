@@ -9,10 +9,10 @@ from typing import NamedTuple
 from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, QgsVectorLayer
 
 from ..core.localization import Method, Status
+from ..processing.base.localized_image import ERROR, error_probability, label_image_names
 from ..processing.compat import is_null
-from ..processing.framework.localized_image import ERROR, error_probability, label_image_names
+from ..processing.messages.sentences import worded
 from ..processing.translation import tr
-from ..processing.wording.sentences import worded
 
 Point = tuple[float, float]
 

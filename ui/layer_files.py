@@ -15,7 +15,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QMimeData
 
-from ..processing.exchange.database_layers import database_file
+from ..processing.layers.database_layers import database_file
 
 _DATABASE_SUFFIX = ".gpkg"
 _COLOR_BANDS = 3

@@ -8,7 +8,7 @@ from qgis.gui import QgsOptionsWidgetFactory
 from qgis.PyQt.QtCore import pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 
-from ..processing.framework.base import ICON_PATH
+from ..processing.base.algorithm import ICON_PATH
 
 if TYPE_CHECKING:
     from .diagnostics import Diagnostics

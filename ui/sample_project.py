@@ -10,11 +10,11 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QPushButton
 
 from ..core.errors import ParameterError, SemRefError, reason_of
-from ..processing.exchange.class_styles import annotation_renderer
-from ..processing.exchange.database_layers import add_database_to_map
 from ..processing.inspection.models import SHIPPED
+from ..processing.layers.class_styles import annotation_renderer
+from ..processing.layers.database_layers import add_database_to_map
+from ..processing.messages.sentences import worded
 from ..processing.translation import tr
-from ..processing.wording.sentences import worded
 from ..storage.atomic_output import folder_written_beside
 from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state

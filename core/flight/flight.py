@@ -17,6 +17,7 @@ from .measurement import GATE, Measurement, distance, measured_near, shared_vari
 from .model import FlightImage, FlightPose, FlightResult
 from .motion import Link
 from .pool import Pool, moved, predicted, updated
+from .reported_pose import told_pose
 from .settings import FLIGHT, FlightSettings
 from .smoothing import (
     Estimate,
@@ -30,7 +31,6 @@ from .smoothing import (
     without_measurement,
 )
 from .states import turned
-from .telling import told_pose
 from .tracker import SIZE_RANGE, FlightTracker, Looked
 
 ROUNDS = 3

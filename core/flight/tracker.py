@@ -21,9 +21,9 @@ from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
 from .pool import OWN_MOST, Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
+from .reported_pose import told_pose, unplaced
 from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
-from .telling import told_pose, unplaced
 
 OVERLAP_SHARE = 0.35
 """Least weight of an image that shows hardly new ground."""

@@ -26,9 +26,9 @@ from ..pipeline import Pipeline
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
 from .cameras import opened_cameras
-from .finder import ERROR, FinderSettings, label_reader
 from .flight import FlightFinding
 from .format import OnboardDatabase
+from .image_records import ERROR, FinderSettings, label_reader
 from .log import json_line, say, start_log
 from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
 from .read import read_onboard

@@ -27,8 +27,8 @@ from ..flight.table import stem_of
 from ..flight.tracker import FlightTracker
 from ..pipeline import ImageResult
 from ..values import checked, read_json
-from .finder import FinderSettings, time_of
 from .format import export_date
+from .image_records import FinderSettings, time_of
 from .log import say
 from .state_file import StateFile
 from .tables import OdometryTable

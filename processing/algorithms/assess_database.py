@@ -16,23 +16,23 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ..base import parameters
+from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
+from ..base.assessing import AssessAlgorithm, setting_rows
+from ..base.parameters import with_help
+from ..base.scheduler import require_scheduler, scheduler, workers
 from ..compat import DOUBLE, INTEGER, POLYGON, SOURCE_POLYGON
-from ..framework import parameters
-from ..framework.assessing import AssessAlgorithm, setting_rows
-from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
-from ..framework.parameters import with_help
-from ..framework.scheduler import require_scheduler, scheduler, workers
+from ..messages.numbers import shown
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.numbers import shown
-from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.assessment.cells import Cells
     from ...core.database.model import ReferenceDatabase
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
     from ..reports.assessment_report import AssessedFootprint
 
 
@@ -166,7 +166,7 @@ class AssessDatabase(AssessAlgorithm):
         crs: QgsCoordinateReferenceSystem,
     ) -> None:
         from ...core.assessment.squares import FIELDS, square_rows
-        from ..exchange.assessment_styles import cells_renderer
+        from ..layers.assessment_styles import cells_renderer
 
         threshold, half = self.threshold(values), cells.size / 2
         renderer = cells_renderer(threshold, results[0].footprint, len(results) == 1)

@@ -20,14 +20,14 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ..base import parameters, route_flights
+from ..base.algorithm import LOCALIZATION, Declared, cancelable, check_canceled
+from ..base.assessing import AssessAlgorithm, setting_rows
+from ..base.parameters import with_help
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_LINE, SOURCE_POINT, SOURCE_POLYGON
-from ..framework import parameters, route_flights
-from ..framework.assessing import AssessAlgorithm, setting_rows
-from ..framework.base import LOCALIZATION, Declared, cancelable, check_canceled
-from ..framework.parameters import with_help
+from ..messages.numbers import shown
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.numbers import shown
-from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     import numpy as np
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from ...core.assessment.assessment import Assessment, Estimates
     from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
     from ...core.database.model import ReferenceDatabase
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
     from ..reports.route_report import AssessedRoute
 
 FIELDS = (
@@ -200,8 +200,8 @@ class AssessRoute(AssessAlgorithm):
 
     def read_layers(self, values: Values) -> None:
         from ...storage.route_files import is_waypoint_file
-        from ..exchange.rendering import styled_copy
-        from ..exchange.routes import read_route, route_of_source
+        from ..layers.rendering import styled_copy
+        from ..layers.routes import read_route, route_of_source
 
         squares = values.vector(self.ASSESSMENT) if values.has(self.ASSESSMENT) else None
         ground = values.raster(self.BASE_MAP) if values.has(self.BASE_MAP) else None
@@ -220,7 +220,7 @@ class AssessRoute(AssessAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.assessment.route import gaps, route_points
-        from ..exchange.routes import lines_in
+        from ..layers.routes import lines_in
         from ..reports.route_report import AssessedRoute
 
         database, crs = self.read_all(values, feedback)
@@ -308,7 +308,7 @@ class AssessRoute(AssessAlgorithm):
     def _picture_below(
         self, values: Values, points: RoutePoints, crs: QgsCoordinateReferenceSystem, feedback: QgsProcessingFeedback
     ) -> bytes:
-        from ..exchange.rendering import map_picture
+        from ..layers.rendering import map_picture
         from ..reports.maps import PICTURE_PX, route_ground
 
         if not self._below:
@@ -343,7 +343,7 @@ class AssessRoute(AssessAlgorithm):
         import numpy as np
 
         from ...core.assessment.route import stretch
-        from ..exchange.assessment_styles import route_renderer
+        from ..layers.assessment_styles import route_renderer
 
         nearest = np.zeros(0) if route.flown is None else route.flown.at(route.points)
         gap_of = {int(n): (gap, hint) for gap, hint in zip(route.stretches, route.hints) for n in gap.points}

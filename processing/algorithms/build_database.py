@@ -13,11 +13,11 @@ from qgis.core import (
 )
 
 from ...core.errors import ClassTableError, ParameterError
+from ..base import parameters
+from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
+from ..base.parameters import with_help
+from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..compat import DOUBLE, INTEGER
-from ..framework import parameters
-from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
-from ..framework.parameters import with_help
-from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
     from ...core.labels.overview import OverviewSink
     from ...core.windows.grid import WindowGrid
     from ...storage.rasters import GdalLabels
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 
 class BuildDatabase(SemRefAlgorithm):
@@ -168,9 +168,9 @@ class BuildDatabase(SemRefAlgorithm):
         from ...storage.database.writer import DatabaseWriter
         from ...storage.file_states import state
         from ...storage.rasters import GdalLabels
-        from ..exchange.class_styles import database_styles
-        from ..exchange.layers import map_frame
-        from ..exchange.reference_systems import longitudes_latitudes
+        from ..layers.class_styles import database_styles
+        from ..layers.layer_inputs import map_frame
+        from ..layers.reference_systems import longitudes_latitudes
 
         self._before = {self._layer.path: state(self._layer.path)}
         labels = GdalLabels(self._layer.path)

@@ -9,14 +9,14 @@ from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterFeatureSi
 
 from ...core.annotation.findings import CHECKED_KINDS, ERROR
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
+from ..base import parameters
+from ..base.algorithm import Declared, cancelable, check_canceled, follow, interruptible
+from ..base.annotation import AnnotationAlgorithm, geometry_of
+from ..base.parameters import with_help
 from ..compat import DOUBLE, MULTI_POLYGON, SOURCE_POLYGON, wkt_for_gdal
-from ..framework import parameters
-from ..framework.annotation import AnnotationAlgorithm, geometry_of
-from ..framework.base import Declared, cancelable, check_canceled, follow, interruptible
-from ..framework.parameters import with_help
+from ..messages.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
 from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr
-from ..wording.annotation_messages import FIELDS, kind_titles, row_of, sentence, severity_title
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from ...core.annotation.classes import ClassLookup
     from ...core.annotation.findings import Finding
     from ...core.annotation.polygons import AnnotatedFeature
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 READ, CHECKED, BURNT, DONE = 20.0, 70.0, 90.0, 95.0
 """Percent of the progress after reading, checking, burning at a pixel size, and looking at the pixels."""
@@ -129,7 +129,7 @@ class CheckAnnotation(AnnotationAlgorithm):
     ) -> list[Finding]:
         """Findings on how the features lie, and what pixels do to them if their size is given."""
         from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
-        from ...storage.region_burning import RegionBurning
+        from ...storage.rasterize_regions import RegionBurning
 
         minimum_area = values.number(self.MINIMUM_AREA)
         landmark_classes = lookup.table.reference_values or tuple(c.value for c in lookup.table)

@@ -18,17 +18,17 @@ from qgis.core import (
 
 from ...core import limits
 from ...core.errors import ParameterError
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.parameters import with_help
 from ..compat import AS_THEY_ARE, MULTI_POLYGON, POLYGON_GEOMETRY, SOURCE_POLYGON, is_null
-from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsGeometry, QgsProcessingFeedback
 
     from ...core.labels.openstreetmap import Rule, Rules
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 RULES_PATH = Path(__file__).resolve().parents[2] / "resources" / "openstreetmap" / "rules.csv"
 POLYGONS_OF_OSM = "multipolygons"
@@ -98,7 +98,7 @@ class ClassifyOpenStreetMap(SemRefAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.labels.class_table import class_table_from_names
         from ...storage.text_tables import read_rules
-        from ..exchange.class_styles import annotation_renderer
+        from ..layers.class_styles import annotation_renderer
 
         rules = read_rules(values.file(self.RULES) or str(RULES_PATH))
         other = values.text(self.OTHER_CLASS).strip()

@@ -13,11 +13,11 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ..base import parameters
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.annotation import geometry_of
+from ..base.parameters import with_help
 from ..compat import DOUBLE, POLYGON, SOURCE_POLYGON
-from ..framework import parameters
-from ..framework.annotation import geometry_of
-from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.comparison import ClassMatch, LabelComparison
-    from ...storage.comparing import DisagreementMap, LabelMapPair
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ...storage.label_comparison import DisagreementMap, LabelMapPair
+    from ..base.outputs import Outputs
+    from ..base.values import Values
     from ..reports.comparison_report import MeasuredShifts
 
 FIELDS = (
@@ -129,9 +129,9 @@ class CompareLabels(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
         from ...core.labels.comparison import LabelComparison
-        from ...storage.comparing import DisagreementMap, LabelMapPair
-        from ..exchange.layers import require_one_crs
-        from ..framework.compared_landmarks import measured_errors, measured_shifts, say_shifts
+        from ...storage.label_comparison import DisagreementMap, LabelMapPair
+        from ..base.compared_landmarks import measured_errors, measured_shifts, say_shifts
+        from ..layers.layer_inputs import require_one_crs
         from ..reports.comparison_report import comparison_html
 
         require_one_crs(*self._layers)
@@ -159,7 +159,7 @@ class CompareLabels(SemRefAlgorithm):
 
     def _write_model(self, values: Values, outputs: Outputs, shifts: MeasuredShifts) -> None:
         """The copy of the model, where it is wanted."""
-        from ..framework.compared_landmarks import model_with_biases
+        from ..base.compared_landmarks import model_with_biases
 
         if outputs.wants(self.MODEL_OUTPUT):
             sun_deg = values.optional_number(self.SUN_DIRECTION)

@@ -11,16 +11,16 @@ from qgis.core import (
 )
 
 from ...core.labels.class_table import UNLABELED
-from ..framework import parameters
-from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.parameters import with_help
+from ..base import parameters
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 ROWS_PIXELS = 4_000_000
 """Pixels decoded at a time."""

@@ -17,10 +17,10 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ..base import parameters
+from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.parameters import with_help
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
-from ..framework import parameters
-from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
     from ...core.labels.class_table import ClassTable
     from ...core.localizer.localizer import DescribedImage
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 NO_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
 """Geotransform of an image without one: pixels, y up."""
@@ -175,7 +175,7 @@ class DescribeImage(SemRefAlgorithm):
     def _write_points(
         self, outputs: Outputs, described: DescribedImage, transform: tuple[float, ...], table: ClassTable
     ) -> None:
-        from ..exchange.class_styles import references_renderer
+        from ..layers.class_styles import references_renderer
 
         names = {c.value: c.name for c in table}
         x0, dx_column, dx_row, y0, dy_column, dy_row = transform

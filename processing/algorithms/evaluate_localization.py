@@ -20,14 +20,14 @@ from qgis.core import (
 
 from ...core.errors import LabelMapError, ParameterError
 from ...core.localization import Method
+from ..base import parameters
+from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..base.assessing import noise_ranges
+from ..base.parameters import with_help
+from ..base.scheduler import counted, require_scheduler, scheduler, workers
 from ..compat import DOUBLE, INTEGER, POINT, SOURCE_POINT
-from ..framework import parameters
-from ..framework.assessing import noise_ranges
-from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.parameters import with_help
-from ..framework.scheduler import counted, require_scheduler, scheduler, workers
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from ...core.evaluation.evaluation import Evaluation, TrialRanges, WindowQuery
     from ...core.evaluation.trial import Trial
     from ...storage.rasters import GdalLabels
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
     Job = tuple[WindowQuery, list[Method]]
 
@@ -293,8 +293,8 @@ class EvaluateLocalization(SemRefAlgorithm):
         from ...core.evaluation.job import EvaluationJob
         from ...storage.database.reader import read_database
         from ...storage.rasters import GdalLabels
-        from ..exchange.layers import map_frame
-        from ..exchange.reference_systems import database_crs
+        from ..layers.layer_inputs import map_frame
+        from ..layers.reference_systems import database_crs
 
         feedback.setProgressText(tr("Reading the database"))
         database = read_database(values.file(self.DATABASE), with_overview=True)
@@ -315,7 +315,7 @@ class EvaluateLocalization(SemRefAlgorithm):
     def _check_map(self, labels: GdalLabels, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem) -> None:
         """Raises LabelMapError unless the label map has the database's CRS and classes."""
         from ...storage.map_frames import require_classes_of
-        from ..exchange.reference_systems import describe_crs
+        from ..layers.reference_systems import describe_crs
 
         if self._layer.crs != crs:
             raise LabelMapError(

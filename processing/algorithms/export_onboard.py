@@ -17,10 +17,10 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ..base import parameters
+from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..base.parameters import with_help
 from ..compat import DOUBLE
-from ..framework import parameters
-from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.onboard.format import OnboardDatabase
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 
 class ExportOnboard(SemRefAlgorithm):
@@ -113,7 +113,7 @@ class ExportOnboard(SemRefAlgorithm):
         )
 
     def read_layers(self, values: Values) -> None:
-        from ..exchange.areas import drawn_area
+        from ..layers.areas import drawn_area
 
         self._area = drawn_area(values.source(self.CLIP))
 
@@ -121,7 +121,7 @@ class ExportOnboard(SemRefAlgorithm):
         from ...core.onboard.read import read_onboard
         from ...core.onboard.write import write_onboard
         from ...storage.database.reader import read_database, read_overview
-        from ..exchange.reference_systems import database_crs, fitted_lon_lat
+        from ..layers.reference_systems import database_crs, fitted_lon_lat
 
         self._check_target(values.target(self.OUTPUT), feedback)
         path, precision = values.file(self.DATABASE), values.optional_number(self.PRECISION)
@@ -167,7 +167,7 @@ class ExportOnboard(SemRefAlgorithm):
     ) -> ReferenceDatabase:
         """What lies in the area."""
         from ...core.onboard.area import area_mask, clipped
-        from ..exchange.areas import area_rings
+        from ..layers.areas import area_rings
 
         distance, extent = values.number(self.DISTANCE), database.parameters.extent
         arguments = self._area, distance, crs, extent, values.transform_context

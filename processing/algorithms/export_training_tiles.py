@@ -12,17 +12,17 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
 )
 
+from ..base import parameters
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, follow
+from ..base.parameters import with_help
 from ..compat import INTEGER
-from ..framework import parameters
-from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, follow
-from ..framework.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 
 class ExportTrainingTiles(SemRefAlgorithm):

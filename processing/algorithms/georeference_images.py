@@ -16,20 +16,20 @@ from qgis.core import (
 
 from ...core.errors import ImageError, SemRefError, UnwritableError
 from ...core.sentences import legible
+from ..base.algorithm import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
+from ..base.localized_image import unique_names
+from ..base.parameters import with_help
 from ..compat import SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
-from ..framework.base import LOCALIZATION, Declared, SemRefAlgorithm, cancelable, check_canceled
-from ..framework.localized_image import unique_names
-from ..framework.parameters import with_help
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...storage.georeferences import ControlPoint
-    from ..exchange.positions import PositionRow
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
+    from ..layers.positions import PositionRow
 
 GEOTIFF, WORLD_FILE, CONTROL_POINTS = range(3)
 
@@ -108,7 +108,7 @@ class GeoreferenceImages(SemRefAlgorithm):
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ..compat import wkt_for_gdal
-        from ..exchange.positions import read_matches, read_positions
+        from ..layers.positions import read_matches, read_positions
 
         positions = values.source(self.POSITIONS)
         found = read_positions(positions, values.source(self.FOOTPRINTS), self.POSITIONS, self.FOOTPRINTS)
@@ -152,7 +152,7 @@ class GeoreferenceImages(SemRefAlgorithm):
         """Return a function from the path in a row to the file that it means; it raises ImageError for other files."""
         from ...core.named_files import named_file
         from ...storage.rasters import image_files
-        from ..exchange.positions import folder_of
+        from ..layers.positions import folder_of
 
         chosen = {os.path.basename(path): path for path in image_files(values.files(self.IMAGES))}
         folder = folder_of(values.vector(self.POSITIONS))
@@ -189,7 +189,7 @@ class _Writer:
         self._kind, self._crs_wkt, self._feedback = kind, crs_wkt, feedback
 
     def __call__(self, file: str, image: PositionRow, target: str, points: list[ControlPoint]) -> None:
-        from ...storage.draped import write_geotiff
+        from ...storage.georeferenced_vrt import write_geotiff
         from ...storage.georeferences import corner_points, write_points, write_world_file
         from ...storage.rasters import open_raster, require_whole_raster
 

@@ -16,12 +16,11 @@ from qgis.core import (
 
 from ...core.errors import ParameterError
 from ...core.localization import Method
-from ..compat import DOUBLE, SOURCE_LINE, SOURCE_POINT
-from ..framework import parameters, priors
-from ..framework.base import Declared, cancelable, check_canceled, interruptible
-from ..framework.flight_images import FlightReader, in_order, localized_of, say_pose, with_log
-from ..framework.localized_image import LabelImages, with_far_photos, with_jumps
-from ..framework.localized_layers import (
+from ..base import parameters, priors
+from ..base.algorithm import Declared, cancelable, check_canceled, interruptible
+from ..base.flight_images import FlightReader, in_order, localized_of, say_pose, with_log
+from ..base.localized_image import LabelImages, with_far_photos, with_jumps
+from ..base.localized_layers import (
     FlownImage,
     report_points,
     tracks_of,
@@ -30,11 +29,12 @@ from ..framework.localized_layers import (
     write_matches,
     write_tracks,
 )
-from ..framework.localizing import LocalizeAlgorithm
-from ..framework.parameters import with_help
-from ..framework.photo_labels import pace_results
+from ..base.localizing import LocalizeAlgorithm
+from ..base.parameters import with_help
+from ..base.photo_labels import pace_results
+from ..compat import DOUBLE, SOURCE_LINE, SOURCE_POINT
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.sentences import worded
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
@@ -44,8 +44,8 @@ if TYPE_CHECKING:
     from ...core.flight.telemetry import Telemetry
     from ...core.geometry.camera import Camera
     from ...core.localizer.localizer import Localizer
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 READ_PERCENT, JOINED_PERCENT = 60, 97
 """Progress when all images were looked at by themselves and when the flight is placed."""
@@ -164,7 +164,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         from ...core.localizer.localizer import Localizer
         from ...core.localizer.settings import LOCALIZER
         from ...core.pipeline import Pipeline
-        from ..exchange.reference_systems import database_crs
+        from ..layers.reference_systems import database_crs
 
         method = self.method(values)
         # Tracks are told apart by class areas, whatever finds an image by itself.

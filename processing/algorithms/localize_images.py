@@ -17,16 +17,16 @@ from qgis.core import (
 )
 
 from ...core.errors import ParameterError
+from ..base import parameters, priors
+from ..base.algorithm import Declared, cancelable, check_canceled
+from ..base.localized_image import LabelImages, LocalizedImage, say, with_far_photos, with_jumps
+from ..base.localized_layers import write_grounds, write_matches, write_positions
+from ..base.localizing import LocalizeAlgorithm, localize_image, scheduled_images
+from ..base.parameters import with_help
+from ..base.photo_labels import pace_results
+from ..base.photo_source import PhotoSource
+from ..base.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..compat import DOUBLE, SOURCE_POINT, SOURCE_POLYGON
-from ..framework import parameters, priors
-from ..framework.base import Declared, cancelable, check_canceled
-from ..framework.localized_image import LabelImages, LocalizedImage, say, with_far_photos, with_jumps
-from ..framework.localized_layers import write_grounds, write_matches, write_positions
-from ..framework.localizing import LocalizeAlgorithm, localize_image, scheduled_images
-from ..framework.parameters import with_help
-from ..framework.photo_labels import pace_results
-from ..framework.photo_source import PhotoSource
-from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 
     from ...core.geometry.camera import Camera
     from ...core.pipeline import Pipeline
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 
 class LocalizeImages(LocalizeAlgorithm):
@@ -158,7 +158,7 @@ class LocalizeImages(LocalizeAlgorithm):
         require_scheduler(values, (self.LAYER, self.LABELS))
 
     def read_layers(self, values: Values) -> None:
-        from ..exchange.areas import drawn_area
+        from ..layers.areas import drawn_area
 
         area = drawn_area(values.source(self.MASK)) if values.has(self.LAYER) else None
         self._layer = PhotoSource(values, self.LAYER, self.EXTENT, area) if values.has(self.LAYER) else None
@@ -169,7 +169,7 @@ class LocalizeImages(LocalizeAlgorithm):
         from ...core.localizer.settings import LOCALIZER
         from ...core.pipeline import Pipeline
         from ...storage.file_states import state
-        from ..exchange.reference_systems import database_crs
+        from ..layers.reference_systems import database_crs
 
         method, path = self.method(values), values.file(self.DATABASE)
         before = {path: state(path)}

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterEnum, QgsProcessingParameterFileDestination
 
 from ...core.errors import ClassTableError, ParameterError
-from ..framework import parameters
-from ..framework.annotation import PRESETS, AnnotationAlgorithm
-from ..framework.base import Declared, check_canceled
-from ..framework.parameters import with_help
+from ..base import parameters
+from ..base.algorithm import Declared, check_canceled
+from ..base.annotation import PRESETS, AnnotationAlgorithm
+from ..base.parameters import with_help
 from ..translation import tr
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.class_table import ClassTable
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 
 class MakeClassTable(AnnotationAlgorithm):
@@ -75,7 +75,7 @@ class MakeClassTable(AnnotationAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, int]:
         from ...core.labels.class_proposal import proposed_table
         from ...storage.text_tables import read_class_table
-        from ..exchange.annotation import class_texts
+        from ..layers.annotation import class_texts
 
         found = class_texts(self._source, feedback.isCanceled)
         check_canceled(feedback)

@@ -16,12 +16,12 @@ from qgis.core import (
 )
 
 from ...storage.pixel_grid import pixel_grid, union_of_bounds
+from ..base import parameters
+from ..base.algorithm import Declared, follow
+from ..base.annotation import AnnotationAlgorithm, filling_polygon
+from ..base.parameters import with_help
+from ..base.scheduler import require_scheduler, scheduler, workers
 from ..compat import DOUBLE, wkt_for_gdal
-from ..framework import parameters
-from ..framework.annotation import AnnotationAlgorithm, filling_polygon
-from ..framework.base import Declared, follow
-from ..framework.parameters import with_help
-from ..framework.scheduler import require_scheduler, scheduler, workers
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
     from ...core.geometry.frame import MapFrame
     from ...core.labels.class_table import ClassTable
-    from ...storage.burning import BurnPolygon
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ...storage.rasterize import BurnPolygon
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 READING_SHARE = 30.0
 """Percent of the progress that reading the polygons takes."""
@@ -142,7 +142,7 @@ class RasterizeAnnotation(AnnotationAlgorithm):
     ) -> list[int]:
         """Writes the label map; pixels of each value. Workers get polygons, not the layer: any layer will do."""
         from ...cluster.task_names import BURN
-        from ...storage.burning import LabelMapBurning
+        from ...storage.rasterize import LabelMapBurning
 
         with workers(values, feedback, {}) as run:
             burn = None if run is None else partial(run.in_order, BURN, shared=(frame.crs,))

@@ -8,20 +8,20 @@ from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterN
 
 from ...core.annotation.findings import ERROR, OUTSIDE_CRS
 from ...core.errors import ParameterError
+from ..base import parameters
+from ..base.algorithm import Declared, check_canceled, follow, interruptible
+from ..base.annotation import AnnotationAlgorithm, geometry_of
+from ..base.parameters import with_help
 from ..compat import DOUBLE, MULTI_POLYGON, POLYGON, SOURCE_POLYGON
-from ..framework import parameters
-from ..framework.annotation import AnnotationAlgorithm, geometry_of
-from ..framework.base import Declared, check_canceled, follow, interruptible
-from ..framework.parameters import with_help
+from ..messages.annotation_messages import FIELDS, change_sentence, row_of
 from ..packages.components import NEEDED, SHAPELY
 from ..translation import tr
-from ..wording.annotation_messages import FIELDS, change_sentence, row_of
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 READ, REPAIRED = 20.0, 95.0
 """Percent of the progress after reading and repairing."""
@@ -88,8 +88,8 @@ class RepairAnnotation(AnnotationAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.annotation.merging import MergeSettings
         from ...core.annotation.repair import AnnotationRepair
-        from ..exchange.annotation_features import fields_of
-        from ..exchange.class_styles import repaired_renderer
+        from ..layers.annotation_features import fields_of
+        from ..layers.class_styles import repaired_renderer
 
         lookup = self.classes(values, feedback)
         crs = self.label_map_crs(values, feedback)

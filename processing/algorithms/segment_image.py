@@ -16,14 +16,14 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
 )
 
+from ..base import parameters
+from ..base.algorithm import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
+from ..base.parameters import with_help
+from ..base.photo_labels import NetworkPace, describe, open_model, pace_results
+from ..base.photo_source import PhotoSource
+from ..base.scheduler import SCHEDULER, require_scheduler, scheduler, workers
+from ..base.segmented_files import SeenGrid, SegmentedFiles, write_polygons
 from ..compat import DOUBLE, SOURCE_POLYGON, wkt_for_gdal
-from ..framework import parameters
-from ..framework.base import ANNOTATION, Declared, SemRefAlgorithm, check_canceled
-from ..framework.parameters import with_help
-from ..framework.photo_labels import NetworkPace, describe, open_model, pace_results
-from ..framework.photo_source import PhotoSource
-from ..framework.scheduler import SCHEDULER, require_scheduler, scheduler, workers
-from ..framework.segmented_files import SeenGrid, SegmentedFiles, write_polygons
 from ..packages.components import NEEDED, ONNXRUNTIME, SHAPELY, require
 from ..translation import tr
 
@@ -34,9 +34,9 @@ if TYPE_CHECKING:
     from ...core.segmentation.certainty import Certainty, Sureness
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
-    from ..framework.outputs import Outputs
-    from ..framework.photo_source import SourceImage
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.photo_source import SourceImage
+    from ..base.values import Values
 
 
 class SegmentImage(SemRefAlgorithm):
@@ -179,7 +179,7 @@ class SegmentImage(SemRefAlgorithm):
         require_scheduler(values, only_here)
 
     def read_layers(self, values: Values) -> None:
-        from ..exchange.areas import drawn_area
+        from ..layers.areas import drawn_area
 
         area = drawn_area(values.source(self.MASK))
         self._source = PhotoSource(values, self.INPUT, self.EXTENT, area)
@@ -237,7 +237,7 @@ class SegmentImage(SemRefAlgorithm):
         from ...cluster.task_names import SEGMENT
         from ...core.segmentation.blocks import segment_blocks
         from ...storage.file_states import state
-        from ..exchange.images import pixel_size_m
+        from ..layers.images import pixel_size_m
 
         path, table = self._source.path(), values.class_table(self.CLASS_TABLE)
         tiles = tiles_of(model, image.shape_hw, overlap)
@@ -262,7 +262,7 @@ class SegmentImage(SemRefAlgorithm):
     ) -> ImageSource:
         """The photo at that resolution; says how it is read."""
         from ...core.segmentation.resampling import at_resolution
-        from ..exchange.images import pixel_size_m
+        from ..layers.images import pixel_size_m
 
         image = at_resolution(photo.image, pixel_size_m(photo.file, photo.crs), resolution_m)
         describe(model, photo.file, feedback)

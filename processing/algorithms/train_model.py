@@ -20,12 +20,12 @@ from qgis.core import (
 )
 
 from ...core.errors import ImageError, ParameterError, TrainingError
+from ..base import parameters
+from ..base.algorithm import Canceled, Declared, check_canceled, follow
+from ..base.annotation import AnnotationAlgorithm
+from ..base.parameters import with_help
+from ..base.photo_source import PhotoSource
 from ..compat import DOUBLE, INTEGER
-from ..framework import parameters
-from ..framework.annotation import AnnotationAlgorithm
-from ..framework.base import Canceled, Declared, check_canceled, follow
-from ..framework.parameters import with_help
-from ..framework.photo_source import PhotoSource
 from ..translation import tr
 
 if TYPE_CHECKING:
@@ -33,10 +33,10 @@ if TYPE_CHECKING:
 
     from ...storage.rasters import RasterFile
     from ...training.job import Job
-    from ..exchange.training_ground import TrainingGround
-    from ..framework.outputs import Outputs
-    from ..framework.training_run import TrainingRun
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.training_run import TrainingRun
+    from ..base.values import Values
+    from ..layers.training_ground import TrainingGround
     from ..reports.training_report import TrainingReport
 
 CUT, TRAINED = 1.0, 100.0
@@ -216,9 +216,9 @@ class TrainModel(AnnotationAlgorithm):
         training_python(values.file(self.PYTHON))
 
     def read_layers(self, values: Values) -> None:
-        from ..exchange.areas import drawn_area
-        from ..exchange.rendering import needs_drawing
-        from ..exchange.training_ground import named_layer, require_common_ground
+        from ..layers.areas import drawn_area
+        from ..layers.rendering import needs_drawing
+        from ..layers.training_ground import named_layer, require_common_ground
 
         image = values.raster(self.IMAGE)
         self._area = drawn_area(values.source(self.MASK))
@@ -238,8 +238,8 @@ class TrainModel(AnnotationAlgorithm):
     # --- work ---
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, float]:
-        from ..framework.training_process import require_training
-        from ..framework.training_run import CanceledKeeping, TrainingRun
+        from ..base.training_process import require_training
+        from ..base.training_run import CanceledKeeping, TrainingRun
         from ..packages.training_environment import training_python
 
         began = time.monotonic()
@@ -276,7 +276,7 @@ class TrainModel(AnnotationAlgorithm):
 
         In a layer that has a single class, other ground is the other class, as in “Rasterize annotation”.
         """
-        from ..exchange.training_ground import classes_on, require_two_classes
+        from ..layers.training_ground import classes_on, require_two_classes
 
         if self._labels is not None or not self._is_rest_unknown(values):
             return
@@ -308,8 +308,8 @@ class TrainModel(AnnotationAlgorithm):
     ) -> TrainingReport:
         """Cuts the ground, trains on it, writes the model; what there is to say of it."""
         from ...training.job import EXAMPLES, JOB, RESULT
-        from ..framework.training_estimate import remember_speed
-        from ..framework.training_process import TrainingTeller, training_events
+        from ..base.training_estimate import remember_speed
+        from ..base.training_process import TrainingTeller, training_events
         from ..reports.training_report import TrainingReport
 
         job = self._job(values, target, run)
@@ -363,7 +363,7 @@ class TrainModel(AnnotationAlgorithm):
 
     def _fingerprint(self, values: Values) -> dict:
         """By what a canceled run is known to be of the same ground."""
-        from ..framework.training_run import stamp
+        from ..base.training_run import stamp
 
         extent = values.extent(self.EXTENT, self._image.crs)
         found = {
@@ -387,7 +387,7 @@ class TrainModel(AnnotationAlgorithm):
 
     def _ground(self, values: Values, feedback: QgsProcessingFeedback) -> TrainingGround:
         """What is to be seen of the image, which is drawn first where it is no file."""
-        from ..exchange.training_ground import TrainingGround, opened
+        from ..layers.training_ground import TrainingGround, opened
 
         layer, extent = self._image, self._image_extent
         resolution_cm = values.optional_number(self.RESOLUTION)
@@ -422,10 +422,10 @@ class TrainModel(AnnotationAlgorithm):
     ) -> None:
         """Labels on the image's pixels, and tiles of both."""
         from ...core.labels.training_tiles import TRAIN, VALIDATION, fitting_tiles
-        from ...storage.burning import LabelMapBurning
+        from ...storage.rasterize import LabelMapBurning
         from ...storage.training_ground import frame_of, shape_of
         from ...storage.training_tiles import TileExport
-        from ..exchange.training_ground import require_two_classes
+        from ..layers.training_ground import require_two_classes
 
         table = values.class_table(self.CLASS_TABLE)
         if self._labels is None:

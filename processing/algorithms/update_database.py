@@ -14,10 +14,10 @@ from qgis.core import (
 )
 
 from ...core.errors import ClassTableError, LabelMapError, ParameterError
+from ..base import parameters
+from ..base.algorithm import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
+from ..base.parameters import with_help
 from ..compat import SOURCE_POLYGON, wkt_for_gdal
-from ..framework import parameters
-from ..framework.base import REFERENCE_DATABASE, Declared, SemRefAlgorithm, check_canceled, follow
-from ..framework.parameters import with_help
 from ..threads import worker_threads
 from ..translation import tr
 from ..version import plugin_version
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from ...core.geometry.frame import MapFrame
     from ...core.labels.class_table import ClassTable
     from ...storage.rasters import GdalLabels
-    from ..framework.outputs import Outputs
-    from ..framework.values import Values
+    from ..base.outputs import Outputs
+    from ..base.values import Values
 
 
 class UpdateDatabase(SemRefAlgorithm):
@@ -93,7 +93,7 @@ class UpdateDatabase(SemRefAlgorithm):
         from ...storage.database.editor import DatabaseEditor
         from ...storage.database.reader import read_stored_database
         from ...storage.rasters import GdalLabels
-        from ..exchange.layers import map_frame
+        from ..layers.layer_inputs import map_frame
 
         stored = read_stored_database(values.file(self.DATABASE))
         labels = GdalLabels(self._layer.path, keeps_blocks=True)
@@ -112,7 +112,7 @@ class UpdateDatabase(SemRefAlgorithm):
         self._say_result(stored.database, updater.changes, feedback)
 
     def _check_crs(self, database: ReferenceDatabase) -> None:
-        from ..exchange.reference_systems import describe_crs
+        from ..layers.reference_systems import describe_crs
 
         stored = database.parameters.crs
         crs = QgsCoordinateReferenceSystem.fromWkt(stored)
@@ -142,7 +142,7 @@ class UpdateDatabase(SemRefAlgorithm):
         self, frame: MapFrame, values: Values, feedback: QgsProcessingFeedback
     ) -> list[tuple[int, int, int, int]] | None:
         """(left, top, right, bottom) in pixels around every changed polygon; None without CHANGED."""
-        from ..exchange.reference_systems import transformed_box
+        from ..layers.reference_systems import transformed_box
 
         if self._changed is None:
             return None

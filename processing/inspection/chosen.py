@@ -43,7 +43,7 @@ def look_at_images(paths: Sequence[str]) -> ChosenImages:
     """
     from ...storage.label_images import has_photo_colors
     from ...storage.rasters import image_files
-    from ..framework.localized_image import is_photo
+    from ..base.localized_image import is_photo
 
     files = image_files(list(paths))
     has_photos = any(map(is_photo, files)) or any(map(has_photo_colors, files[:LOOKED_AT]))
@@ -57,7 +57,7 @@ def looks_like_flight(files: Sequence[str]) -> int:
     threads.
     """
     from ...core.labels.photo_camera import photo_camera
-    from ..framework.flight_images import by_name
+    from ..base.flight_images import by_name
 
     files = sorted(files, key=by_name)
     if len(files) < LEAST_OF_FLIGHT:

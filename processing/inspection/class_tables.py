@@ -8,7 +8,7 @@ import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ..framework.annotation import CLASS_TABLES, PRESETS
+from ..base.annotation import CLASS_TABLES, PRESETS
 from ..translation import tr
 
 

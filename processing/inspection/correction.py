@@ -24,7 +24,7 @@ from ...storage.database.reader import read_database
 from ...storage.database.undo import stated_checksums
 from ...storage.text_tables import CLASSES_FILE
 from ..compat import is_null
-from ..exchange.reference_systems import database_crs, transformed_box
+from ..layers.reference_systems import database_crs, transformed_box
 
 _MARGIN_PX = 2
 """Around changes: their bounds are rounded to whole pixels, in another CRS as well."""

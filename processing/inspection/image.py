@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from ...core.database.model import ReferenceDatabase
     from ...core.landmarks.landmarks import Landmarks
-    from ..framework.photo_labels import PhotoLabelReader
+    from ..base.photo_labels import PhotoLabelReader
 
 RUNNERS_UP = 4
 """Windows told after the best one of the published method."""
@@ -101,7 +101,7 @@ class ImageInspector:
 
         if query.labels or not query.model:
             return read_label_image(query.labels or query.image, database.class_table)
-        from ..framework.photo_labels import PhotoLabelReader
+        from ..base.photo_labels import PhotoLabelReader
 
         key = query.model, database.class_table
         if self._network[0] != key:

@@ -15,10 +15,10 @@ from ...core.annotation.findings import (
     WARNING,
     Finding,
 )
+from ..messages.annotation_messages import kind_titles, sentence, severity_title
+from ..messages.numbers import count as number_text
+from ..messages.numbers import shown
 from ..translation import tr
-from ..wording.annotation_messages import kind_titles, sentence, severity_title
-from ..wording.numbers import count as number_text
-from ..wording.numbers import shown
 from . import charts, page, parts
 from .charts import Series
 

@@ -24,10 +24,10 @@ from ...core.evaluation.summary import (
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
 from ...core.simulation.conditions import Conditions
-from ..exchange.assessment_styles import success_classes
+from ..layers.assessment_styles import success_classes
+from ..messages.numbers import Local, shown
+from ..messages.numbers import count as number_text
 from ..translation import tr
-from ..wording.numbers import Local, shown
-from ..wording.numbers import count as number_text
 from . import charts, page, parts
 from .charts import rate_series
 from .maps import cell_map, success_legend

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from ...core.evaluation.rates import RateAt
-from ..wording.numbers import shown
+from ..messages.numbers import shown
 from . import page
 
 WIDTH, HEIGHT = 480, 300

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from ...core.labels.comparison import ClassMatch, LabelComparison
 from ...core.landmarks.class_shifts import PIECE_PX
 from ...core.landmarks.compared import LandmarkErrors
+from ..messages.numbers import count as number_text
+from ..messages.numbers import shown
 from ..translation import tr
-from ..wording.numbers import count as number_text
-from ..wording.numbers import shown
 from . import page, parts
 from .network_noise import LEAST_LANDMARKS, network_meta
 

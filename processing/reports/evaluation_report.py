@@ -23,10 +23,10 @@ from ...core.evaluation.summary import (
 )
 from ...core.evaluation.trial import Trial
 from ...core.localization import Status
+from ..messages.numbers import count as number_text
+from ..messages.numbers import shown
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.numbers import count as number_text
-from ..wording.numbers import shown
-from ..wording.sentences import worded
 from . import charts, page, parts
 from .charts import Series, rate_series
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ..messages.numbers import shown
 from ..translation import tr
-from ..wording.numbers import shown
 from . import charts, page, parts
 from .maps import FlightPoint, flight_legend, flight_map
 

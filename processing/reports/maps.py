@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..exchange import palette
+from ..layers import palette
 from ..translation import tr
 from . import page
 from .charts import Element, drawing, lettering, polyline, shape, stroke

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
+from ..messages.numbers import shown
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.numbers import shown
-from ..wording.sentences import worded
 from .page import NO_BREAK, NOTHING, macros, percent
 
 if TYPE_CHECKING:

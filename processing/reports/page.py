@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any, Callable, TypeVar
 
 from ...core.evaluation.rates import Rate
-from ..exchange import palette
-from ..wording.numbers import count, shown
+from ..layers import palette
+from ..messages.numbers import count, shown
 
 T = TypeVar("T")
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "report.html"

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Callable
 
 import numpy as np
 
+from ..messages.numbers import count
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.numbers import count
-from ..wording.sentences import worded
 from . import charts, page
 
 if TYPE_CHECKING:

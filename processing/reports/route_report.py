@@ -13,10 +13,10 @@ from ...core.assessment.assessment import Estimates
 from ...core.assessment.flights import FlownRoute
 from ...core.assessment.route import RouteGap, RoutePoints, ShiftHint
 from ...core.simulation.conditions import Conditions
-from ..exchange.assessment_styles import success_classes
+from ..layers.assessment_styles import success_classes
+from ..messages.numbers import Local, shown
+from ..messages.numbers import count as number_text
 from ..translation import tr
-from ..wording.numbers import Local, shown
-from ..wording.numbers import count as number_text
 from . import charts, page, parts
 from .assessment_report import assumed, reason_titles
 from .maps import route_map, success_legend

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...core.labels.comparison import LabelComparison
+from ..messages.numbers import shown
 from ..translation import tr
-from ..wording.numbers import shown
 from . import charts, page, parts
 from .charts import Series
 from .maps import color_legend

@@ -10,7 +10,7 @@ import numpy as np
 from osgeo import gdal
 
 from ...core.labels.overview import HeldOverview
-from ..written_raster import WrittenRaster
+from ..raster_writer import WrittenRaster
 
 HELD_PIXELS = 256 << 20
 """Of an overview that is held in memory while it is made."""

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from semref.core.evaluation.rates import Rate
-from semref.processing.exchange import palette
+from semref.processing.layers import palette
 from semref.processing.reports import charts, page
 from semref.processing.reports.charts import Series
 

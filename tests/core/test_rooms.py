@@ -96,20 +96,20 @@ MAY_IMPORT = {
     },
     "processing": {
         **{leaf: set() for leaf in ("compat", "translation", "version", "threads")},
-        "wording": {"compat", "translation"},
+        "messages": {"compat", "translation"},
         "packages": {"compat", "translation", "version"},
-        "exchange": {"compat", "translation", "wording", "threads"},
-        "reports": {"compat", "translation", "wording", "exchange"},
-        "framework": {
+        "layers": {"compat", "translation", "messages", "threads"},
+        "reports": {"compat", "translation", "messages", "layers"},
+        "base": {
             *("compat", "translation", "version", "threads"),
-            *("wording", "packages", "exchange", "reports"),
+            *("messages", "packages", "layers", "reports"),
         },
-        "inspection": {"compat", "translation", "threads", "wording", "exchange", "framework"},
+        "inspection": {"compat", "translation", "threads", "messages", "layers", "base"},
         "algorithms": {
             *("compat", "translation", "version", "threads"),
-            *("wording", "packages", "exchange", "reports", "framework"),
+            *("messages", "packages", "layers", "reports", "base"),
         },
-        "provider": {"compat", "translation", "version", "packages", "framework", "algorithms", "wording"},
+        "provider": {"compat", "translation", "version", "packages", "base", "algorithms", "messages"},
     },
 }
 """Which rooms a room may import, beside itself and FOR_ALL: the one table, read from the bottom up."""
@@ -199,7 +199,7 @@ def test_what_training_shares_with_qgis_needs_no_torch(path):
 
 @for_each(source_files("processing"))
 def test_only_exchange_reads_and_writes_files_with_gdal_and_sqlite(path):
-    assert "exchange" in named(path) or imports_of(path, "osgeo", "sqlite3") == set()
+    assert "layers" in named(path) or imports_of(path, "osgeo", "sqlite3") == set()
 
 
 @pytest.mark.parametrize(

@@ -92,7 +92,7 @@ def test_the_database_goes_to_the_map_as_a_group_with_the_overview_below(dock, a
 def test_layers_that_come_while_the_box_is_folded_away_do_not_open_it(dock, area):
     from qgis.core import QgsProject
 
-    from semref.processing.exchange.database_layers import add_database_to_map
+    from semref.processing.layers.database_layers import add_database_to_map
 
     localize(dock, area.database, [area.image])
     box = dock.content.database
@@ -272,7 +272,7 @@ def test_an_image_that_is_laid_on_the_map_is_above_everything_else(qgis_app, are
     from made_inputs import write_raster
     from qgis.core import QgsLayerTreeRegistryBridge, QgsProject
 
-    from semref.processing.exchange.database_layers import add_database_to_map
+    from semref.processing.layers.database_layers import add_database_to_map
     from semref.ui.canvas.drapes import add_placed
 
     project = QgsProject.instance()

@@ -45,7 +45,7 @@ def test_a_dialog_begins_with_the_docks_database_and_a_batch_does_not(wrapper_in
 def test_databases_of_the_project_the_dock_and_those_used_last_are_offered_once(wrapper_in, dock, area, tmp_path):
     from qgis.core import QgsProject
 
-    from semref.processing.exchange.database_layers import add_database_to_map
+    from semref.processing.layers.database_layers import add_database_to_map
 
     for name in ("older", "newer"):
         (tmp_path / f"{name}.gpkg").write_bytes(Path(area.database).read_bytes())
@@ -86,7 +86,7 @@ def test_a_dialog_opens_the_database_that_it_builds_and_a_batch_does_not(wrapper
 
 
 def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_never_shown(plugin, iface, area):
-    from semref.processing.exchange.database_layers import OPENED
+    from semref.processing.layers.database_layers import OPENED
 
     OPENED.database.emit(area.database)
     iface.tool_bar_actions[0].trigger()

@@ -93,7 +93,7 @@ def test_its_layers_are_saved_with_their_style(flown, tmp_path, monkeypatch):
 
 @pytest.mark.slow
 def test_saved_results_bring_the_track_back(flown, tmp_path):
-    from semref.processing.exchange.results_file import open_results, write_results
+    from semref.processing.layers.results_file import open_results, write_results
     from semref.ui.findings import ResultLayers, read_findings
 
     path = str(tmp_path / "results.gpkg")

@@ -160,7 +160,7 @@ def test_results_are_saved_to_a_file_and_its_positions_join_the_project(dock, ar
 
 def test_every_status_has_words(qgis_app):
     from semref.core.localization import Status
-    from semref.processing.framework.localized_image import ERROR
+    from semref.processing.base.localized_image import ERROR
     from semref.ui.findings import status_text
 
     def words(status, is_verified=True):

@@ -68,13 +68,13 @@ def test_results_of_a_project_that_was_never_saved_are_among_the_earlier_ones(pl
 def test_only_the_last_runs_are_kept(qgis_app):
     from pathlib import Path
 
-    from semref.ui.running import kept_runs
+    from semref.ui.running import run_history
 
-    made = [kept_runs.begin_run("/area.gpkg", "", 1) for _ in range(25)]
+    made = [run_history.begin_run("/area.gpkg", "", 1) for _ in range(25)]
     for run in made:
         Path(run.file).write_bytes(b"results")
-    kept_runs.forget_old_runs()
-    kept = kept_runs.kept_runs()
+    run_history.forget_old_runs()
+    kept = run_history.kept_runs()
     assert [run.folder for run in kept] == [run.folder for run in reversed(made[-20:])]
     for run in kept:
         Path(run.file).unlink()
@@ -83,14 +83,14 @@ def test_only_the_last_runs_are_kept(qgis_app):
 def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
     from pathlib import Path
 
-    from semref.ui.running import kept_runs
+    from semref.ui.running import run_history
 
-    found = kept_runs.begin_run("/area.gpkg", "", 1)
+    found = run_history.begin_run("/area.gpkg", "", 1)
     Path(found.file).write_bytes(b"results")
     for _ in range(25):
-        kept_runs.begin_run("/area.gpkg", "", 1)
-    kept_runs.forget_old_runs()
-    assert [run.folder for run in kept_runs.kept_runs()] == [found.folder]
+        run_history.begin_run("/area.gpkg", "", 1)
+    run_history.forget_old_runs()
+    assert [run.folder for run in run_history.kept_runs()] == [found.folder]
     Path(found.file).unlink()
 
 
@@ -127,7 +127,7 @@ def test_a_reset_makes_the_dock_new_and_forgets_settings(dock, iface, area, tab,
 
 
 def test_a_run_says_how_long_it_still_takes(qgis_app):
-    from semref.processing.framework.time_left import remaining_text
+    from semref.processing.base.time_left import remaining_text
 
     assert remaining_text(1.0, 50) == "" and remaining_text(100, 1) == "" and remaining_text(100, 100) == ""
     assert remaining_text(10, 50) == "about 10 s left"

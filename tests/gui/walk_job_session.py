@@ -276,7 +276,7 @@ def built_by_keys(folder: Path) -> dict:
 
 def forms(folder: Path) -> dict:
     """What the same parameters look like in a batch and in the model designer."""
-    from semref.ui.fields.known import KnownButton
+    from semref.ui.fields.recent_files import KnownButton
 
     registry = QgsApplication.processingRegistry()
     table = BatchAlgorithmDialog(registry.createAlgorithmById("semref:assessdatabase"), qgis.utils.iface.mainWindow())

@@ -107,7 +107,7 @@ FILES = {
 
 @pytest.mark.parametrize("name", list(FILES))
 def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
-    from semref.processing.exchange.routes import lines_in, read_route
+    from semref.processing.layers.routes import lines_in, read_route
     from semref.storage.route_files import is_waypoint_file
 
     path = tmp_path / name
@@ -139,7 +139,7 @@ def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
 )
 def test_a_bad_route_file_gets_one_sentence(qgis_app, tmp_path, name, text, said):
     from semref.core.errors import ParameterError
-    from semref.processing.exchange.routes import read_route
+    from semref.processing.layers.routes import read_route
 
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
@@ -150,7 +150,7 @@ def test_a_bad_route_file_gets_one_sentence(qgis_app, tmp_path, name, text, said
 
 def test_a_route_file_that_is_not_there_or_no_text_is_refused(qgis_app, tmp_path):
     from semref.core.errors import ParameterError
-    from semref.processing.exchange.routes import read_route
+    from semref.processing.layers.routes import read_route
 
     with pytest.raises(ParameterError, match="There is no file"):
         read_route(str(tmp_path / "none.plan"))

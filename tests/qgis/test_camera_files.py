@@ -13,7 +13,7 @@ from osgeo import gdal
 
 from semref.core.errors import ParameterError
 from semref.core.flight.cameras import read_cameras
-from semref.processing.wording.camera_messages import camera_read, camera_remark
+from semref.processing.messages.camera_messages import camera_read, camera_remark
 
 DJI = 'drone-dji:GimbalRollDegree="+0.00" drone-dji:GimbalPitchDegree="-80.00" drone-dji:GimbalYawDegree="+12.30"'
 PIX4D = "<Camera:Roll>4.5</Camera:Roll><Camera:Pitch>-3</Camera:Pitch>"

@@ -139,11 +139,11 @@ def jobs(run_algorithm, tmp_path_factory):
 def small_steps(monkeypatch):
     """Small slices, so that small inputs take many steps."""
     from semref.processing.algorithms import decode_color_labels
-    from semref.storage import burning, comparing
+    from semref.storage import label_comparison, rasterize
 
-    monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 10_000)
+    monkeypatch.setattr(label_comparison, "_PIXELS_AT_ONCE", 10_000)
     monkeypatch.setattr(decode_color_labels, "ROWS_PIXELS", 10_000)
-    monkeypatch.setattr(burning, "STRIP_PIXELS", 1)
+    monkeypatch.setattr(rasterize, "STRIP_PIXELS", 1)
 
 
 def run(job, folder: Path, feedback):

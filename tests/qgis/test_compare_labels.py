@@ -109,10 +109,10 @@ def test_photos_without_georeference_are_compared_pixel_by_pixel(compare, tmp_pa
 
 
 def test_blocks_give_the_same_as_the_whole(compare, maps, monkeypatch):
-    from semref.storage import comparing
+    from semref.storage import label_comparison
 
     whole = compare(*maps[:2])
-    monkeypatch.setattr(comparing, "_PIXELS_AT_ONCE", 1000)
+    monkeypatch.setattr(label_comparison, "_PIXELS_AT_ONCE", 1000)
     assert compare(*maps[:2])[0] == whole[0]
 
 
@@ -137,7 +137,7 @@ def test_maps_that_do_not_lie_on_each_other_are_refused(compare, tmp_path, optio
 def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
     """GDAL takes back all rows where a commit finds the disk full; that was read as maps that agree everywhere."""
     from semref.core.errors import LabelMapError
-    from semref.storage.comparing import DisagreementMap, LabelMapPair
+    from semref.storage.label_comparison import DisagreementMap, LabelMapPair
 
     noise = np.random.default_rng(5).integers(0, 2, LABELS.shape).astype(np.uint8)
     pair = LabelMapPair(*(str(write_raster(tmp_path / f"{n}.tif", LABELS)) for n in range(2)))

@@ -11,8 +11,8 @@ import pytest
 from made_inputs import scattered_objects, square, write_layer, write_raster
 from qgis.core import QgsLayerMetadata, QgsProject, QgsRasterLayer, QgsVectorLayer
 
-from semref.processing.exchange.database_layers import add_database_to_map
-from semref.processing.exchange.layer_metadata import Note
+from semref.processing.layers.database_layers import add_database_to_map
+from semref.processing.layers.layer_metadata import Note
 
 BUILD, UPDATE, LOCALIZE = "semref:builddatabase", "semref:updatedatabase", "semref:localizeimages"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]

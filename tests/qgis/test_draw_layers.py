@@ -124,7 +124,7 @@ def test_tiles_without_an_end_are_given_up_and_little_of_them_is_read(segment, t
 
 
 def test_tiles_without_an_end_are_given_up_also_when_python_collects_garbage_meanwhile(segment, tiles, monkeypatch):
-    from semref.processing.exchange import downloads
+    from semref.processing.layers import downloads
 
     is_for_raster = downloads._is_for_raster
     timer = threading.Timer(0.5, gc.collect)
@@ -166,7 +166,7 @@ def test_a_server_that_never_ends_a_tile_is_given_up_after_a_while(segment, tile
 def test_requests_of_others_are_left_alone_while_a_layer_is_drawn(tiles, tmp_path):
     from qgis.core import QgsNetworkAccessManager
 
-    from semref.processing.exchange.downloads import install, watched_downloads
+    from semref.processing.layers.downloads import install, watched_downloads
 
     (tmp_path / "own.txt").write_text("mine")
     install()

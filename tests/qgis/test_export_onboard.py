@@ -75,7 +75,7 @@ def test_a_file_is_signed_with_the_key_that_was_given(export, tmp_path):
 
 
 def test_longitude_and_latitude_are_proj_s(export):
-    from semref.processing.exchange.reference_systems import longitudes_latitudes
+    from semref.processing.layers.reference_systems import longitudes_latitudes
 
     found = onboard(export()["OUTPUT"])
     x0, y0, x1, y1 = found.database.parameters.extent
@@ -98,7 +98,7 @@ def test_longitude_and_latitude_are_proj_s(export):
     ],
 )
 def test_maps_of_countries_keep_to_centimeters(qgis_app, epsg, extent, least):
-    from semref.processing.exchange.reference_systems import fitted_lon_lat
+    from semref.processing.layers.reference_systems import fitted_lon_lat
 
     crs = QgsCoordinateReferenceSystem(f"EPSG:{epsg}")
     assert fitted_lon_lat(extent, crs, QgsCoordinateTransformContext()).error_m <= least
@@ -118,7 +118,7 @@ def test_only_the_corridor_along_a_route_is_exported(export, tmp_path, feedback)
 
 
 def test_a_polygon_in_another_crs_is_brought_to_the_map(export, tmp_path):
-    from semref.processing.exchange.reference_systems import longitudes_latitudes
+    from semref.processing.layers.reference_systems import longitudes_latitudes
 
     corners = [(WEST + x, NORTH - y) for x, y in ((100, 100), (400, 100), (400, 400), (100, 400))]
     crs = QgsCoordinateReferenceSystem("EPSG:32632")

@@ -303,7 +303,7 @@ def test_a_database_without_checksums_still_opens(read, database):
 def test_an_odd_path_comes_onto_the_map(qgis_app, built, tmp_path, name):
     from qgis.core import QgsProject
 
-    from semref.processing.exchange.database_layers import add_database_to_map
+    from semref.processing.layers.database_layers import add_database_to_map
 
     project = QgsProject()
     add_database_to_map(str(shutil.copy(built, tmp_path / name)), project)

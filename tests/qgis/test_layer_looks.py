@@ -28,14 +28,14 @@ from semref.core.evaluation.as_json import FIELDS as TRIAL_FIELDS
 from semref.processing.algorithms.assess_route import FIELDS as ROUTE_FIELDS
 from semref.processing.algorithms.compare_labels import FIELDS as DISAGREEMENT_FIELDS
 from semref.processing.algorithms.describe_image import FIELDS as LANDMARK_FIELDS
-from semref.processing.exchange import styles
-from semref.processing.exchange.assessment_styles import cells_renderer, route_renderer
-from semref.processing.exchange.output_style import Look
-from semref.processing.exchange.styles import STYLES
-from semref.processing.framework.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT_FIELDS, MATCH_FIELDS
-from semref.processing.framework.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS, TRACK_FIELDS
-from semref.processing.framework.segmented_files import FIELDS as CLASS_POLYGON_FIELDS
-from semref.processing.wording.annotation_messages import FIELDS as ISSUE_FIELDS
+from semref.processing.base.localized_image import ALTERNATIVE_FIELDS, FOOTPRINT_FIELDS, MATCH_FIELDS
+from semref.processing.base.localized_layers import FLIGHT_FIELDS, POSITION_FIELDS, TRACK_FIELDS
+from semref.processing.base.segmented_files import FIELDS as CLASS_POLYGON_FIELDS
+from semref.processing.layers import styles
+from semref.processing.layers.assessment_styles import cells_renderer, route_renderer
+from semref.processing.layers.output_style import Look
+from semref.processing.layers.styles import STYLES
+from semref.processing.messages.annotation_messages import FIELDS as ISSUE_FIELDS
 from semref.storage.database.schema import WINDOW_FIELDS
 
 KINDS = {"text": "string", "real": "double", "integer": "int", "boolean": "bool", "datetime": "datetime"}
@@ -282,7 +282,7 @@ def test_a_layer_in_memory_comes_with_its_look_as_well(annotation, run_algorithm
 
 def test_every_verdict_has_its_word_and_color(qgis_app):
     from semref.core.assessment.squares import VERDICTS
-    from semref.processing.exchange.assessment_styles import COLORS
-    from semref.processing.wording.columns import verdict_words
+    from semref.processing.layers.assessment_styles import COLORS
+    from semref.processing.messages.columns import verdict_words
 
     assert tuple(verdict_words()) == VERDICTS and len(COLORS) == len(VERDICTS)

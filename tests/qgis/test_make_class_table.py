@@ -16,7 +16,7 @@ from qgis.core import (
 )
 
 from semref.core.labels.class_table import class_table_from_csv
-from semref.processing.framework.annotation import PRESETS
+from semref.processing.base.annotation import PRESETS
 from semref.storage.text_tables import read_class_table
 
 CLASS_TABLE, RASTERIZE = "semref:classtable", "semref:rasterizeannotation"

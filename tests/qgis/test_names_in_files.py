@@ -84,7 +84,7 @@ def test_positions_of_this_session_name_images_that_the_user_chose(georeference,
 
 @pytest.mark.parametrize("name", [*UNC, "/vsicurl/{url}/a.tif", "{url}/a.tif"])
 def test_a_map_tip_does_not_ask_whether_a_picture_elsewhere_is_there(qgis_app, host, name):
-    from semref.processing.exchange.styles import style_document
+    from semref.processing.layers.styles import style_document
 
     asked = []
     tip = style_document("footprints").documentElement().firstChildElement("mapTip").text()

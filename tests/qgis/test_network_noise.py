@@ -35,7 +35,7 @@ def report(run_algorithm, tmp_path_factory):
 @pytest.fixture
 def conditions(qgis_app):
     """`conditions(id, parameters)`: what is simulated."""
-    from semref.processing.framework.values import Values
+    from semref.processing.base.values import Values
 
     def of(name: str, parameters: dict):
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(name)
@@ -79,7 +79,7 @@ def test_an_assessment_assumes_what_the_comparison_found(conditions, report, nam
 
 
 def test_an_evaluation_assumes_the_same(conditions, report):
-    from semref.processing.framework.values import Values
+    from semref.processing.base.values import Values
 
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:evaluatelocalization")
     ranges = algorithm._ranges(Values(algorithm, {"COMPARISON": report, "MISSED": "1,2"}, QgsProcessingContext()))

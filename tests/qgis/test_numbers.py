@@ -6,8 +6,8 @@ import pytest
 from qgis.PyQt.QtCore import QLocale
 
 from semref.core.sentences import Sentence
-from semref.processing.wording.numbers import Local, count, shown
-from semref.processing.wording.sentences import worded
+from semref.processing.messages.numbers import Local, count, shown
+from semref.processing.messages.sentences import worded
 
 
 @pytest.fixture

@@ -223,7 +223,7 @@ def test_a_layer_whose_style_found_no_room_is_not_called_whole(run_algorithm, gi
 
 
 def test_a_layer_whose_index_found_no_room_is_not_called_whole(run_algorithm, given, monkeypatch):
-    from semref.processing.framework import outputs
+    from semref.processing.base import outputs
 
     target = given / "landmarks.gpkg"
     parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg"), "REFERENCES": str(target)}

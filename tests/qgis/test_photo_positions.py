@@ -10,7 +10,7 @@ import pytest
 from made_inputs import NORTH, WEST, scattered_objects, turned_view, write_raster
 from osgeo import gdal, ogr, osr
 
-from semref.processing.framework.localized_image import far_sentence
+from semref.processing.base.localized_image import far_sentence
 from semref.storage.photo_position import photo_lon_lat
 
 SIZE = 160

@@ -14,9 +14,9 @@ from qgis.core import QgsProcessingFeedback
 from semref.core.geometry.camera import Camera, Lens, above_takeoff
 from semref.core.geometry.error_settings import NETWORK_SPREAD
 from semref.core.labels.class_table import class_table_from_csv
-from semref.core.onboard.finder import label_reader
+from semref.core.onboard.image_records import label_reader
 from semref.core.segmentation.onnx_file import with_metadata
-from semref.processing.framework.photo_labels import PhotoLabelReader
+from semref.processing.base.photo_labels import PhotoLabelReader
 from semref.storage.images import GdalImage
 
 TABLE = class_table_from_csv(CLASSES_CSV)

@@ -76,7 +76,7 @@ def test_workers_evaluate_what_qgis_evaluates(run_algorithm, database, label_map
 def test_a_database_that_changes_before_workers_begin_is_noticed(
     run_algorithm, build_area, database, tmp_path, monkeypatch
 ):
-    from semref.processing.framework.scheduler import Workers
+    from semref.processing.base.scheduler import Workers
 
     area, wait = tmp_path / "area.gpkg", Workers.wait
     area.write_bytes(Path(database).read_bytes())

@@ -10,8 +10,8 @@ from made_models import painted, write_model
 from osgeo import gdal, ogr
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
-from semref.storage import outlining
-from semref.storage.outlining import LabelPolygons
+from semref.storage import polygonize
+from semref.storage.polygonize import LabelPolygons
 
 SEGMENT = "semref:segmentimage"
 LABELS = scattered_objects(170, 230, 60, seed=3, background=0)
@@ -94,13 +94,13 @@ def test_a_photo_without_a_place_gives_polygons_in_pixels(segment, tmp_path):
 
 
 def test_a_cancel_while_outlining_leaves_nothing(segment, feedback, tmp_path, monkeypatch):
-    real = outlining.outlined
+    real = polygonize.outlined
 
     def canceled(*arguments):
         feedback.cancel()
         return real(*arguments)
 
-    monkeypatch.setattr(outlining, "outlined", canceled)
+    monkeypatch.setattr(polygonize, "outlined", canceled)
     image = write_raster(tmp_path / "a.tif", np.moveaxis(painted(LABELS), 2, 0))
     with pytest.raises(QgsProcessingException, match="Canceled"):
         segment(image)

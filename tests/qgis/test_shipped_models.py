@@ -14,7 +14,7 @@ from qgis.core import (
     QgsProject,
 )
 
-from semref.processing.framework import shipped_models
+from semref.processing.base import shipped_models
 
 FILES = ("annotation_to_database", "correction_to_database", "orthophoto_to_disagreements")
 IDS = tuple(name.replace("_", "") for name in FILES)

@@ -28,7 +28,7 @@ def dialog(qgis_app):
 @pytest.fixture
 def clock(monkeypatch):
     """Seconds of the clock that estimates are made by; to be set."""
-    from semref.processing.framework import time_left
+    from semref.processing.base import time_left
 
     now = [0.0]
     monkeypatch.setattr(time_left.time, "monotonic", lambda: now[0])
@@ -44,13 +44,13 @@ def run_for(feedback, clock, seconds, steps=1000):
 
 @pytest.fixture
 def telling(dialog, clock):
-    from semref.processing.framework.time_left import TellingFeedback
+    from semref.processing.base.time_left import TellingFeedback
 
     return TellingFeedback(dialog)
 
 
 def test_a_long_run_says_how_long_it_still_takes_and_until_when(dialog, clock, telling, monkeypatch):
-    from semref.processing.framework import time_left
+    from semref.processing.base import time_left
 
     class Noon:
         @staticmethod
@@ -84,7 +84,7 @@ def test_what_is_done_next_keeps_the_time_beside_it(dialog, clock, telling):
 
 
 def test_the_dock_whose_bar_tells_is_not_told_twice(dialog, clock):
-    from semref.processing.framework.time_left import TellingFeedback
+    from semref.processing.base.time_left import TellingFeedback
 
     dialog.shows_time_left = True
     telling = TellingFeedback(dialog)
@@ -95,7 +95,7 @@ def test_the_dock_whose_bar_tells_is_not_told_twice(dialog, clock):
 
 
 def test_a_cancel_is_passed_on_whenever_it_came(dialog, telling):
-    from semref.processing.framework.time_left import TellingFeedback
+    from semref.processing.base.time_left import TellingFeedback
 
     assert not telling.isCanceled()
     dialog.cancel()
@@ -103,7 +103,7 @@ def test_a_cancel_is_passed_on_whenever_it_came(dialog, telling):
 
 
 def test_every_algorithm_works_with_feedback_that_tells(dialog, clock):
-    from semref.processing.framework.base import SemRefAlgorithm
+    from semref.processing.base.algorithm import SemRefAlgorithm
 
     class Slow(SemRefAlgorithm):
         ID, GROUP = "slow", "annotation"

@@ -20,8 +20,8 @@ from made_trainer import EPOCH, READY, write_trainer
 from qgis.core import QgsProcessingException, QgsProcessingFeedback, QgsRasterLayer, QgsSettings
 from tile_server import tile_server
 
-from semref.processing.framework import event_process
-from semref.processing.framework.outputs import Outputs
+from semref.processing.base import event_process
+from semref.processing.base.outputs import Outputs
 
 TRAIN = "semref:trainmodel"
 NAMES = ["unlabeled", "building", "water", "bare_land", "field"]
@@ -423,7 +423,7 @@ def test_the_time_limit_counts_from_the_start_and_so_does_the_time_left(train, t
 
 
 def test_how_fast_a_training_was_is_remembered_for_the_next_estimate(train):
-    from semref.processing.framework.training_estimate import CAUTIOUS_S, epochs_within, seconds_a_piece
+    from semref.processing.base.training_estimate import CAUTIOUS_S, epochs_within, seconds_a_piece
     from semref.training.job import LITE0
 
     QgsSettings().remove("semref/training")

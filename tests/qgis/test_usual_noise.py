@@ -8,7 +8,7 @@ from semref.core.localization import Method
 from semref.core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG
 from semref.processing.algorithms.evaluate_localization import ORDER
 from semref.processing.algorithms.evaluate_localization import USUAL as RANGES
-from semref.processing.framework.assessing import USUAL
+from semref.processing.base.assessing import USUAL
 
 
 def test_usual_values_are_those_that_assessments_assume():

@@ -22,10 +22,10 @@ from qgis.core import (
 @pytest.fixture
 def read(qgis_app):
     """`read(number=…)` gives the Values of an algorithm with one parameter of each kind."""
+    from semref.processing.base.algorithm import SemRefAlgorithm
+    from semref.processing.base.parameters import with_help
+    from semref.processing.base.values import Values
     from semref.processing.compat import DOUBLE, INTEGER, SOURCE_FILE
-    from semref.processing.framework.base import SemRefAlgorithm
-    from semref.processing.framework.parameters import with_help
-    from semref.processing.framework.values import Values
 
     class Everything(SemRefAlgorithm):
         ID = GROUP = "everything"

@@ -7,8 +7,8 @@ import pytest
 from semref.core.errors import ModelError
 from semref.core.localization import shown_landmarks
 from semref.core.sentences import Sentence
-from semref.processing.wording import sentences
-from semref.processing.wording.sentences import worded
+from semref.processing.messages import sentences
+from semref.processing.messages.sentences import worded
 
 
 @pytest.fixture
@@ -57,7 +57,7 @@ def test_a_severity_is_called_the_same_in_legend_table_report_dock_and_log(qgis_
 def test_kinds_and_roads_of_trials_have_words(qgis_app):
     from semref.core.evaluation.evaluation import MAP, MIRRORED
     from semref.core.localization import Method
-    from semref.processing.wording.columns import column_words
+    from semref.processing.messages.columns import column_words
 
     words = column_words(["kind", "road", "trial"])
     assert {MAP, MIRRORED} == set(words["kind"])

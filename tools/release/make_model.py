@@ -1,7 +1,7 @@
 """Writes the models that ship, models/*.model3.
 
 Run with QGIS's Python (``.venv/bin/python tools/release/make_model.py``) after a change of the algorithms' parameters.
-Their titles and helps come from processing/framework/shipped_models.py.
+Their titles and helps come from processing/base/shipped_models.py.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class ModelMaker:
         from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingModelParameter
         from qgis.PyQt.QtCore import QPointF
 
-        from semref.processing.framework.shipped_models import group_title, model_texts
+        from semref.processing.base.shipped_models import group_title, model_texts
 
         texts = model_texts(name)
         self.model = QgsProcessingModelAlgorithm(texts.title, group_title(texts.group), "")
@@ -164,7 +164,7 @@ def correction_to_database():
         QgsProcessingParameterRasterLayer,
     )
 
-    from semref.processing.framework.shipped_models import model_texts
+    from semref.processing.base.shipped_models import model_texts
 
     polygons = [QgsProcessing.TypeVectorPolygon]
     maker = ModelMaker(

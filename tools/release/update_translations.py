@@ -88,7 +88,7 @@ def title_texts(source: str) -> list[str]:
 
 
 def style_texts(source: str) -> list[str]:
-    """The texts of a style file that ``processing/exchange/styles.py`` translates."""
+    """The texts of a style file that ``processing/layers/styles.py`` translates."""
     root = ElementTree.fromstring(source)
     found = [element.get(name, "") for tag, name in STYLE_TITLES.items() for element in root.iter(tag)]
     expressions = root.findtext("previewExpression", "") + root.findtext("mapTip", "")

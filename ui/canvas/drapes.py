@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingUtils, QgsProject, QgsRasterLayer
 
 from ...core.errors import LabelMapError
-from ...processing.exchange.layer_tree import place_on_top
+from ...processing.layers.layer_tree import place_on_top
 
 OPACITY = 0.6
 
@@ -24,7 +24,7 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
         LabelMapError: The image can't be read.
     """
     # Not at the top: the dock has to open, and say so, where OpenCV is missing.
-    from ...storage.draped import write_draped
+    from ...storage.georeferenced_vrt import write_draped
 
     target = QgsProcessingUtils.generateTempFilename("image.vrt")
     write_draped(image, target, crs_wkt, corners)
@@ -41,7 +41,7 @@ def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: Qgs
         raise LabelMapError("{image} can’t be shown on the map.", image=name)
     if layer.bandCount() == 1:
         # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
-        from ...processing.exchange.class_styles import apply_overview_style
+        from ...processing.layers.class_styles import apply_overview_style
 
         apply_overview_style(layer, database)
     if not layer.crs().isValid():

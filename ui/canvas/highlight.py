@@ -9,9 +9,9 @@ from qgis.core import QgsGeometry, QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsVertexMarker
 
 from ...processing.compat import LINE_GEOMETRY, POLYGON_GEOMETRY
-from ...processing.exchange.reference_systems import transformed_point
 from ...processing.inspection.image import RUNNERS_UP
 from ...processing.inspection.window import LookAlike
+from ...processing.layers.reference_systems import transformed_point
 from ..findings import Finding
 from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, square, to_canvas, with_opacity
 

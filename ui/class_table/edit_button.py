@@ -7,8 +7,8 @@ from qgis.PyQt.QtWidgets import QFileDialog, QMessageBox, QToolButton
 
 from ...core.errors import SemRefError
 from ...processing.inspection.class_tables import ClassRow, is_shipped, read_rows, save_rows
+from ...processing.messages.sentences import worded
 from ...processing.translation import tr
-from ...processing.wording.sentences import worded
 from ..widgets.controls import tool_button
 from .editor import ClassTableEditor
 

@@ -25,8 +25,8 @@ from qgis.PyQt.QtWidgets import (
 
 from ...core.errors import ClassTableError
 from ...processing.inspection.class_tables import ClassRow, new_row, preset_rows, preset_titles, require_table
+from ...processing.messages.sentences import worded
 from ...processing.translation import tr
-from ...processing.wording.sentences import worded
 
 VALUE, NAME, COLOR, ROLE, ORDER = range(5)
 """Columns."""

@@ -10,9 +10,9 @@ from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
-from ...processing.exchange.database_layers import add_database_to_map, reload_database
+from ...processing.layers.database_layers import add_database_to_map, reload_database
+from ...processing.messages.sentences import worded
 from ...processing.translation import tr
-from ...processing.wording.sentences import worded
 from ..running.background import DatabaseShelf, Reader
 from ..running.correction_run import RASTERIZE
 from ..tabs.correct.tab import CorrectTab

@@ -12,7 +12,7 @@ from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
 from ...core.localization import Method
-from ...processing.exchange.database_layers import OPENED, reload_raster
+from ...processing.layers.database_layers import OPENED, reload_raster
 from ...processing.translation import tr
 from ..packages.missing_notice import MissingNotice
 from ..project_state import DATABASE_SETTING, DockState, ProjectState

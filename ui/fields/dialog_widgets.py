@@ -1,6 +1,6 @@
 """Widgets of SemRef's parameters in the dialogs of Processing: single runs, batches and the model designer.
 
-QGIS imports a class by the name that ``processing/framework/parameters.py`` states, calls it with (parameter, dialog,
+QGIS imports a class by the name that ``processing/base/parameters.py`` states, calls it with (parameter, dialog,
 row, column) and takes what comes for the widget's wrapper.
 """
 
@@ -25,13 +25,13 @@ from qgis.gui import (
 from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from ...processing.framework import parameters
+from ...processing.base import parameters
 from ..class_table.edit_button import EditButton
 from ..layer_files import photo_layer
 from ..widgets.layouts import narrow
 from .epochs import TRAINING_VALUES, epochs_text
-from .guessed import ClassNameBox, class_field_of, class_of_all
-from .known import DATABASE, MODEL, KnownButton, chosen
+from .guess_fields import ClassNameBox, class_field_of, class_of_all
+from .recent_files import DATABASE, MODEL, KnownButton, chosen
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Processing's own dialogs, by which it tells them apart itself."""

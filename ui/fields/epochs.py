@@ -15,9 +15,9 @@ from qgis.core import (
     QgsRasterLayer,
 )
 
+from ...processing.base.training_estimate import epochs_within
 from ...processing.compat import is_metric
-from ...processing.exchange.reference_systems import metric_crs, transformed_box
-from ...processing.framework.training_estimate import epochs_within
+from ...processing.layers.reference_systems import metric_crs, transformed_box
 from ...processing.translation import tr
 from ...training.job import LITE0, SMALL
 

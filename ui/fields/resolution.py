@@ -16,8 +16,8 @@ from qgis.core import (
 )
 
 from ...processing.compat import is_metric
-from ...processing.exchange.reference_systems import metric_crs
-from .guessed import BUILDING
+from ...processing.layers.reference_systems import metric_crs
+from .guess_fields import BUILDING
 
 SMALLEST_PERCENT, PIXELS_WIDE = 10, 14
 """The smallest typical building is wider than so many percent of all; it shall be so many pixels wide."""

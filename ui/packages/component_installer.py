@@ -7,9 +7,9 @@ import traceback
 from qgis.PyQt.QtCore import QObject, QProcess, QProcessEnvironment, pyqtSignal
 
 from ...core.errors import SemRefError
+from ...processing.messages.sentences import worded
 from ...processing.packages.components import Package, add_components_to_path
 from ...processing.packages.install import Answer, Command, Commands, installing
-from ...processing.wording.sentences import worded
 
 _KILLED_WITHIN_MS = 5000
 

@@ -23,6 +23,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ...core.errors import ComponentError
+from ...processing.messages.sentences import worded
 from ...processing.packages.components import (
     OPTIONAL,
     PACKAGES,
@@ -39,7 +40,6 @@ from ...processing.packages.components import (
     remove_components,
 )
 from ...processing.translation import tr
-from ...processing.wording.sentences import worded
 from ..models.model_list import ModelsDialog
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller

@@ -18,6 +18,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ...core.errors import ComponentError
+from ...processing.messages.sentences import worded
 from ...processing.packages.training_environment import (
     PYTHON_SETTING,
     environment_folder,
@@ -26,7 +27,6 @@ from ...processing.packages.training_environment import (
     remove_environment,
 )
 from ...processing.translation import tr
-from ...processing.wording.sentences import worded
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 

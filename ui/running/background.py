@@ -10,7 +10,7 @@ from qgis.core import QgsApplication, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import SemRefError
-from ...processing.wording.sentences import worded
+from ...processing.messages.sentences import worded
 from .algorithm_run import UNLOAD_WAIT_MS
 from .begin_watch import BeginWatch
 

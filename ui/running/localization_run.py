@@ -6,13 +6,13 @@ from qgis.core import QgsProcessingContext, QgsProcessingUtils, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import ParameterError
-from ...processing.exchange.results_file import TABLES, open_results
+from ...processing.layers.results_file import TABLES, open_results
+from ...processing.messages.numbers import LocalTemplate
+from ...processing.messages.sentences import worded
 from ...processing.translation import tr
-from ...processing.wording.numbers import LocalTemplate
-from ...processing.wording.sentences import worded
 from ..findings import ResultLayers
 from .algorithm_run import AlgorithmRun
-from .kept_runs import KeptRun, begin_run, destination, labels_folder
+from .run_history import KeptRun, begin_run, destination, labels_folder
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 

@@ -13,10 +13,10 @@ from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from ...processing.inspection.chosen import require_database
 from ...processing.translation import tr
-from ..at_hand import annotation_at_hand
-from ..fields.known import DATABASE, note_used
+from ..fields.recent_files import DATABASE, note_used
 from ..layer_files import dropped_files, project_databases
 from ..project_state import DATABASE_SETTING, remembered_database
+from ..proposals import annotation_at_hand
 from ..running.background import Reader
 from .controls import ChoiceBox, tool_button
 from .layouts import FoldingBox, content_of, name_fold, narrow, row_of

@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QLabel, QProgressBar
 
-from ...processing.framework.time_left import remaining_text
+from ...processing.base.time_left import remaining_text
 from .texts import plain_tip
 
 

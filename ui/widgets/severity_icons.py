@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ...core.annotation.findings import ERROR, INFORMATION, WARNING
-from ...processing.exchange import palette
+from ...processing.layers import palette
 
 _PX = 64
 """Of the largest size that it is drawn in; Qt makes it smaller."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from html import escape
 
-from ...processing.wording.numbers import shown
+from ...processing.messages.numbers import shown
 
 
 def number_text(value: float, decimals: int = 0) -> str:

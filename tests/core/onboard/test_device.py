@@ -9,7 +9,7 @@ from made_models import NAMES, write_model
 
 from semref.core.labels.class_table import class_table_from_csv
 from semref.core.onboard.command_line import main
-from semref.core.onboard.finder import label_reader
+from semref.core.onboard.image_records import label_reader
 from semref.core.onboard.log import start_log
 
 TABLE = class_table_from_csv("value,name\n" + "".join(f"{n},{name}\n" for n, name in enumerate(NAMES, start=1)))

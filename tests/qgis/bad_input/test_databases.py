@@ -41,8 +41,8 @@ def test_where_no_database_is_named_the_sentence_has_no_hole_in_it(qgis_app, pat
     from qgis.core import QgsProject
 
     from semref.core.errors import DatabaseError
-    from semref.processing.exchange.database_layers import add_database_to_map
-    from semref.processing.wording.sentences import worded
+    from semref.processing.layers.database_layers import add_database_to_map
+    from semref.processing.messages.sentences import worded
     from semref.storage.database.reader import read_database
 
     for reads in (read_database, lambda path: add_database_to_map(path, QgsProject.instance())):

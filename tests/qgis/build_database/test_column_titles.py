@@ -9,7 +9,7 @@ import pytest
 from osgeo import gdal, ogr
 from qgis.core import QgsProject, QgsVectorLayer
 
-from semref.processing.exchange.database_layers import add_database_to_map
+from semref.processing.layers.database_layers import add_database_to_map
 
 COLUMNS = {
     "windows": {"name": "Name", "size": "Size (m)", "reference_count": "Landmarks", "vector": "Topology vector"},
@@ -30,7 +30,7 @@ def test_a_layer_that_is_dropped_on_the_canvas_shows_titles_of_all_columns(datab
 
 
 def test_on_the_map_they_are_in_the_user_s_language_whoever_built_the_database(database, monkeypatch):
-    from semref.processing.exchange import styles
+    from semref.processing.layers import styles
 
     monkeypatch.setattr(styles, "tr", lambda text: f"[{text}]")
     project = QgsProject()

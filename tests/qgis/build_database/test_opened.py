@@ -60,7 +60,7 @@ def groups(project) -> list:
 
 
 def test_a_database_is_opened_as_a_styled_group(run_as_dialog, project, label_map, tmp_path):
-    from semref.processing.exchange.database_layers import OPENED
+    from semref.processing.layers.database_layers import OPENED
 
     told = []
     OPENED.database.connect(told.append)

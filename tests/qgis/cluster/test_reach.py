@@ -43,30 +43,30 @@ def server():
 
 @pytest.fixture
 def reach(monkeypatch):
-    from semref.cluster import reach
+    from semref.cluster import connection
 
-    monkeypatch.setattr(reach, "_REFUSED_FOR_S", 0.3)
+    monkeypatch.setattr(connection, "_REFUSED_FOR_S", 0.3)
     return reach
 
 
 @pytest.fixture
-def hasty(reach, monkeypatch):
-    monkeypatch.setattr(reach, "CONNECTED_WITHIN_S", 1)
+def hasty(connection, monkeypatch):
+    monkeypatch.setattr(connection, "CONNECTED_WITHIN_S", 1)
     return reach
 
 
-def told(reach, address):
+def told(connection, address):
     """Code and reason of what is said."""
     with pytest.raises(SemRefError) as caught:
-        reach.require_scheduler(address)
+        connection.require_scheduler(address)
     values = dict(caught.value.sentence.values)
     assert values["address"] == address
     return caught.value.sentence.template, values.get("reason", "")
 
 
 @pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
-def test_another_server_such_as_the_dashboard_is_told_apart(reach, server, words):
-    assert told(reach, server(words)) == (
+def test_another_server_such_as_the_dashboard_is_told_apart(connection, server, words):
+    assert told(connection, server(words)) == (
         (
             "What answers at {address} is no scheduler of Dask, or one of another version; give the address that the "
             "scheduler prints, not its dashboard's."
@@ -82,8 +82,8 @@ def test_one_that_says_nothing_is_not_waited_for_for_ever(hasty, server):
     )
 
 
-def test_one_that_hangs_up_is_no_scheduler(reach, server):
-    assert told(reach, server(None))[0] == (
+def test_one_that_hangs_up_is_no_scheduler(connection, server):
+    assert told(connection, server(None))[0] == (
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4."
     )
 
@@ -98,8 +98,8 @@ def test_one_that_hangs_up_is_no_scheduler(reach, server):
         ("http://127.0.0.1:1", "unknown address scheme"),
     ],
 )
-def test_an_address_where_nobody_listens_or_that_is_none(reach, address, reason):
-    code, said = told(reach, address)
+def test_an_address_where_nobody_listens_or_that_is_none(connection, address, reason):
+    code, said = told(connection, address)
     assert (
         code
         == (
@@ -134,8 +134,8 @@ def test_a_scheduler_that_is_just_being_started_is_waited_for(hasty, monkeypatch
         begun[0].close()
 
 
-def test_a_scheduler_is_found(reach):
+def test_a_scheduler_is_found(connection):
     from distributed import LocalCluster
 
     with LocalCluster(n_workers=0, dashboard_address=None) as cluster:
-        reach.require_scheduler(cluster.scheduler_address)
+        connection.require_scheduler(cluster.scheduler_address)

@@ -170,7 +170,7 @@ def test_ground_around_a_single_class_becomes_other_without_being_asked(rasteriz
 
 
 def test_what_became_of_features_is_told_in_the_users_language(qgis_app, monkeypatch):
-    from semref.processing.exchange import annotation
+    from semref.processing.layers import annotation
 
     monkeypatch.setattr(annotation, "tr", lambda text: f"«{text}»")
     numbers = {field.name: 2 for field in fields(annotation.AnnotationCounts) if field.type == "int"}

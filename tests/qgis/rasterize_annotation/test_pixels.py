@@ -43,12 +43,12 @@ def test_valid_polygons_burn_as_gdal_burns_them_on_the_tap_grid(labels, tmp_path
 
 
 def test_a_map_of_several_strips_equals_one_burnt_at_once(labels, tmp_path, monkeypatch):
-    from semref.storage import burning
+    from semref.storage import rasterize
 
     features = [(polygon(corners), n % 5 + 1) for n, corners in enumerate(random_polygons(2, 60, 700))]
     layer = write_layer(tmp_path / "annotation.gpkg", features, [("class", "integer")])
     at_once = labels(layer)
-    monkeypatch.setattr(burning, "STRIP_PIXELS", 1)
+    monkeypatch.setattr(rasterize, "STRIP_PIXELS", 1)
     strips = labels(layer, OUTPUT=str(tmp_path / "strips.tif"))
     assert len(strips) > 2 * 256
     np.testing.assert_array_equal(strips, at_once)

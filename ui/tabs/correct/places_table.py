@@ -12,8 +12,8 @@ from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QT
 
 from ....core.annotation.findings import WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
+from ....processing.messages.annotation_messages import kind_titles, severity_title
 from ....processing.translation import tr
-from ....processing.wording.annotation_messages import kind_titles, severity_title
 from ...widgets.severity_icons import severity_icon
 from ...widgets.tables import changes_font, paint_placeholder, select_row
 from ...widgets.texts import number_text, plain_tip

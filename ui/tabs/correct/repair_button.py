@@ -11,9 +11,9 @@ from qgis.PyQt.QtWidgets import QMessageBox, QPushButton
 
 from ....core.errors import ParameterError
 from ....processing.inspection.repair import REPAIRABLE, apply_repair
+from ....processing.messages.annotation_messages import kind_titles
+from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ....processing.wording.annotation_messages import kind_titles
-from ....processing.wording.sentences import worded
 from ...running.algorithm_run import AlgorithmRun
 from ...running.correction_run import Correction
 from ...widgets.texts import number_text

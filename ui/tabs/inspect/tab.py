@@ -25,7 +25,6 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....processing.exchange.reference_systems import transformed_point
 from ....processing.inspection.window import (
     Comparison,
     InspectedWindow,
@@ -34,8 +33,9 @@ from ....processing.inspection.window import (
     window_named,
     window_under,
 )
+from ....processing.layers.reference_systems import transformed_point
+from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ....processing.wording.numbers import LocalTemplate
 from ...canvas.window_marks import WindowMarks, WindowTool
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of

@@ -11,8 +11,8 @@ from qgis.PyQt.QtGui import QTextOption
 from qgis.PyQt.QtWidgets import QFrame, QTextEdit
 
 from ....processing.inspection.window import LookAlike
+from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ....processing.wording.numbers import LocalTemplate
 from ...findings import Finding, error_text, status_text
 from ...widgets.texts import number_text
 from .position_formats import DATABASE, DEGREES, position_text

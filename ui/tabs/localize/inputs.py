@@ -20,16 +20,16 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....core.localization import Method
-from ....processing.framework.base import REPORTS_AS_FILES
-from ....processing.framework.localized_image import is_photo
+from ....processing.base.algorithm import REPORTS_AS_FILES
+from ....processing.base.localized_image import is_photo
 from ....processing.inspection.chosen import ChosenImages, look_at_images
+from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ....processing.wording.sentences import worded
-from ...at_hand import training_at_hand
-from ...fields.known import MODEL, note_used
+from ...fields.recent_files import MODEL, note_used
 from ...layer_files import drawn_layers, layer_file, raster_layers
 from ...models.model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
+from ...proposals import training_at_hand
 from ...running.background import Reader
 from ...widgets.controls import ChoiceBox, tool_button
 from ...widgets.layouts import FoldingBox, content_of, name_fold, narrow, row_of

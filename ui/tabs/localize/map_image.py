@@ -37,8 +37,8 @@ class MapImage(QObject):
             self.failed.emit(tr("Choose a model first: it says how large the pixels of the map shall be."))
             return
         # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
-        from ....processing.exchange.rendering import drawable
-        from ....processing.framework.photo_source import draw_for_model
+        from ....processing.base.photo_source import draw_for_model
+        from ....processing.layers.rendering import drawable
 
         settings = self._canvas.mapSettings()
         extent, crs = settings.visibleExtent(), settings.destinationCrs()

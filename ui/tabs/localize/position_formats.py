@@ -9,7 +9,7 @@ from qgis.core import (
     QgsProject,
 )
 
-from ....processing.exchange.reference_systems import transformed_point
+from ....processing.layers.reference_systems import transformed_point
 from ....processing.translation import tr
 from ...findings import Finding
 

@@ -11,8 +11,8 @@ from qgis.core import (
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtWidgets import QWidget
 
+from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
-from ....processing.wording.numbers import LocalTemplate
 from ...canvas.prior_tool import PriorTool
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of

@@ -10,7 +10,7 @@ from qgis.PyQt.QtGui import QIcon, QStandardItem, QStandardItemModel
 
 from ....core.annotation import findings as annotation
 from ....core.localization import Status
-from ....processing.framework.localized_image import ERROR as UNREAD
+from ....processing.base.localized_image import ERROR as UNREAD
 from ....processing.translation import tr
 from ...findings import Finding, error_text, status_text
 from ...widgets.severity_icons import severity_icon

@@ -13,8 +13,8 @@ from ....core.errors import LabelMapError
 from ....core.named_files import named_file
 from ....processing.compat import wkt_for_gdal
 from ....processing.inspection.image import ImageQuery
+from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ....processing.wording.sentences import worded
 from ...canvas.drapes import add_placed, place_image
 from ...canvas.highlight import HitHighlight
 from ...canvas.match_marks import MatchMarks

@@ -16,15 +16,15 @@ from ....core.errors import ParameterError
 from ....core.localization import Status
 from ....core.named_files import named_file
 from ....processing.compat import is_null
-from ....processing.exchange.output_style import Look
-from ....processing.exchange.results_file import write_results
+from ....processing.layers.output_style import Look
+from ....processing.layers.results_file import write_results
+from ....processing.messages.sentences import worded
 from ....processing.translation import tr
-from ....processing.wording.sentences import worded
 from ...findings import Finding, ResultLayers, read_findings
 from ...project_state import DockState
 from ...running.background import DatabaseShelf, Reader
-from ...running.kept_runs import KeptRun, forget_old_runs, kept_runs, labels_of, runs_folder
 from ...running.localization_run import LocalizationRun, named_results
+from ...running.run_history import KeptRun, forget_old_runs, kept_runs, labels_of, runs_folder
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages

@@ -24,11 +24,11 @@ from qgis.PyQt.QtGui import QIcon
 
 from ...core.errors import SemRefError
 from ...core.sentences import legible
-from ..exchange.layer_metadata import Note, note_of_run
+from ..layers.layer_metadata import Note, note_of_run
+from ..messages.sentences import worded
 from ..packages.components import NEEDED, Package, require
 from ..translation import tr
 from ..version import algorithm_help_url, plugin_version
-from ..wording.sentences import worded
 from .destinations import require_outputs_apart
 from .outputs import Outputs
 from .time_left import TellingFeedback

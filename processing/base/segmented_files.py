@@ -11,8 +11,8 @@ from ...core.errors import LabelMapError
 from ...core.labels.class_table import UNLABELED
 from ..compat import POLYGON
 from ..translation import tr
+from .algorithm import check_canceled, interruptible
 from .annotation import geometry_of
-from .base import check_canceled, interruptible
 
 if TYPE_CHECKING:
     import numpy as np
@@ -114,7 +114,7 @@ class SegmentedFiles:
 
     def _percents(self, files: ExitStack, key: str, names: list[str], shown: int) -> PercentRaster:
         from ...storage.percent_raster import PercentRaster
-        from ..exchange.class_styles import write_percent_style
+        from ..layers.class_styles import write_percent_style
 
         path = files.enter_context(self._outputs.raster(key, lambda path: write_percent_style(path, shown)))
         grid = self._grid
@@ -150,9 +150,9 @@ def write_polygons(
     if not outputs.wants(key):
         return
     from ...core.annotation.outlines import areas_and_wkb, can_simplify
-    from ...storage.outlining import LabelPolygons
+    from ...storage.polygonize import LabelPolygons
     from ...storage.rasters import open_raster
-    from ..exchange.class_styles import annotation_renderer
+    from ..layers.class_styles import annotation_renderer
 
     transform = open_raster(path).GetGeoTransform(can_return_null=True) or (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
     tolerance = values.optional_number("TOLERANCE", TOLERANCE_PX * abs(transform[1]))

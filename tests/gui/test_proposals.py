@@ -38,7 +38,7 @@ def add(project, tmp_path):
 
 
 def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_table(add, project, tmp_path):
-    from semref.ui.at_hand import training_at_hand
+    from semref.ui.proposals import training_at_hand
 
     (tmp_path / "classes.csv").write_text("value,name,color,role\n1,building,#ff0000,reference\n")
     layer = add("cover", [("number", "integer"), ("name", "text"), ("Class", "text"), ("zorder", "integer")])
@@ -52,7 +52,7 @@ def test_the_only_polygons_and_the_only_photo_are_taken_with_their_fields_and_ta
 
 
 def test_of_several_layers_the_one_with_classes_is_taken(add, project):
-    from semref.ui.at_hand import annotation_at_hand
+    from semref.ui.proposals import annotation_at_hand
 
     add("parcels", [("owner", "text")])
     layer = add("cover", [("class", "text")])
@@ -60,14 +60,14 @@ def test_of_several_layers_the_one_with_classes_is_taken(add, project):
 
 
 def test_the_only_text_field_tells_classes_and_numbers_do_not(add, project):
-    from semref.ui.at_hand import annotation_at_hand
+    from semref.ui.proposals import annotation_at_hand
 
     layer = add("cover", [("number", "integer"), ("kind", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS_FIELD": "kind"}
 
 
 def test_buildings_without_a_class_field_are_all_of_one_class(add, project):
-    from semref.ui.at_hand import annotation_at_hand
+    from semref.ui.proposals import annotation_at_hand
 
     layer = add("buildings", [("osm_id", "integer"), ("building", "text")])
     assert annotation_at_hand(project) == {"INPUT": layer.id(), "CLASS": "building"}
@@ -90,7 +90,7 @@ def models(tmp_path, qgis_app):
 
 
 def test_a_model_of_other_ground_that_knows_the_classes_is_the_base(add, project, models):
-    from semref.ui.at_hand import training_at_hand
+    from semref.ui.proposals import training_at_hand
 
     add("cover", [("class", "text")])
     add.photo("orthophoto")
@@ -107,7 +107,7 @@ def test_a_model_of_other_ground_that_knows_the_classes_is_the_base(add, project
 
 
 def test_where_it_could_be_several_nothing_is_taken(add, project):
-    from semref.ui.at_hand import training_at_hand
+    from semref.ui.proposals import training_at_hand
 
     for name in ("north", "south"):
         add(name, [("class", "text")])
@@ -116,7 +116,7 @@ def test_where_it_could_be_several_nothing_is_taken(add, project):
 
 
 def test_the_layers_of_a_database_are_no_annotation(area, dock, project):
-    from semref.ui.at_hand import annotation_at_hand
+    from semref.ui.proposals import annotation_at_hand
 
     dock.content.database.file.setFilePath(area.database)
     dock.content.database.add_to_map.click()
@@ -137,7 +137,7 @@ def test_the_dock_makes_a_database_of_the_polygons_at_hand(dock, add, monkeypatc
 
 
 def test_a_new_model_is_a_file_of_the_models_folder_that_no_model_has(add, project, models):
-    from semref.ui.at_hand import training_at_hand
+    from semref.ui.proposals import training_at_hand
 
     add.photo("orthophoto")
     folder = Path(models("orthophoto.onnx")).parent
@@ -163,7 +163,7 @@ def ground(project, tmp_path):
 
 
 def test_the_resolution_is_proposed_from_the_smallest_typical_building(ground, project):
-    from semref.ui.at_hand import training_at_hand
+    from semref.ui.proposals import training_at_hand
 
     # One shed in twenty does not count; 3.6 m in 14 pixels.
     ground([1.0, *[3.6] * 5, *[12.0] * 14])
@@ -187,7 +187,7 @@ def test_the_dialog_shows_how_many_epochs_fit_in_the_time_limit(ground, project,
     from qgis.core import QgsProcessingContext
     from qgis.PyQt.QtWidgets import QLabel
 
-    from semref.ui.at_hand import training_at_hand
+    from semref.ui.proposals import training_at_hand
 
     ground([5.0, 12.0, 12.0])
     wrappers = open_dialog("trainmodel", training_at_hand(project)).mainWidget().wrappers

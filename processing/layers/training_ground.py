@@ -21,13 +21,13 @@ from qgis.core import (
 from ...core.annotation.classes import ClassLookup
 from ...core.errors import ParameterError, TrainingError
 from ...core.labels.class_table import UNLABELED, ClassTable
-from ...storage.burning import AreaMask
+from ...storage.rasterize import AreaMask
 from ...storage.rasters import RasterFile
 from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
 from ..compat import is_metric, is_null, wkt_for_gdal
 from .annotation import AnnotationSource
 from .areas import DrawnArea, area_mask
-from .layers import RasterLayer, image_layer
+from .layer_inputs import RasterLayer, image_layer
 from .reference_systems import describe_crs, metric_crs, transformed_box
 
 Placed = tuple[QgsRectangle, QgsCoordinateReferenceSystem]

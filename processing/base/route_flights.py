@@ -10,7 +10,7 @@ from qgis.core import QgsProcessingOutputNumber, QgsProcessingParameterDefinitio
 
 from ..compat import DOUBLE, INTEGER
 from ..translation import tr
-from .base import check_canceled, interruptible
+from .algorithm import check_canceled, interruptible
 from .parameters import SEED, with_help
 
 if TYPE_CHECKING:

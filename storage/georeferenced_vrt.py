@@ -10,8 +10,8 @@ from osgeo import gdal
 from ..core.errors import UnwritableError
 from ..core.geometry.footprint import is_parallelogram, on_ground
 from .gdal_errors import close, gdal_failure, gdal_failures
+from .raster_writer import TILED
 from .rasters import open_raster
-from .written_raster import TILED
 
 GRID = 16
 """Points a side that tell GDAL how a tilted image lies; between them it bends a thin plate. Closer together at the

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from qgis.core import QgsApplication
 
-from ...processing.exchange.results_file import TABLES
+from ...processing.layers.results_file import TABLES
 
 _RESULTS, _LABELS, _ABOUT = "results.gpkg", "labels", "run.json"
 _MOST_KEPT = 20

@@ -15,7 +15,7 @@ from qgis.core import QgsSettings
 from ...core.errors import ParameterError
 from ...training.job import CHECKPOINT, JOB, Job, read_job
 from ..translation import tr
-from .base import Canceled
+from .algorithm import Canceled
 
 _KEYS = {
     "base_model": "BASE_MODEL",

@@ -9,8 +9,8 @@ from osgeo import gdal
 
 from ..core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
 from ..core.geometry.frame import MapFrame
-from .burning import STRIP_PIXELS, BurnLayer, BurnPolygon
 from .label_map_file import TILE_ROWS
+from .rasterize import STRIP_PIXELS, BurnLayer, BurnPolygon
 
 if TYPE_CHECKING:
     from ..core.annotation.check import DrawnRegion

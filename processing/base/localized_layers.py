@@ -94,7 +94,7 @@ def position_rows(
     localized: Sequence[LocalizedImage], crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> Iterator[tuple[QgsGeometry | None, dict[str, Any]]]:
     """(point, values of FIELDS) of each image; without a fix there is no point."""
-    from ..exchange.reference_systems import longitudes_latitudes
+    from ..layers.reference_systems import longitudes_latitudes
 
     for item in localized:
         cells, geometry = row(item), None

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 from ...core.labels.class_table import ClassTable
 from ...core.localization import Localization
 from ...core.sentences import Sentence
+from ..messages.numbers import shown
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.numbers import shown
-from ..wording.sentences import worded
-from .base import check_canceled
+from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     import numpy as np
@@ -202,7 +202,7 @@ def with_far_photos(
     Localization itself never uses such positions. ``crs``: of the database.
     """
     from ...storage.photo_position import photo_lon_lat
-    from ..exchange.reference_systems import meters_from
+    from ..layers.reference_systems import meters_from
 
     told = []
     for item in localized:

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from ...core.errors import ParameterError, SemRefError
+from ..messages.camera_messages import camera_remark
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.camera_messages import camera_remark
-from ..wording.sentences import worded
 from .localized_image import LabelImages, LocalizedImage, say
 from .localized_layers import FlownImage
 

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProcessingFeedback, QgsProcessingOutputNumber, QgsProcessingOutputString
 
 from ...core.labels.class_table import ClassTable
+from ..messages.sentences import worded
 from ..packages.components import ONNXRUNTIME, require
 from ..packages.devices import chosen_device
 from ..threads import worker_threads
 from ..translation import tr
-from ..wording.sentences import worded
-from .base import check_canceled
+from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     from ...core.geometry.camera import Camera
@@ -137,7 +137,7 @@ class PhotoLabelReader:
 def _opened(path: str) -> Photo:
     from ...core.labels.image_source import Photo
     from ...storage.label_images import opened_photo
-    from ..exchange.images import pixel_size_m, stated_crs
+    from ..layers.images import pixel_size_m, stated_crs
 
     photo = opened_photo(path)
     return Photo(photo, pixel_size_m(photo, stated_crs(path)))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsGraduatedSymbolRenderer, QgsRendererRange
 from qgis.PyQt.QtGui import QColor
 
-from ..wording.columns import verdict_words
-from ..wording.numbers import shown
+from ..messages.columns import verdict_words
+from ..messages.numbers import shown
 from .styles import style_renderer
 
 COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")

@@ -15,16 +15,16 @@ from ...core.errors import ParameterError
 from ...storage.pixel_grid import Bounds, union_of_bounds
 from ..translation import tr
 from . import parameters
-from .base import ANNOTATION, SemRefAlgorithm, check_canceled
+from .algorithm import ANNOTATION, SemRefAlgorithm, check_canceled
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.annotation.classes import ClassLookup
     from ...core.labels.class_table import ClassTable
-    from ...storage.burning import BurnPolygon
-    from ..exchange.annotation import AnnotationSource
-    from ..exchange.annotation_features import AnnotationReading
+    from ...storage.rasterize import BurnPolygon
+    from ..layers.annotation import AnnotationSource
+    from ..layers.annotation_features import AnnotationReading
     from .values import Values
 
 CLASS_TABLES = Path(__file__).resolve().parents[2] / "resources" / "class_tables"
@@ -54,7 +54,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
             raise ParameterError("Choose the class field of the polygons, or enter the one class that all of them are.")
 
     def read_layers(self, values: Values) -> None:
-        from ..exchange.annotation import annotation_source
+        from ..layers.annotation import annotation_source
 
         self._source = annotation_source(
             values.vector(self.INPUT),
@@ -66,7 +66,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
 
     def classes(self, values: Values, feedback: QgsProcessingFeedback) -> ClassLookup:
         """The classes of the class table if one is given, else of the layer's style, else of its values."""
-        from ..exchange.annotation import class_lookup
+        from ..layers.annotation import class_lookup
 
         lookup = class_lookup(self._source, values.class_table(self.CLASS_TABLE), feedback.isCanceled)
         check_canceled(feedback)
@@ -76,7 +76,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         self, values: Values, feedback: QgsProcessingFeedback, asked: QgsCoordinateReferenceSystem | None = None
     ) -> QgsCoordinateReferenceSystem:
         """A label map's metric CRS: the one asked for, the layer's own, else (and it says so) a UTM zone."""
-        from ..exchange.reference_systems import describe_crs, metric_crs
+        from ..layers.reference_systems import describe_crs, metric_crs
 
         source, asked = self._source, asked or QgsCoordinateReferenceSystem()
         crs = metric_crs(source.crs, asked, source.extent, values.transform_context)
@@ -98,7 +98,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
         with_attributes: bool = False,
     ) -> AnnotationReading:
         """Reads the layer, showing progress up to ``last`` %."""
-        from ..exchange.annotation_features import AnnotationReading, read_features
+        from ..layers.annotation_features import AnnotationReading, read_features
 
         reading = AnnotationReading()
         arguments = lookup, crs, values.transform_context, reading, with_attributes
@@ -113,7 +113,7 @@ class AnnotationAlgorithm(SemRefAlgorithm):
     ) -> tuple[list[BurnPolygon], ClassTable]:
         """Polygons to burn and the class table; says what was repaired and skipped; progress goes up to ``last`` %."""
         from ...core.annotation.classes import require_known_classes
-        from ..exchange.annotation import AnnotationCounts, burn_polygons
+        from ..layers.annotation import AnnotationCounts, burn_polygons
 
         source = self._source
         lookup = self.classes(values, feedback)
@@ -147,7 +147,7 @@ def filling_polygon(value: int, bounds: Iterable[Bounds]) -> BurnPolygon:
     """What lies beneath all polygons, as far as they reach, if it comes first; ``value``: of its class."""
     from qgis.core import QgsRectangle
 
-    from ...storage.burning import BurnPolygon
+    from ...storage.rasterize import BurnPolygon
 
     reach = union_of_bounds(bounds)
     outline = QgsGeometry.fromRect(QgsRectangle(*reach))

@@ -13,7 +13,7 @@ from qgis.core import QgsProcessingFeedback
 from qgis.PyQt.QtCore import QProcess, QProcessEnvironment
 
 from ...core.sentences import Sentence
-from .base import check_canceled
+from .algorithm import check_canceled
 
 FAILED = {"template": str, "values": dict}
 """Values of the event “failed” of any process."""

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from semref.core.flight.reported_pose import chance_off, told_pose
 from semref.core.flight.smoothing import Estimate
-from semref.core.flight.telling import chance_off, told_pose
 from semref.core.localization import LEAST_RISK
 
 

@@ -28,7 +28,7 @@ from .destinations import Destination, destination_of, replaced_by, with_destina
 
 if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
-    from ..exchange.layers import RasterLayer
+    from ..layers.layer_inputs import RasterLayer
 
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.IGNORECASE | re.ASCII)
 
@@ -189,13 +189,13 @@ class Values:
 
     def label_map(self, key: str) -> RasterLayer:
         """What worker threads need of a label map's layer. Raises LabelMapError."""
-        from ..exchange.layers import label_map_layer
+        from ..layers.layer_inputs import label_map_layer
 
         return label_map_layer(self.raster(key), key)
 
     def image(self, key: str) -> RasterLayer:
         """What worker threads need of an image's layer. Raises ImageError."""
-        from ..exchange.layers import image_layer
+        from ..layers.layer_inputs import image_layer
 
         return image_layer(self.raster(key), key)
 

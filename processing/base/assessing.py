@@ -13,12 +13,12 @@ from qgis.core import QgsProcessingParameterBoolean, QgsProcessingParameterDefin
 from ...core.errors import DatabaseError
 from ...core.localization import Method
 from ..compat import DOUBLE
+from ..messages.numbers import shown
+from ..messages.sentences import worded
 from ..reports.network_noise import read_network
 from ..translation import tr
-from ..wording.numbers import shown
-from ..wording.sentences import worded
 from . import parameters
-from .base import SemRefAlgorithm, cancelable, check_canceled
+from .algorithm import SemRefAlgorithm, cancelable, check_canceled
 from .parameters import with_help
 from .scheduler import counted
 
@@ -156,7 +156,7 @@ class AssessAlgorithm(SemRefAlgorithm):
         """(database with bounds and, if it has one, overview; its CRS)."""
         from ...storage.database.connection import DatabaseChangedError
         from ...storage.database.reader import read_database, read_overview
-        from ..exchange.reference_systems import database_crs
+        from ..layers.reference_systems import database_crs
 
         feedback.setProgressText(tr("Reading the database"))
         path = values.file(self.DATABASE)

@@ -27,7 +27,7 @@ from ...core.annotation.classes import ClassLookup, StyledClass, distinct, looku
 from ...core.errors import AnnotationError
 from ...core.labels.class_proposal import FoundClass
 from ...core.labels.class_table import ClassTable
-from ...storage.burning import BurnPolygon
+from ...storage.rasterize import BurnPolygon
 from ..compat import POLYGON_GEOMETRY, is_null
 from ..translation import tr
 

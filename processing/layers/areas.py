@@ -20,7 +20,7 @@ from qgis.PyQt.QtGui import QTransform
 
 from ...core.errors import ParameterError
 from ...core.sentences import Sentence
-from ...storage.burning import AreaMask
+from ...storage.rasterize import AreaMask
 from .reference_systems import describe_crs
 
 _SEGMENTS = 12

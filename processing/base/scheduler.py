@@ -19,7 +19,7 @@ from ...core.errors import ParameterError, SemRefError
 from ..packages.components import CRYPTOGRAPHY, DASK, require
 from ..packages.install import python_candidates
 from ..translation import tr
-from .base import check_canceled
+from .algorithm import check_canceled
 from .event_process import FAILED, EventProcess, failure, python_environment
 from .parameters import with_help
 from .values import Values

@@ -16,7 +16,7 @@ from ..compat import is_metric
 from ..reports.comparison_report import MAP_UNIT, METER, PIXEL, MeasuredErrors, MeasuredShifts, ShiftRow
 from ..translation import tr
 from . import parameters
-from .base import check_canceled
+from .algorithm import check_canceled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from qgis.core import QgsCoordinateReferenceSystem, QgsProcessingFeedback
 
     from ...core.labels.comparison import ClassMatch, LabelComparison
-    from ...storage.comparing import LabelMapPair
+    from ...storage.label_comparison import LabelMapPair
 
 
 MOST_PERCENT = 100.0

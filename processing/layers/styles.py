@@ -14,8 +14,8 @@ from typing import Callable
 from qgis.core import QgsEditorWidgetSetup, QgsFeatureRenderer, QgsMapLayer, QgsReadWriteContext, QgsVectorLayer
 from qgis.PyQt.QtXml import QDomDocument, QDomElement
 
+from ..messages.columns import column_words
 from ..translation import tr
-from ..wording.columns import column_words
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 

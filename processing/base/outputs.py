@@ -22,9 +22,9 @@ from ...storage.atomic_output import Batch
 from ...storage.replaceable import require_closed
 from ...storage.vector_files import content_digest, copy_database, feature_count, lacks_spatial_index
 from ..compat import make_field
-from ..exchange.database_layers import OPENED, open_when_done
-from ..exchange.layer_metadata import Note, keep_in_database
-from ..exchange.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
+from ..layers.database_layers import OPENED, open_when_done
+from ..layers.layer_metadata import Note, keep_in_database
+from ..layers.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
 from . import parameters
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ class Outputs:
 
     def label_map(self, key: str, table: ClassTable) -> AbstractContextManager[str]:
         """Gives a path to write a label map to, which gets its style."""
-        from ..exchange.class_styles import write_label_map_style
+        from ..layers.class_styles import write_label_map_style
 
         return self.raster(key, lambda path: write_label_map_style(path, table, self._note(key)))
 

@@ -17,7 +17,7 @@ from qgis.PyQt.QtGui import QIcon
 
 from ..translation import tr
 from ..version import algorithm_help_url
-from .base import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
+from .algorithm import ANNOTATION, ICON_PATH, REFERENCE_DATABASE, group_title
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
 

@@ -17,15 +17,15 @@ from qgis.core import (
 
 from ...core.errors import ImageError, ModelError, ParameterError
 from ..translation import tr
-from .base import follow
+from .algorithm import follow
 
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingFeedback
 
     from ...core.labels.image_source import ImageSource
     from ...storage.images import GdalImage
-    from ..exchange.areas import DrawnArea
-    from ..exchange.layers import RasterLayer
+    from ..layers.areas import DrawnArea
+    from ..layers.layer_inputs import RasterLayer
     from .values import Values
 
 
@@ -53,8 +53,8 @@ class PhotoSource:
     """
 
     def __init__(self, values: Values, key: str, extent_key: str, area: DrawnArea | None = None) -> None:
-        from ..exchange.layers import image_layer
-        from ..exchange.rendering import drawable, needs_drawing
+        from ..layers.layer_inputs import image_layer
+        from ..layers.rendering import drawable, needs_drawing
 
         layer = values.raster(key)
         self._values, self._extent_key, self._area = values, extent_key, area
@@ -120,7 +120,7 @@ class PhotoSource:
         """What lies outside of the area, of a file that was made."""
         from ...storage.images import GdalImage
         from ...storage.pictures import keep_only
-        from ..exchange.areas import area_mask
+        from ..layers.areas import area_mask
 
         file = GdalImage(path)
         if file.geotransform is None:
@@ -132,7 +132,7 @@ class PhotoSource:
         self, resolution_m: float | None, feedback: QgsProcessingFeedback
     ) -> tuple[str, QgsCoordinateReferenceSystem]:
         """(path of a GeoTIFF that lasts as long as QGIS runs, its CRS) of a layer that is no file."""
-        from ..exchange.rendering import draw, plan_drawing
+        from ..layers.rendering import draw, plan_drawing
 
         if resolution_m is None:
             raise ImageError("“{layer}” can be drawn at any resolution; give RESOLUTION.", layer=self._layer.name())
@@ -162,7 +162,7 @@ class PhotoSource:
             ParameterError: No polygon touches it, or it has no place on the ground.
         """
         from ...core.labels.image_source import MaskedImage
-        from ..exchange.areas import area_mask
+        from ..layers.areas import area_mask
 
         if self._area is None:
             return image
@@ -193,7 +193,7 @@ class PhotoSource:
         if is_extent:
             wanted = self._values.extent(self._extent_key, crs)
         else:
-            from ..exchange.areas import area_extent
+            from ..layers.areas import area_extent
 
             wanted = area_extent(self._area, crs, self._values.transform_context)
         x0, dx, _, y0, _, dy = transform
@@ -232,7 +232,7 @@ def draw_for_model(
         SemRefError: The model can't be read or does not say its resolution, or the layer can't be drawn.
     """
     from ...core.segmentation.model_card import read_card
-    from ..exchange.rendering import draw, plan_drawing
+    from ..layers.rendering import draw, plan_drawing
 
     # Only its metadata are wanted: no need to start it.
     card = read_card(model_path)

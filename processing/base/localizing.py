@@ -19,11 +19,11 @@ from qgis.core import (
 from ...core.errors import DatabaseError, ParameterError, SemRefError
 from ...core.localization import LEAST_RISK, RISK, Method
 from ..compat import DOUBLE, SOURCE_FILE, SOURCE_POINT, SOURCE_POLYGON
+from ..messages.camera_messages import camera_read, camera_remark
+from ..messages.sentences import worded
 from ..translation import tr
-from ..wording.camera_messages import camera_read, camera_remark
-from ..wording.sentences import worded
 from . import parameters, priors
-from .base import LOCALIZATION, SemRefAlgorithm, cancelable
+from .algorithm import LOCALIZATION, SemRefAlgorithm, cancelable
 from .localized_image import LabelImages, LocalizedImage, is_photo
 from .parameters import with_help
 from .scheduler import counted, workers
@@ -268,7 +268,7 @@ def scheduled_images(
     """The images, localized by the workers of SCHEDULER; ``before``: state of the database's file."""
     from ...cluster.task_names import IMAGES
     from ...core.localizer.search import AskedImage, ImagesJob
-    from ..exchange.images import stated_pixel_size_m
+    from ..layers.images import stated_pixel_size_m
 
     model, sun = values.file(LocalizeAlgorithm.MODEL), values.optional_number(LocalizeAlgorithm.SUN_DIRECTION)
     risk = values.number(LocalizeAlgorithm.RISK)
