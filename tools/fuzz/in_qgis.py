@@ -75,11 +75,11 @@ class Runner:
 
 
 def algorithms(world: World) -> Tools:
-    from faults.cases import all_parameters, make_inputs
+    from .cases import all_parameters, make_inputs
 
     run, given = Runner(world), world.folder.parent / "in"
-    make_inputs(given / "new", _plainly)
-    base = {name: parameters("new", run.out) for _, (name, parameters) in all_parameters(started(), given).items()}
+    make_inputs(given)
+    base = all_parameters(started(), given, run.out)
     targets = {
         name: {definition.name() for definition in run.algorithms[name].destinationParameterDefinitions()}
         for name in base
@@ -116,12 +116,6 @@ def algorithms(world: World) -> Tools:
         require(not changed, f"inputs changed: {changed}")
 
     return make, attempt
-
-
-def _plainly(name: str, parameters: dict[str, Any]) -> None:
-    import processing
-
-    processing.run(f"semref:{name}", parameters)
 
 
 def _inside(value: Any, out: Path, is_target: bool) -> Any:

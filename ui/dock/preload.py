@@ -14,7 +14,7 @@ _MODULES = (
     "canvas.prior_tool",
     "canvas.match_marks",
     "packages.missing_notice",
-    "fields.known",
+    "fields.recent_files",
     "widgets.database_box",
     "tabs.correct.tab",
     "tabs.inspect.vector_plot",

@@ -218,7 +218,8 @@ def test_stopping_half_way_leaves_no_thread_and_no_database(labels, steps_taken,
     until = time.monotonic() + 20
     while threading.active_count() > before and time.monotonic() < until:
         time.sleep(0.01)
-    assert threading.active_count() == before
+    # Threads of earlier tests may have ended meanwhile.
+    assert threading.active_count() <= before
     assert builder.database is None
 
 

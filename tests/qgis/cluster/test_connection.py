@@ -42,17 +42,17 @@ def server():
 
 
 @pytest.fixture
-def reach(monkeypatch):
+def connection(monkeypatch):
     from semref.cluster import connection
 
     monkeypatch.setattr(connection, "_REFUSED_FOR_S", 0.3)
-    return reach
+    return connection
 
 
 @pytest.fixture
 def hasty(connection, monkeypatch):
     monkeypatch.setattr(connection, "CONNECTED_WITHIN_S", 1)
-    return reach
+    return connection
 
 
 def told(connection, address):
