@@ -6,7 +6,7 @@ from .sentences import Sentence, english
 
 
 class SemRefError(Exception):
-    """Base of every error that the user can mend.
+    """Base of every error that the user can fix.
 
     Its text is English; ``processing/messages`` says the same in the user's language.
 

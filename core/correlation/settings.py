@@ -50,12 +50,12 @@ class CorrelationSettings:
         usual_detail: Mean and standard deviation of the detail at wrong places, and how many of an image's other places
             that counts as [Liechtenstein, north; areas].
         part_energy: Least energy of image and of map in a part, in units of the map's mean one: where hardly anything
-            varies, nothing can be told [fixes of 120 images of one place and 60 of two, north; parts].
+            varies, no correlation can be computed [fixes of 120 images of one place and 60 of two, north; parts].
         part_agreement: A part that agrees less than this many times as well as the whole image is reported: none of 108
             fixes of images of one place, whose parts agree 0.77 times as well at least, and 25 of 27 of two. On the
             southern half, which took no part: none of 107, and 19 of 30 [the same; parts].
         error_factor: 95 % radius in units of the larger axis' standard deviation, as the refinement gives it, times the
-            ratio of noise to signal that a correlation s tells, 1/s² − 1: the worse the labels, the farther their
+            noise-to-signal ratio that follows from a correlation s, 1/s² − 1: the worse the labels, the farther their
             errors reach, and the less they are independent. 95 % of the errors are below 2.9 of these units with modest
             noise, below 4.1 with strong; photos of a town, poorly segmented: 2.1, of a shore whose annotation and
             network disagree about where it runs: 6.0 [aerial; photos; radius].

@@ -18,7 +18,7 @@ from .trial import Trial
 HELD_SHARES = (0.5, 0.95, 0.99)
 CONFIDENCE_BINS = tuple(np.linspace(0, 1, 11).tolist())
 LANDMARK_BINS = (0, 5, 10, 20, 40, 80)
-"""Landmarks of the window around which an image lies."""
+"""Landmarks of the window that contains the image's center."""
 
 IN_VIEW_BINS = (0, 3, 6, 10, 15, 20, 40, 80)
 """Whole landmarks in view."""
@@ -36,7 +36,7 @@ class MethodSummary:
         error_95: 95th percentile of right fixes (CEP95), map units
         heading_error_deg: median of right fixes
         scale_error: median of right fixes, relative
-        covered: right fixes within the 95 % ellipse that was told
+        covered: right fixes within their 95 % ellipse
         statuses: number of images of the map a status
     """
 
@@ -76,12 +76,12 @@ def summarize(trials: Sequence[Trial], method: str) -> MethodSummary:
 
 
 def covered(trials: Sequence[Trial]) -> Rate:
-    """Errors within the 95 % ellipse, or circle, among the trials that were told one."""
+    """Errors within the 95 % ellipse, or circle, among the trials that have one."""
     return rate_of(t.radius_ratio <= 1 for t in trials if t.radius_ratio is not None)
 
 
 def held_shares(trials: Sequence[Trial]) -> tuple[Rate, ...]:
-    """Errors within the 50, 95 and 99 % ellipses that were told, or circles, among the trials that were told one."""
+    """Errors within their 50, 95 and 99 % ellipses, or circles, among the trials that have one."""
     # The ellipse that holds a share reaches √(−2 ln(1 − share)) deviations.
     at_95 = math.sqrt(-2 * math.log(0.05))
     ratios = [t.radius_ratio * at_95 for t in trials if t.radius_ratio is not None]
@@ -97,8 +97,8 @@ class RoadSummary:
         right: fixes at the right place, of all fixes
         told: mean confidence
         calibration_error: mean difference of confidence and share of right ones, bin by bin
-        held: right fixes within the 50, 95 and 99 % ellipses that were told
-        median_radius: told 95 % radius of right fixes, map units
+        held: right fixes within their 50, 95 and 99 % ellipses
+        median_radius: stated 95 % radius of right fixes, map units
         median_error: of right fixes, map units
     """
 

@@ -16,7 +16,7 @@ class FlightSettings:
     """Settings of the joint answer of a flight (docs/method.md#flights).
 
     Attributes:
-        allowed_risk: Probability of being wrong up to which a track is told [what a navigator asks].
+        allowed_risk: Error probability up to which a track is reported [what a navigator asks].
         candidates: Best places of an image by itself that hypotheses start from [by hand, for the time; flights].
         added: The same of later images, where others are held already [by hand, for the time; flights].
         hypotheses: That are held at a time [by hand, for the time; flights].
@@ -40,7 +40,7 @@ class FlightSettings:
             that is not known to be near its place –, the edge on the ground in meters that this holds from, and the
             power that they grow with below. Errors over deviations that are not multiplied, 95 %: 2.51 at 320 m, 1.79
             at 450 m, 1.52 at 640 m; 2.45 would be right [flight measurements].
-        comparisons: Independent parts that an image's agreement is worth: tells places near each other apart.
+        comparisons: Independent parts that an image's agreement is worth; it separates places near each other.
             Likeliest: 83 at 320 m, 215 at 640 m, flat from 80 on [flight measurements].
         least_score: An image that agrees less with the map where it is expected measures nothing there [flight
             measurements].

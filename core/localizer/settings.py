@@ -47,4 +47,4 @@ class LocalizerSettings:
 
 
 LOCALIZER = LocalizerSettings()
-"""As calibrated; what every localization uses that is told nothing else."""
+"""Calibrated settings, the default of every localization."""

@@ -89,7 +89,7 @@ class SemRefAlgorithm(QgsProcessingAlgorithm):
         """Takes what belongs to the main thread out of layers; raises SemRefError."""
 
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> dict[str, Any] | None:
-        """Does the work and writes ``outputs``; raises SemRefError for what the user can mend and Canceled.
+        """Does the work and writes ``outputs``; raises SemRefError for what the user can fix and Canceled.
 
         Returns:
             The numbers that it tells, by key.

@@ -181,7 +181,7 @@ def _require_free(definition: QgsProcessingParameterDefinition, wanted: Destinat
 
 
 def _adds_a_layer(wanted: Destination, read: _Input) -> bool:
-    """Whether an output only adds a layer to the file that an input lies in."""
+    """Whether an output only adds a layer to the file of an input."""
     if not wanted.is_table:
         return False
     found = _TABLE.search(wanted.text)
@@ -203,7 +203,7 @@ def _inputs(
 
 
 def _sources(value: Any, context: QgsProcessingContext) -> Iterator[str]:
-    """The files, as “path|layername=…”, that a value of any kind stands for."""
+    """The files, as “path|layername=…”, that a value of any kind names."""
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
     if isinstance(value, QgsProperty):

@@ -69,7 +69,7 @@ def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
 
 
 def annotation_renderer(table: ClassTable, class_field: str, priority_field: str = "") -> QgsCategorizedSymbolRenderer:
-    """Polygons in the class colors, without outlines; higher priorities on top where a field tells them."""
+    """Polygons in the class colors, without outlines; higher priorities on top where a field has them."""
     categories = []
     for c in table:
         symbol = QgsFillSymbol.createSimple({"color": c.color, "outline_style": "no"})
@@ -110,7 +110,7 @@ def write_label_map_style(path: str, table: ClassTable, note: Note | None = None
 
     Args:
         path: Of the label map.
-        note: What the map tells about itself, written beside it as well.
+        note: Metadata of the map, also written beside it.
 
     Returns:
         The style as QML.

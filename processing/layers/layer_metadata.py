@@ -1,6 +1,6 @@
-"""What a layer tells about itself: title, abstract, what made it and when, and the licenses of what it was made from.
+"""Metadata of a layer: title, abstract, what made it and when, and the licenses of what it was made from.
 
-QGIS shows it under Properties ▸ Metadata and Information; in a GeoPackage it stands in ``gpkg_metadata``, beside a
+QGIS shows it under Properties ▸ Metadata and Information; in a GeoPackage it is in ``gpkg_metadata``, beside a
 raster in ``NAME.qmd``.
 """
 
@@ -55,7 +55,7 @@ SENTENCES_OF_TABLES = {
 
 @dataclass(frozen=True)
 class Note:
-    """What a layer tells about itself.
+    """Metadata of a layer.
 
     Attributes:
         history: Lines, the oldest first. A run adds one: when, by which version, and the call that makes it again.
@@ -68,7 +68,7 @@ class Note:
     sources: str = ""
 
     def metadata(self, layer: QgsMapLayer) -> QgsLayerMetadata:
-        """For QGIS; ``layer``: whose CRS and extent it tells. Of a long history the first line and the newest stay."""
+        """For QGIS; ``layer`` gives CRS and extent. Of a long history the first line and the newest stay."""
         lines = list(self.history)
         made = QgsLayerMetadata()
         made.setType("dataset")

@@ -1,6 +1,6 @@
 """Charts as inline SVG, drawn in the colors of the page's style: lines with bands, bars, heat maps, profiles.
 
-Series differ in color, dash and marker, so they can be told apart by everyone and in black and white. A drawing is a
+Series differ in color, dash and marker, so that everyone can distinguish them, also in black and white. A drawing is a
 list of elements, which the page's template writes and escapes.
 """
 
@@ -22,7 +22,7 @@ WIDEST_PX = 620
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
 _HALF_PX, _MARK_PX = (WIDTH - LEFT - RIGHT) / 2, 30
-"""Of a row of the legend; what stands before a name."""
+"""Widths of a column of the legend and of the sample before a name."""
 
 PROFILE_WIDTH, PROFILE_RIGHT = 960, 56
 """Of a chart as wide as the page, with an axis at its right."""
@@ -237,7 +237,7 @@ def heat_map(
     x_title: str,
     name: str,
 ) -> str:
-    """Cells colored from 0 (dark) to 1 (light) with their texts, as a table: the first row lies at the top.
+    """Cells colored from 0 (dark) to 1 (light) with their texts, as a table: the first row is at the top.
 
     There is room for names of any length; very long ones are cut.
     """
@@ -259,7 +259,7 @@ def heat_map(
 
 
 def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
-    """Share that was right against the confidence that was told; on the diagonal both agree."""
+    """Share that was right against the stated confidence; on the diagonal both agree."""
     return line_chart(series, percent_axis(x_title), percent_axis(y_title), name, diagonal=True)
 
 

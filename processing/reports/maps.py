@@ -27,7 +27,7 @@ NEEDLE = 13.0
 """From its center to where the image's top points, pixels."""
 
 HALO = "font-size:18px;paint-order:stroke;stroke:var(--ground);stroke-width:4"
-"""Of letters, on whatever lies below them; paper has a sketch half as large."""
+"""Size of letters on any background; paper has a sketch half as large."""
 
 ROUTE_HEIGHT = 400
 """Of a route's sketch at least: what lies beside it matters, too."""
@@ -222,7 +222,7 @@ def _kind(point: FlightPoint) -> int:
 
 
 def _mark(x: float, y: float, r: float, kind: int, title: str = "") -> Element:
-    """Filled for an own fix, a ring by the flight, a cross against its own fix: told apart without colors."""
+    """Filled for an own fix, a ring by the flight, a cross against its own fix: distinct without colors."""
     color = _COLORS[kind]
     if kind == 2:
         path = f"M{x - r:.1f} {y - r:.1f}l{2 * r} {2 * r}m0 {-2 * r}l{-2 * r} {2 * r}"

@@ -29,7 +29,7 @@ def settings_section(settings: Sequence[tuple[str, str]]) -> str:
 
 
 def road_section(summaries: Mapping[str, Sequence[RoadSummary]]) -> str:
-    """What told radii and confidences are worth, by road; the keys say what fixes are of, where there are several."""
+    """How well stated radii and confidences agree with the truth, by method; keys name sets of fixes."""
     title = tr("What radius and confidence are worth")
     roads = [one for found in summaries.values() for one in found]
     if not roads:

@@ -172,7 +172,7 @@ def told(seen: dict, minutes: float, by_processor: bool = False, place: RealPlac
     table = results.markdown(["step", "clicks", "seconds"], rows)
     outcome = (
         f"{seen['fixes']} of {seen['photos']} photos were found, {seen['within_radius']} of these within the radius "
-        f"that the dock tells; mean IoU of the network {seen['mean_iou']:.0%}."
+        f"that the dock shows; mean IoU of the network {seen['mean_iou']:.0%}."
     )
     return f"{table}\n\n{outcome}"
 

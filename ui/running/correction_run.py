@@ -41,7 +41,7 @@ class Correction:
     Attributes:
         database: Path of the one to update.
         annotation: Its polygons, as they are now.
-        class_field: That tells their class; empty for none.
+        class_field: Field with their class; empty for none.
         priority_field: That decides where they overlap; empty for none.
         class_of_all: The class of all of them; empty where the field counts.
         places: The layer of findings that was gone through; None without one.
