@@ -41,7 +41,7 @@ def algorithm_help_url(name: str, root: Path = _ROOT) -> str:
     Where the pages come with the plugin, each algorithm has one that leads to its section: programs that open files
     for others drop what stands behind a #.
     """
-    return _made(f"algorithms/{name}", root) or f"{guide_url('guide/toolbox.md', root)}#semref{name}"
+    return _made(f"algorithms/{name}", root) or f"{guide_url('how-to/toolbox.md', root)}#semref{name}"
 
 
 def _made(name: str, root: Path) -> str:

@@ -112,7 +112,7 @@ def test_pictures_are_small():
 
 def test_the_plugin_opens_pages_of_the_guide_that_exist():
     source = (ROOT / "processing" / "version.py").read_text(encoding="utf-8")
-    pages = re.findall(r"[\w/]+\.md", source)
+    pages = re.findall(r"[\w/-]+\.md", source)
     assert "user_guide.md" in pages
     assert [page for page in pages if not (DOCS / page).exists()] == []
 

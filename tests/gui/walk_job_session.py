@@ -155,7 +155,7 @@ def sample(folder: Path) -> dict:
 def own_photos(folder: Path) -> dict:
     """An empty project: database and model are named, files chosen in QGIS's dialog, localized, laid on the map.
 
-    As docs/guide/own_photos.md tells it.
+    As docs/tutorials/own_area_and_photos.md tells it.
     """
     qgis.utils.iface.newProject(False)
     content = opened_tab(0)

@@ -37,7 +37,7 @@ def test_the_help_of_every_algorithm_leads_to_its_heading_in_the_guide(provider,
     for algorithm in provider.algorithms():
         assert algorithm.helpUrl() == algorithm_help_url(algorithm.name())
         address, _, anchor = algorithm_help_url(algorithm.name(), tmp_path).partition("#")
-        assert address == guide_url("guide/toolbox.md", tmp_path)
+        assert address == guide_url("how-to/toolbox.md", tmp_path)
         assert anchor in anchors, f"{algorithm.id()}: run tools/docs/list_algorithms.py"
 
 

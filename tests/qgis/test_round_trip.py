@@ -1,4 +1,4 @@
-"""From a new orthophoto to an updated database, as docs/guide/round_trip.md tells it, with the models that ship."""
+"""From a new orthophoto to an updated database, as docs/how-to/build_and_update.md shows, with the models that ship."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-PAGE = "docs/guide/own_photos.md"
+PAGE = "docs/tutorials/own_area_and_photos.md"
 EMPHASIS = {"as a flight", "GPS takes no part in a fix"}
 """What stands in italics and is no text of the dock."""
 

@@ -110,5 +110,5 @@ def test_the_search_has_every_page_and_works_without_a_server(site, pages):
 
 @pytest.mark.slow
 def test_every_algorithm_has_a_page_that_leads_to_its_section(site, pages):
-    sections = {name for name in pages[site / "guide" / "toolbox.html"].ids if name.startswith("semref")}
+    sections = {name for name in pages[site / "how-to" / "toolbox.html"].ids if name.startswith("semref")}
     assert {f"semref{path.stem}" for path in (site / "algorithms").iterdir()} == sections

@@ -1,4 +1,4 @@
-"""Writes the list of algorithms with their keys into docs/guide/toolbox.md: python tools/docs/list_algorithms.py."""
+"""Writes the list of algorithms with their keys into docs/how-to/toolbox.md: python tools/docs/list_algorithms.py."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parent))
 from example_calls import ELSEWHERE, in_python, in_terminal
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "guide" / "toolbox.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "toolbox.md"
 BEGIN, END = "<!-- algorithms: tools/docs/list_algorithms.py -->", "<!-- /algorithms -->"
 GROUPS = ("annotation", "referencedatabase", "localization")
 

@@ -13,26 +13,26 @@ SITE = Path(__file__).with_name("site")
 MENU: dict[str, tuple[tuple[str, str], ...]] = {
     "Start": (
         ("What do you want to do?", "README.md"),
-        ("The first fix", "guide/first_fix.md"),
+        ("The first fix", "tutorials/first_fix.md"),
         ("User guide", "user_guide.md"),
         ("What works, what not", "what_works.md"),
     ),
     "Guide": (
         ("Your own area", "guide/own_area.md"),
-        ("Your own photos", "guide/own_photos.md"),
-        ("Your own network", "guide/own_network.md"),
-        ("Correct a map", "guide/annotators.md"),
-        ("A round trip", "guide/round_trip.md"),
-        ("Plan a flight", "guide/planners.md"),
-        ("Flights", "guide/flights.md"),
-        ("On board", "guide/on_board.md"),
-        ("For toolbox users", "guide/toolbox.md"),
-        ("On many cores or machines", "guide/cluster.md"),
-        ("Without a network", "guide/offline.md"),
+        ("Your own photos", "tutorials/own_area_and_photos.md"),
+        ("Your own network", "how-to/train_a_network.md"),
+        ("Correct a map", "how-to/correct_a_layer.md"),
+        ("A round trip", "how-to/build_and_update.md"),
+        ("Plan a flight", "how-to/where_it_works.md"),
+        ("Flights", "tutorials/first_flight.md"),
+        ("On board", "how-to/on_board.md"),
+        ("For toolbox users", "how-to/toolbox.md"),
+        ("On many cores or machines", "how-to/many_machines.md"),
+        ("Without a network", "how-to/offline.md"),
     ),
     "Look up": (
         ("Troubleshooting", "troubleshooting.md"),
-        ("Questions", "faq.md"),
+        ("Questions", "how-to/no_position.md"),
         ("Words", "glossary.md"),
         ("Models", "models.md"),
         ("Training", "training.md"),
@@ -141,9 +141,9 @@ def add_algorithm_pages(root: Path, site: Path) -> None:
     """A page for each algorithm's Help that leads to its section at once."""
     folder = site / "algorithms"
     folder.mkdir()
-    text = (root / "docs" / "guide" / "toolbox.md").read_text(encoding="utf-8")
+    text = (root / "docs" / "how-to" / "toolbox.md").read_text(encoding="utf-8")
     for name in re.findall(r"^#### semref:(\w+)$", text, flags=re.MULTILINE):
-        target = f"../guide/toolbox.html#semref{name}"
+        target = f"../how-to/toolbox.html#semref{name}"
         leads = f'<meta charset="utf-8"><meta http-equiv="refresh" content="0; url={target}">'
         page = f'<!doctype html><html lang="en"><head>{leads}<title>semref:{name}</title></head>'
         (folder / f"{name}.html").write_text(f'{page}<body><a href="{target}">{name}</a></body></html>\n', "utf-8")

@@ -1,4 +1,4 @@
-"""The walk of docs/guide/own_network.md, timed: orthophoto and polygons to the first fix, in desktop QGIS.
+"""The walk of docs/how-to/train_a_network.md, timed: orthophoto and polygons to the first fix, in desktop QGIS.
 
     .venv/bin/python tools/docs/time_walk.py --python PYTHON_WITH_TORCH [--minutes 5] [--processor-time] [--write]
                                              [--place banepa [--data FOLDER]]
@@ -31,7 +31,7 @@ load_plugin_package()
 from benchmarks import results  # noqa: E402
 
 SESSION = Path(__file__).with_name("walk_session.py")
-GUIDE = ROOT / "docs" / "guide" / "own_network.md"
+GUIDE = ROOT / "docs" / "how-to" / "train_a_network.md"
 SECTION = "own network walk"
 LIMIT_S = 7200
 SAMPLE = {
