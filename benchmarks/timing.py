@@ -126,7 +126,7 @@ def built(labels: Path, name: str, stride: float) -> Any:
 
     from semref.core.database.build import BuildSettings, build_from_labels
     from semref.core.geometry.frame import MapFrame
-    from semref.storage.rasters import GdalLabels, HeldLabels
+    from semref.storage.label_maps import GdalLabels, HeldLabels
 
     cv2.setNumThreads(1)
     one, dataset = settings(name), gdal.Open(str(labels))

@@ -22,7 +22,7 @@ from ..core.pipeline import localize_labels
 from ..storage.database.reader import read_database, read_overview
 from ..storage.file_states import fingerprint
 from ..storage.label_images import LabelImageReader, opened_photo
-from ..storage.rasters import GdalLabels
+from ..storage.label_maps import GdalLabels
 from ..storage.serialization import from_bytes, to_bytes
 from .task_names import ASSESS, CORRELATE, EVALUATE, IMAGES
 

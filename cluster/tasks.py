@@ -13,8 +13,8 @@ from ..core.errors import SemRefError
 from ..core.geometry.frame import MapFrame
 from ..core.segmentation.certainty import Sureness
 from ..core.segmentation.tiling import segment_tiles
+from ..storage.label_maps import GdalLabels
 from ..storage.rasterize import burnt_strip
-from ..storage.rasters import GdalLabels
 from . import jobs
 from .photos import Opening, opened
 from .task_names import BURN, SEGMENT

@@ -12,7 +12,7 @@ from osgeo import gdal, ogr
 
 from ..core.errors import LabelMapError, UnwritableError
 from .gdal_errors import gdal_failure, gdal_failures
-from .rasters import GdalLabels
+from .label_maps import GdalLabels
 
 PIXEL_TRANSFORM = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
 """Maps without georeference: pixels, rows downwards."""

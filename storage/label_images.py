@@ -15,7 +15,8 @@ from ..core.segmentation.class_bias import KEY, known_biases, read_class_bias
 from .gdal_errors import read_by_gdal
 from .images import GdalImage
 from .label_map_file import CLASS_BIAS_ITEM
-from .rasters import GdalLabels, open_raster
+from .label_maps import GdalLabels
+from .rasters import open_raster
 
 _SAMPLED_PX, _MOST_LABEL_COLORS = 128, 256
 """Edge of the square whose colors are counted, and colors that a label image has at most, blurred borders included."""

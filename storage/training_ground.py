@@ -11,7 +11,8 @@ from osgeo import gdal
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
 from .gdal_errors import gdal_failure
-from .rasters import RasterFile, open_raster
+from .label_maps import RasterFile
+from .rasters import open_raster
 
 Bounds = tuple[float, float, float, float]
 """Left, bottom, right, top, in map units."""

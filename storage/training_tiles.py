@@ -17,8 +17,9 @@ from ..core.labels.sources import count_labels
 from ..core.labels.training_tiles import SUBSETS, TRAIN, VALIDATION, Tile, block_size, plan_tiles, validation_blocks
 from .gdal_errors import gdal_failure, gdal_failures
 from .images import GdalImage
+from .label_maps import GdalLabels, RasterFile, class_table_of_map, class_table_of_values
 from .pictures import write_png, write_tiff
-from .rasters import GdalLabels, RasterFile, class_table_of_map, class_table_of_values, open_raster
+from .rasters import open_raster
 from .text_tables import CLASSES_FILE
 
 MANIFEST = "manifest.json"

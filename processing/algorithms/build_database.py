@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from ...core.labels.class_table import ClassTable
     from ...core.labels.overview import OverviewSink
     from ...core.windows.grid import WindowGrid
-    from ...storage.rasters import GdalLabels
+    from ...storage.label_maps import GdalLabels
     from ..base.outputs import Outputs
     from ..base.values import Values
 
@@ -167,7 +167,7 @@ class BuildDatabase(SemRefAlgorithm):
         from ...storage.database.overview_file import overview_beside
         from ...storage.database.writer import DatabaseWriter
         from ...storage.file_states import state
-        from ...storage.rasters import GdalLabels
+        from ...storage.label_maps import GdalLabels
         from ..layers.class_styles import database_styles
         from ..layers.layer_inputs import map_frame
         from ..layers.reference_systems import longitudes_latitudes
@@ -200,7 +200,7 @@ class BuildDatabase(SemRefAlgorithm):
         """The database, by the workers of SCHEDULER or by threads of this process."""
         from ...core.database.build import DatabaseBuilder, level_grids
         from ...core.database.tasks import Threads
-        from ...storage.rasters import HeldLabels
+        from ...storage.label_maps import HeldLabels
 
         frame, _, settings = build
         self._say_rounding(level_grids(frame.shape_hw, frame.pixel_size, settings), frame, settings, feedback)
@@ -218,7 +218,7 @@ class BuildDatabase(SemRefAlgorithm):
 
     def _table(self, values: Values, labels: GdalLabels, feedback: QgsProcessingFeedback) -> ClassTable:
         """The map's class table with the asked reference classes."""
-        from ...storage.rasters import class_table_of_map, class_table_of_values, count_values
+        from ...storage.label_maps import class_table_of_map, class_table_of_values, count_values
 
         table = class_table_of_map(labels, self._layer.file)
         if table is None:

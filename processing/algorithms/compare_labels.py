@@ -169,7 +169,7 @@ class CompareLabels(SemRefAlgorithm):
 
     def _match(self, pair: LabelMapPair, feedback: QgsProcessingFeedback) -> ClassMatch:
         from ...core.labels.comparison import match_classes
-        from ...storage.rasters import class_table_of_map
+        from ...storage.label_maps import class_table_of_map
 
         maps = (pair.reference, pair.predicted)
         match = match_classes(*(class_table_of_map(labels, layer.file) for labels, layer in zip(maps, self._layers)))

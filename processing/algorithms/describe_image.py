@@ -153,7 +153,8 @@ class DescribeImage(SemRefAlgorithm):
     def _settings(self, values: Values, transform: tuple[float, ...]) -> tuple[ClassTable, Callable[[int], float], int]:
         """(class table, function square size → area fraction, vector length), from the database or the parameters."""
         from ...storage.database.reader import read_database
-        from ...storage.rasters import open_raster, stored_class_table
+        from ...storage.label_maps import stored_class_table
+        from ...storage.rasters import open_raster
 
         database_path = values.file(self.DATABASE)
         if database_path:

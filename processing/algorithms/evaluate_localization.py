@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase
     from ...core.evaluation.evaluation import Evaluation, TrialRanges, WindowQuery
     from ...core.evaluation.trial import Trial
-    from ...storage.rasters import GdalLabels
+    from ...storage.label_maps import GdalLabels
     from ..base.outputs import Outputs
     from ..base.values import Values
 
@@ -292,7 +292,7 @@ class EvaluateLocalization(SemRefAlgorithm):
         """(Evaluation, database, its CRS); raises SemRefError when map and database don't belong together."""
         from ...core.evaluation.job import EvaluationJob
         from ...storage.database.reader import read_database
-        from ...storage.rasters import GdalLabels
+        from ...storage.label_maps import GdalLabels
         from ..layers.layer_inputs import map_frame
         from ..layers.reference_systems import database_crs
 
@@ -314,7 +314,7 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _check_map(self, labels: GdalLabels, database: ReferenceDatabase, crs: QgsCoordinateReferenceSystem) -> None:
         """Raises LabelMapError unless the label map has the database's CRS and classes."""
-        from ...storage.map_frames import require_classes_of
+        from ...storage.label_maps import require_classes_of
         from ..layers.reference_systems import describe_crs
 
         if self._layer.crs != crs:

@@ -31,7 +31,7 @@ from ..translation import tr
 if TYPE_CHECKING:
     from qgis.core import QgsProcessingContext, QgsProcessingFeedback
 
-    from ...storage.rasters import RasterFile
+    from ...storage.label_maps import RasterFile
     from ...training.job import Job
     from ..base.outputs import Outputs
     from ..base.training_run import TrainingRun

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ...core.database.update import DatabaseChanges
     from ...core.geometry.frame import MapFrame
     from ...core.labels.class_table import ClassTable
-    from ...storage.rasters import GdalLabels
+    from ...storage.label_maps import GdalLabels
     from ..base.outputs import Outputs
     from ..base.values import Values
 
@@ -92,7 +92,7 @@ class UpdateDatabase(SemRefAlgorithm):
         from ...core.database.update import DatabaseUpdater
         from ...storage.database.editor import DatabaseEditor
         from ...storage.database.reader import read_stored_database
-        from ...storage.rasters import GdalLabels
+        from ...storage.label_maps import GdalLabels
         from ..layers.layer_inputs import map_frame
 
         stored = read_stored_database(values.file(self.DATABASE))
@@ -126,7 +126,7 @@ class UpdateDatabase(SemRefAlgorithm):
 
     def _check_classes(self, table: ClassTable, labels: GdalLabels) -> None:
         """The map's own class table, if it brings one, must be the database's."""
-        from ...storage.rasters import named_classes, stored_class_table
+        from ...storage.label_maps import named_classes, stored_class_table
 
         found = stored_class_table(labels.dataset, self._layer.path) or named_classes(labels.dataset)
         differing = {(c.value, c.name) for c in found} ^ {(c.value, c.name) for c in table}

@@ -10,8 +10,7 @@ from ...core.errors import ImageError, LabelMapError, SemRefError
 from ...core.geometry.frame import MapFrame
 from ...core.labels.class_table import LandCoverClass
 from ...core.sentences import Sentence
-from ...storage.map_frames import require_map_grid
-from ...storage.rasters import GdalLabels, RasterFile
+from ...storage.label_maps import GdalLabels, RasterFile, require_map_grid
 from ..compat import is_metric, wkt_for_gdal
 from .reference_systems import describe_crs
 

@@ -21,8 +21,8 @@ from qgis.core import (
 from ...core.annotation.classes import ClassLookup
 from ...core.errors import ParameterError, TrainingError
 from ...core.labels.class_table import UNLABELED, ClassTable
+from ...storage.label_maps import RasterFile
 from ...storage.rasterize import AreaMask
-from ...storage.rasters import RasterFile
 from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
 from ..compat import is_metric, is_null, wkt_for_gdal
 from .annotation import AnnotationSource

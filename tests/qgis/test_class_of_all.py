@@ -9,7 +9,8 @@ from made_inputs import read_pixels, square, write_layer
 from qgis.core import QgsProcessingException, QgsVectorLayer
 
 from semref.core.labels.class_table import class_table_from_csv
-from semref.storage.rasters import open_raster, stored_class_table
+from semref.storage.label_maps import stored_class_table
+from semref.storage.rasters import open_raster
 
 RASTERIZE = "semref:rasterizeannotation"
 

@@ -34,7 +34,8 @@ def doors():
     from semref.core.labels.class_table import class_table_from_values
     from semref.storage.images import GdalImage
     from semref.storage.label_images import read_label_image
-    from semref.storage.rasters import GdalLabels, open_raster
+    from semref.storage.label_maps import GdalLabels
+    from semref.storage.rasters import open_raster
 
     return (
         lambda path: GdalImage(path).read(0, 0, 80, 80),
@@ -64,7 +65,7 @@ def test_a_description_under_the_name_of_a_picture_is_refused(qgis_app, host, tm
 
 
 def test_a_description_that_the_user_named_as_such_is_read(qgis_app, tmp_path):
-    from semref.storage.rasters import GdalLabels
+    from semref.storage.label_maps import GdalLabels
 
     write_raster(tmp_path / "labels.tif", LABELS)
     (tmp_path / "named.vrt").write_text(VRT.format(source=tmp_path / "labels.tif"), encoding="utf-8")
@@ -84,7 +85,7 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(qgis_app, tmp_path,
 
 
 def test_a_picture_whose_name_says_nothing_is_read(qgis_app, tmp_path):
-    from semref.storage.rasters import GdalLabels
+    from semref.storage.label_maps import GdalLabels
 
     write_raster(tmp_path / "labels.tif", LABELS)
     (tmp_path / "labels.tif").rename(tmp_path / "labels.dat")
@@ -101,7 +102,7 @@ def test_a_picture_whose_name_says_nothing_is_read(qgis_app, tmp_path):
     ],
 )
 def test_a_georeference_that_no_map_has_is_refused(qgis_app, run_algorithm, tmp_path, transform):
-    from semref.storage.rasters import GdalLabels
+    from semref.storage.label_maps import GdalLabels
 
     path = write_raster(tmp_path / "labels.tif", LABELS, transform=transform)
     with pytest.raises(SemRefError, match="georeference"):

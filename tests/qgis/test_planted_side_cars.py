@@ -84,7 +84,8 @@ def doors():
     from semref.core.labels.class_table import class_table_from_values
     from semref.storage.images import GdalImage
     from semref.storage.label_images import read_label_image
-    from semref.storage.rasters import GdalLabels, require_own_pixels
+    from semref.storage.label_maps import GdalLabels
+    from semref.storage.rasters import require_own_pixels
 
     return (
         lambda path: GdalImage(path, (30, 30)).read(0, 0, 30, 30),

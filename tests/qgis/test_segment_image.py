@@ -142,7 +142,7 @@ def test_the_image_is_brought_to_the_models_resolution(segment, tmp_path, pixel_
 
 
 def test_a_resampled_label_map_has_square_pixels_as_a_database_needs_them(segment, tmp_path):
-    from semref.storage.map_frames import require_map_grid
+    from semref.storage.label_maps import require_map_grid
 
     image = write_raster(tmp_path / "a.tif", PHOTO, transform=(WEST, 0.25, 0, NORTH, 0, -0.25))
     path = segment(image, RESOLUTION=37)

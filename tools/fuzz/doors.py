@@ -284,7 +284,7 @@ def label_images_on_board(world: World) -> Tools:
 def label_maps(world: World) -> Tools:
     from semref.core.labels.class_table import class_table_from_csv
     from semref.storage.label_images import read_label_image
-    from semref.storage.rasters import GdalLabels, RasterFile, class_table_of_map
+    from semref.storage.label_maps import GdalLabels, RasterFile, class_table_of_map
 
     table = class_table_from_csv("value,name,color,role\n1,building,#ff0000,reference\n2,water,#0000ff,background\n")
 

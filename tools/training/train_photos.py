@@ -34,7 +34,7 @@ from semref.core.segmentation.model import SegmentationModel  # noqa: E402
 from semref.core.segmentation.model_card import KEY, card_of_texts  # noqa: E402
 from semref.core.segmentation.onnx_file import read_metadata, with_metadata  # noqa: E402
 from semref.core.segmentation.photo_labels import PhotoLabels  # noqa: E402
-from semref.storage.rasters import RasterFile  # noqa: E402
+from semref.storage.label_maps import RasterFile  # noqa: E402
 from semref.storage.text_tables import read_class_table  # noqa: E402
 from semref.storage.training_tiles import TileExport  # noqa: E402
 from semref.training.job import LITE0, PACKAGED, Job  # noqa: E402

@@ -1,0 +1,223 @@
+"""Label maps on disk: their values, their class tables, and the grid that they must have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Callable
+
+import numpy as np
+from osgeo import gdal
+
+from ..core.errors import LabelMapError
+from ..core.labels.class_table import (
+    ClassTable,
+    LandCoverClass,
+    chosen_colors,
+    class_table_from_csv,
+    class_table_from_values,
+)
+from ..core.labels.sources import ArrayLabels, LabelSource, count_labels
+from .gdal_errors import read_by_gdal
+from .label_map_file import CLASS_TABLE_ITEM
+from .rasters import open_raster
+
+HELD_PIXELS = 400_000_000
+"""A label map up to this size is held in memory while a database is built; a larger one is read piece by piece."""
+
+_COUNTED_AT_ONCE = 8_000_000
+
+_INTEGER_NAMES = ("Byte", "Int8", "UInt16", "Int16", "UInt32", "Int32", "UInt64", "Int64")
+_INTEGER_TYPES = {getattr(gdal, f"GDT_{name}") for name in _INTEGER_NAMES if hasattr(gdal, f"GDT_{name}")}
+"""Integer types that this GDAL has; it got 64 bits with 3.5 and Int8 with 3.7."""
+
+
+class GdalLabels:
+    """A LabelSource on disk: one band of whole numbers 0–255."""
+
+    def __init__(self, path: str, keeps_blocks: bool = False) -> None:
+        """Opens the map.
+
+        Args:
+            keeps_blocks: For work that returns to the same places: GDAL's cache keeps the blocks of pieces; those of
+                whole rows are still let go, as they are read once and in order.
+
+        Raises:
+            LabelMapError: The file is anything else.
+        """
+        self._path = path
+        self._keeps_blocks = keeps_blocks
+        self._dataset = open_raster(path)
+        self._band = self._dataset.GetRasterBand(1)
+        if self._dataset.RasterCount != 1:
+            raise LabelMapError(
+                "{path} has {bands} bands; a label map has one: decode a color image with “Decode color labels” first.",
+                path=path,
+                bands=self._dataset.RasterCount,
+            )
+        if self._band.DataType not in _INTEGER_TYPES:
+            kind = gdal.GetDataTypeName(self._band.DataType)
+            raise LabelMapError(
+                "{path} holds {kind} values; a label map holds whole numbers from 0 to 255.", path=path, kind=kind
+            )
+        self._nodata = self._band.GetNoDataValue()
+
+    @property
+    def shape_hw(self) -> tuple[int, int]:
+        """(height, width) in pixels."""
+        return self._dataset.RasterYSize, self._dataset.RasterXSize
+
+    @property
+    def dataset(self) -> gdal.Dataset:
+        """The open file."""
+        return self._dataset
+
+    def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
+        """(height, width) uint8 labels, 0 where the file says that nothing is.
+
+        Raises:
+            LabelMapError: The file is damaged, or a value is no label.
+        """
+        block = read_by_gdal(LabelMapError, self._path, self._band.ReadAsArray, column, row, width, height)
+        # Blocks that are read once and in order would only fill GDAL's cache.
+        if not self._keeps_blocks or width == self._dataset.RasterXSize:
+            self._dataset.FlushCache()
+        if self._nodata is not None and self._nodata != 0:
+            block[block == self._nodata] = 0
+        if block.dtype == np.uint8:
+            return np.ascontiguousarray(block)
+        if block.size and (block.min() < 0 or block.max() > 255):
+            found = int(block.max() if block.max() > 255 else block.min())
+            raise LabelMapError(
+                "{path} has the value {found}; a label map holds class values from 0 to 255.",
+                path=self._path,
+                found=found,
+            )
+        return block.astype(np.uint8)
+
+
+class HeldLabels:
+    """A label map read into memory, which saves decoding it twice; iterate ``steps()``, then take ``source``.
+
+    Maps of more than HELD_PIXELS stay on disk: ``source`` is then the label map itself.
+    """
+
+    def __init__(self, labels: GdalLabels) -> None:
+        self._labels = labels
+        self.source: LabelSource = labels
+
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yields (what is being done, share done 0…1)."""
+        height, width = self._labels.shape_hw
+        if height * width > HELD_PIXELS:
+            return
+        held = np.empty((height, width), np.uint8)
+        rows = max(1, _COUNTED_AT_ONCE // width)
+        for first in range(0, height, rows):
+            last = min(first + rows, height)
+            held[first:last] = self._labels.read(0, first, width, last - first)
+            yield "Reading the label map", last / height
+        self.source = ArrayLabels(held)
+
+
+@dataclass(frozen=True)
+class RasterFile:
+    """What a raster file cannot tell GDAL itself: what QGIS knows of its layer.
+
+    Attributes:
+        path: GDAL's source.
+        crs_wkt: The CRS as GDAL takes it; empty for none.
+        is_metric: Whether that CRS is projected with meters as unit.
+        styled_classes: Classes of the layer's style, if it has any.
+    """
+
+    path: str
+    crs_wkt: str = ""
+    is_metric: bool = False
+    styled_classes: tuple[LandCoverClass, ...] = ()
+
+
+def stored_class_table(dataset: gdal.Dataset, path: str) -> ClassTable | None:
+    """The class table that a label map made by SemRef carries."""
+    text = dataset.GetMetadataItem(CLASS_TABLE_ITEM)
+    return class_table_from_csv(text, f"the class table inside {path}") if text else None
+
+
+def named_classes(dataset: gdal.Dataset) -> tuple[LandCoverClass, ...]:
+    """Classes from GDAL's category names and color table."""
+    band = dataset.GetRasterBand(1)
+    colors = band.GetRasterColorTable()
+    named = [(v, name) for v, name in enumerate(band.GetRasterCategoryNames() or []) if 0 < v <= 255 and name]
+    found = []
+    for (value, name), chosen in zip(named, chosen_colors(named)):
+        entry = colors.GetColorEntry(value) if colors is not None and value < colors.GetCount() else None
+        color = "#{:02x}{:02x}{:02x}".format(*entry[:3]) if entry else chosen
+        found.append(LandCoverClass(value, name, color))
+    names = [c.name for c in found]
+    return tuple(found) if len(set(names)) == len(names) else ()
+
+
+def class_table_of_map(labels: GdalLabels, file: RasterFile) -> ClassTable | None:
+    """The map's own table, else that of its category names, else of its layer's style; None when it has none."""
+    stored = stored_class_table(labels.dataset, file.path)
+    if stored is not None:
+        return stored
+    classes = named_classes(labels.dataset) or file.styled_classes
+    return ClassTable(classes) if classes else None
+
+
+def count_values(labels: GdalLabels, canceled: Callable[[], bool]) -> np.ndarray:
+    """(256,) pixels of each value of the whole map; zeros when canceled."""
+    height, width = labels.shape_hw
+    rows = max(1, _COUNTED_AT_ONCE // width)
+    counts = np.zeros(256, np.int64)
+    for first in range(0, height, rows):
+        counts += count_labels(labels.read(0, first, width, min(rows, height - first)))
+        if canceled():
+            return np.zeros(256, np.int64)
+    return counts
+
+
+def class_table_of_values(counts: np.ndarray) -> ClassTable:
+    """Table of the label values that occur; ``counts``: (256,) pixels a value."""
+    return class_table_from_values(int(v) for v in np.flatnonzero(counts) if v)
+
+
+def require_map_grid(transform: Sequence[float] | None, path: str) -> None:
+    """Raises LabelMapError for a georeference that is none, or of no north-up grid of square pixels.
+
+    Args:
+        transform: GDAL's six numbers.
+        path: What the raster is called in what is said.
+    """
+    if transform is None:
+        raise LabelMapError("{path} has no georeference, so its windows would have no place on the map.", path=path)
+    _, pixel_x, turn_x, _, turn_y, pixel_y = transform
+    if turn_x or turn_y or pixel_y >= 0 or pixel_x <= 0:
+        raise LabelMapError("{path} is rotated or mirrored; warp it to a north-up grid first.", path=path)
+    if abs(pixel_x + pixel_y) > 1e-6 * pixel_x:
+        raise LabelMapError(
+            "{path} has pixels of {pixel_x:g} × {pixel_y:g}; resample it to square pixels first.",
+            path=path,
+            pixel_x=pixel_x,
+            pixel_y=-pixel_y,
+        )
+
+
+def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None:
+    """Raises LabelMapError for a label map that calls a class otherwise than the database does.
+
+    Args:
+        path: What the map is called in what is said.
+    """
+    for found in stored_class_table(labels.dataset, path) or named_classes(labels.dataset):
+        known = table.by_value(found.value)
+        if known is not None and known.name != found.name:
+            raise LabelMapError(
+                "{path} calls the class {value} “{name}” and the database “{known}”; rasterize the map with the "
+                "database’s class table.",
+                path=path,
+                value=found.value,
+                name=found.name,
+                known=known.name,
+            )
