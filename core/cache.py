@@ -1,7 +1,8 @@
 """Cache of arrays that take long to build: files in a private folder of the user, never beside the user's data.
 
 Each file is named by a hash of everything that its arrays were built from. Its content is authenticated with a secret
-of this user, so a damaged or foreign file is not used and the arrays are built again (docs/file-formats.md#cache).
+of this user, so a damaged or foreign file is not used and the arrays are built again
+(docs/reference/file_formats.md#cache).
 """
 
 from __future__ import annotations

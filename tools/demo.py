@@ -23,7 +23,8 @@ METHODS = (("positions", 0, "constellation"), ("published", 1, "topology vector"
 """Output, METHOD of semref:localizeimages, and heading in the table."""
 ABOUT_OFF_GRID = """
    Pictures between windows (off_grid) are matched with a wrong window by the published method, and it does
-   not notice: a distance below 2 counts as a match. The constellation verifies its fixes: docs/method.md."""
+   not notice: a distance below 2 counts as a match. The constellation verifies its fixes:
+   docs/explanation/method.md."""
 PHOTO_METHODS = (("photo_positions", 0, "photo → network → position"),)
 
 

@@ -1,4 +1,4 @@
-"""What a trained model says about itself: the one place where its metadata are made (docs/file-formats.md)."""
+"""Metadata of a trained model, made only here (docs/reference/file_formats.md)."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def entries(
         validation: (L, K) pixels of each label and predicted class on validation tiles, and which classes each label
             allows (partial.py).
         ground: Where it was trained.
-        card: What people should know before they use it (docs/file-formats.md#model-card).
+        card: What people should know before they use it (docs/reference/file_formats.md#model-card).
     """
     mean, deviation = standardization
     found: dict = {

@@ -39,7 +39,7 @@ class MatchPoints:
 class Finding:
     """One image's row of OUTPUT, with its polygons of FOOTPRINTS and ALTERNATIVES; None where there is nothing.
 
-    Columns are told in docs/file-formats.md#positions.
+    Columns are told in docs/reference/file_formats.md#positions.
     """
 
     image: str

@@ -1,1 +1,1 @@
-"""Constellation localization: landmarks as stars (docs/method.md)."""
+"""Constellation localization: landmarks as stars (docs/explanation/method.md)."""

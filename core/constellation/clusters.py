@@ -1,6 +1,6 @@
 """Poses gathered into clusters: the fullest cells of two lattices.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

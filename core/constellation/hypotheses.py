@@ -1,6 +1,6 @@
 """What an image shows, and the triangles of it that make hypotheses of where it may be.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Index of a catalogue's labeled triangles: which ones look like a triangle of an image.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Triangles of the map like those of an image, looked up and turned into poses.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Images put together of two places: a pose that holds on one side of the image only.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The places where an image may lie: clusters are fitted, verified, tried with a tilted camera, the best few kept.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

@@ -159,7 +159,7 @@ class Decision:
 
 @dataclass(frozen=True)
 class ConstellationSettings:
-    """Settings of the constellation (docs/method.md#constellation); an index carries those that it was built with.
+    """Settings of the constellation (docs/explanation/method.md#constellation); an index stores those of its build.
 
     Attributes:
         limits: How far it searches [its table].

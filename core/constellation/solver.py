@@ -1,6 +1,6 @@
 """Constellation localization: landmarks as stars. Finds an image's position, or says why not.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What speaks for a pose: a likelihood ratio for every object of the image and of the map there.
 
-Told in docs/method.md#constellation.
+Told in docs/explanation/method.md#constellation.
 """
 
 from __future__ import annotations

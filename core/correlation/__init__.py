@@ -1,1 +1,1 @@
-"""Map correlation: class areas of an image and of the map (docs/method.md)."""
+"""Map correlation: class areas of an image and of the map (docs/explanation/method.md)."""

@@ -1,4 +1,4 @@
-"""The pyramid of a large database, loaded from the user's cache or built (docs/file-formats.md#cache)."""
+"""The pyramid of a large database, loaded from the user's cache or built (docs/reference/file_formats.md#cache)."""
 
 from __future__ import annotations
 

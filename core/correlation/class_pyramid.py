@@ -1,6 +1,6 @@
 """Class fractions of label rasters at coarser and coarser pixels: what map correlation compares.
 
-Told in docs/method.md#map-correlation.
+Told in docs/explanation/method.md#map-correlation.
 
 A label raster becomes, per class, the fraction of each coarse pixel that the class covers. Area overlap survives what
 centers of gravity don't: merged houses, ragged edges, missing roads. Pixels without a label say nothing: they are

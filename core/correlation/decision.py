@@ -1,4 +1,4 @@
-"""Map correlation's verdict: is the best place *the* place (docs/method.md#map-correlation)?
+"""Map correlation's verdict: is the best place *the* place (docs/explanation/method.md#map-correlation)?
 
 Two opponents: chance, and the best other place of the map. What chance reaches for an image with these classes on this
 map the best place of the mirrored image tells; whether the map has two places alike, the best other place. Both are

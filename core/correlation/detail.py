@@ -1,6 +1,6 @@
 """Map correlation's second opinion: whether what the search did not look at agrees, too.
 
-Told in docs/method.md#map-correlation.
+Told in docs/explanation/method.md#map-correlation.
 
 The best of very many places agrees well by chance alone, because it was chosen for that: at the pixels of the first
 look. What is finer than those took no part in the choice but for the last few steps. At a wrong place it agrees hardly

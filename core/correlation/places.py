@@ -1,6 +1,6 @@
 """Map correlation's list of places: from the whole map to a handful of refined poses, coarse to fine.
 
-Told in docs/method.md#map-correlation.
+Told in docs/explanation/method.md#map-correlation.
 """
 
 from __future__ import annotations

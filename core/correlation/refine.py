@@ -1,6 +1,6 @@
 """Map correlation's second look: a pose moved to where image and map agree best, finer than a pixel.
 
-Told in docs/method.md#map-correlation.
+Told in docs/explanation/method.md#map-correlation.
 
 Gauss–Newton on Σ (map(pose) − a·image − b)² over all channels, a and b free: the same optimum as the zero-mean
 normalized cross-correlation (Evangelidis & Psarakis 2008), with the mean of both gradients (Malis 2004, "ESM") for a

@@ -1,4 +1,6 @@
-"""Map correlation's first look: all places, turns and scales at coarse pixels, by FFT (docs/method.md#map-correlation).
+"""Map correlation's first look: all places, turns and scales at coarse pixels, by FFT.
+
+See docs/explanation/method.md#map-correlation.
 
 For every assumed ground sampling distance the map is resampled so that the *image* always has the same coarse size:
 the spectra of the turned images are computed once and serve all scales. The map goes tile by tile (overlap-save),

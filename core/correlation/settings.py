@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class CorrelationSettings:
-    """Settings of map correlation (docs/method.md#map-correlation); a pyramid is made for one of these.
+    """Settings of map correlation (docs/explanation/method.md#map-correlation); a pyramid is made for one of these.
 
     Attributes:
         scales: Ground that an image may show without a prior, multiples of a window's edge [what the constellation

@@ -1,6 +1,6 @@
 """Map correlation: an image's place by overlap of class areas, for labels too poor for centers of gravity.
 
-Told in docs/method.md#map-correlation.
+Told in docs/explanation/method.md#map-correlation.
 
 All places, turns and scales at coarse pixels (``search``), the best of them moved to their optimum at finer
 and finer pixels (``refine``), then a decision on the evidence: how well image and map agree, also in the detail

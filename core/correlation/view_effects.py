@@ -1,6 +1,8 @@
 """What a lens that bends or a camera that is tilted does to a place that areas were compared at as if neither did.
 
-Told in docs/method.md#how-exactly. Both displace what an image shows by amounts that grow outwards, so that the level
+See docs/explanation/method.md#how-exactly.
+
+Both displace what an image shows by amounts that grow outwards, so that the level
 pose that fits best lies beside the true one. How much the image shows of either is measured by the same Gauss–Newton
 system as the pose, with five more unknowns; how much there may be is the mixture of cameras that landmarks are judged
 by, too (``ErrorSettings.views``).

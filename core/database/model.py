@@ -1,4 +1,4 @@
-"""A reference database in memory: what a build makes, what localization needs (docs/file-formats.md)."""
+"""A reference database in memory: what a build makes, what localization needs (docs/reference/file_formats.md)."""
 
 from __future__ import annotations
 

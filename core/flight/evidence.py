@@ -1,6 +1,8 @@
 """What an image says of any place: its best places by itself, and its agreement with the map at an expected one.
 
-Told in docs/method.md#flights. An image that is placed nowhere by itself still agrees better with the map where it is
+See docs/explanation/method.md#flights.
+
+An image that is placed nowhere by itself still agrees better with the map where it is
 than at nearly all other places. How much better is told in deviations of what chance gives for just this image: of its
 agreement at random places of the map, moved to their optimum as an expected place is.
 """

@@ -1,6 +1,6 @@
 """A whole flight at once: the causal track, carried back to where it began, and smoothed.
 
-Told in docs/method.md#flights.
+Told in docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations

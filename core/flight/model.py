@@ -1,6 +1,6 @@
 """A flight: what goes in of each image, and what comes out.
 
-Told in docs/method.md#flights.
+Told in docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations

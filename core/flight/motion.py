@@ -1,6 +1,8 @@
 """Relative motion between two images of a flight: a link, with what is unknown of it.
 
-Told in docs/method.md#flights. A link takes pixels of the second image to pixels of the first, both from the image's
+See docs/explanation/method.md#flights.
+
+A link takes pixels of the second image to pixels of the first, both from the image's
 center, right and down:
 
     first = translation + exp(log_scale) · R(turn) · second,   R(turn) = [[cos, −sin], [sin, cos]]

@@ -1,6 +1,8 @@
 """Places near an expected one where an image's class areas agree with the map, and how likely each of them is.
 
-Told in docs/method.md#flights. Where little is known of an image before it is looked at – after a missing link, at the
+See docs/explanation/method.md#flights.
+
+Where little is known of an image before it is looked at – after a missing link, at the
 start of a track –, more than one place near by may agree about as well. They are all looked for, as far as what is
 known reaches, and weighed: taking the nearest for certain is how a right track comes to tell wrong poses.
 """

@@ -2,7 +2,7 @@
 
 A row tells how the camera moved since the image of the row before: ``dx_m`` to the right and ``dy_m`` towards the top
 of that earlier image, as it lay on the ground, and by how much the heading grew (clockwise). Format:
-docs/file-formats.md#odometry-table.
+docs/reference/file_formats.md#odometry-table.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What can be recognized of an image in another one: its corners, described, and its picture of even contrast.
 
-Told in docs/method.md#relative-motion. An image is looked at in a smaller version whose longer edge has
+Told in docs/explanation/method.md#relative-motion. An image is looked at in a smaller version whose longer edge has
 ``WORKING_EDGE`` pixels at most: a link is exact to a part of a pixel of that, which is more than a flight needs.
 """
 

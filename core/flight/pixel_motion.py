@@ -1,6 +1,8 @@
 """Relative motion of two overlapping images from their pixels: a link with its covariance, or why there is none.
 
-Told in docs/method.md#relative-motion. Corners that look alike propose a motion; what proves it is the ground: cells
+See docs/explanation/method.md#relative-motion.
+
+Corners that look alike propose a motion; what proves it is the ground: cells
 of the overlap, each looked for in the other image by itself. A motion counts when most of them agree with it.
 """
 

@@ -1,6 +1,6 @@
 """Hypotheses: where the latest image of a flight may lie, each with the evidence of the last images.
 
-Told in docs/method.md#flights.
+Told in docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations

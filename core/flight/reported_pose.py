@@ -1,6 +1,6 @@
 """A track's estimate of an image as what is told of it.
 
-Told in docs/method.md#flights.
+Told in docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from ..localization import RISK
 
 @dataclass(frozen=True)
 class FlightSettings:
-    """Settings of the joint answer of a flight (docs/method.md#flights).
+    """Settings of the joint answer of a flight (docs/explanation/method.md#flights).
 
     Attributes:
         allowed_risk: Error probability up to which a track is reported [what a navigator asks].

@@ -1,6 +1,8 @@
 """Poses of a track from its links and its measurements: a Kalman filter forth, Rauch, Tung and Striebel's back.
 
-Told in docs/method.md#flights. Of each image eight numbers are estimated: its pose (meters east and north, heading in
+See docs/explanation/method.md#flights.
+
+Of each image eight numbers are estimated: its pose (meters east and north, heading in
 radians clockwise, ln pixel size); how far off map and labels are around it (east, north), which every measurement there
 shares and which fades along the way, so that many measurements don't promise what none of them knows; and by what
 share links are wrong all along the flight (along, across).

@@ -1,6 +1,6 @@
 """A flight image by image, causally: each gets its best estimate from all before it, in bounded memory and time.
 
-Told in docs/method.md#flights.
+Told in docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations

@@ -1,6 +1,8 @@
 """How exactly a pose is known when errors are shared: generalized least squares on the landmarks that agree.
 
-Told in docs/method.md#how-exactly. Landmarks near each other are displaced alike, a network shifts all landmarks of a
+See docs/explanation/method.md#how-exactly.
+
+Landmarks near each other are displaced alike, a network shifts all landmarks of a
 class, a lens bends and a tilt stretches the whole image: such errors don't average out. Each is a random effect with a
 variance. Variances that residuals can show (noise of single landmarks, displacement of the map, lens and tilt) are
 averaged over by their restricted likelihood; the others are stated figures.

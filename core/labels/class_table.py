@@ -1,4 +1,4 @@
-"""THE class table: value, name, color and role of every land-cover class (docs/file-formats.md#class-table)."""
+"""Class table: value, name, color and role of each land-cover class (docs/reference/file_formats.md#class-table)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From OpenStreetMap's tags to land-cover classes, by a table of rules (docs/file-formats.md#openstreetmap-rules)."""
+"""OpenStreetMap tags → land-cover classes by a table of rules (docs/reference/file_formats.md#openstreetmap-rules)."""
 
 from __future__ import annotations
 

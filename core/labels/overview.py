@@ -1,6 +1,6 @@
 """The label map reduced: most frequent class of every block, as stored in a database's ``overview``.
 
-Told in docs/file-formats.md#reference-database.
+Told in docs/reference/file_formats.md#reference-database.
 """
 
 from __future__ import annotations

@@ -1,6 +1,8 @@
 """How far from where they are a prediction shows the landmarks of each class: a network's bias, and its spread.
 
-Told in docs/method.md#what-a-network-shifts. Landmarks of two label images of one ground are paired; each piece of
+See docs/explanation/method.md#what-a-network-shifts.
+
+Landmarks of two label images of one ground are paired; each piece of
 ground has the median of its pairs, and what the pieces differ by beyond chance is the bias' spread.
 """
 

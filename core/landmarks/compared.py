@@ -1,4 +1,6 @@
-"""How poor a prediction's landmarks are: missed, invented, misnamed, ragged; told in docs/method.md#noise-of-a-network.
+"""How poor a prediction's landmarks are: missed, spurious, mislabeled, jittered.
+
+See docs/explanation/method.md#noise-of-a-network.
 
 The numbers are those that simulated images are spoiled with, so that a network that was compared can be assessed.
 """

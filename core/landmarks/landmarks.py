@@ -1,4 +1,4 @@
-"""Label map → landmarks: one function for maps, windows and query images (docs/method.md#landmarks)."""
+"""Label map → landmarks: one function for maps, windows and query images (docs/explanation/method.md#landmarks)."""
 
 from __future__ import annotations
 

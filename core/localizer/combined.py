@@ -1,6 +1,6 @@
 """METHOD 0: two roads to one fix, constellation and map correlation, each checked by the other's evidence.
 
-Told in docs/method.md#automatic.
+Told in docs/explanation/method.md#automatic.
 
 Centers of gravity and class areas fail for different reasons, so that one road's place is hardly ever the other's by
 chance. A constellation's fix stands unless class areas speak against it. The opposite is no test: where labels are poor

@@ -124,7 +124,9 @@ class Localizer:
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
         """The published method, exactly: nearest topology vector, accepted up to distance T.
 
-        Told in docs/method.md#topology-vector. The position is the matched window's center; heading and pixel size are
+        See docs/explanation/method.md#topology-vector.
+
+        The position is the matched window's center; heading and pixel size are
         not part of the method. With several levels the image is described once for each window size, because the
         smallest object is the same fraction of the window's area.
 
@@ -203,7 +205,7 @@ class Localizer:
     def localize_by_constellation(
         self, labels_hw: np.ndarray, prior: Prior | None = None, biases: KnownBiases = UNBIASED
     ) -> Localization:
-        """Landmarks as stars (docs/method.md#constellation); position, heading and pixel size of any image.
+        """Landmarks as stars (docs/explanation/method.md#constellation); position, heading and pixel size of any image.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
@@ -250,7 +252,9 @@ class Localizer:
         shares: ClassShares | None = None,
         biases: KnownBiases = UNBIASED,
     ) -> Localization:
-        """By the overlap of class areas, for labels too poor for centers of gravity (docs/method.md#map-correlation).
+        """By the overlap of class areas, for labels too poor for centers of gravity.
+
+        See docs/explanation/method.md#map-correlation.
 
         Takes seconds without a prior on the position.
 

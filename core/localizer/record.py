@@ -15,7 +15,7 @@ ESTIMATED, INVALID = 6, 0
 
 
 def record(result: Localization, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
-    """A localization by the columns of *Localize images*, as docs/file-formats.md tells them.
+    """A localization by the columns of *Localize images*, as docs/reference/file_formats.md tells them.
 
     Args:
         wording: How its reason is said.

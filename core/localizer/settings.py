@@ -16,7 +16,7 @@ from ..localization import RISK
 
 @dataclass(frozen=True)
 class LocalizerSettings:
-    """Settings of a localizer; those beside the solvers' own are METHOD 0's (docs/method.md#automatic).
+    """Settings of a localizer; those beside the solvers' own are METHOD 0's (docs/explanation/method.md#automatic).
 
     Attributes:
         constellation: Of the constellation [the table above].

@@ -1,4 +1,4 @@
-"""THE onboard file's format: a reference database as one small ``.npz`` (docs/file-formats.md).
+"""THE onboard file's format: a reference database as one small ``.npz`` (docs/reference/file_formats.md).
 
 A zip of arrays in numpy's own format, none of them pickled, for a computer without QGIS.
 """

@@ -1,6 +1,8 @@
 """The metadata key ``class_bias``: how far from where they are a network shows its classes, by name.
 
-Told in docs/file-formats.md#segmentation-model. Meters on the ground, JSON: ``{"building": {"east": -0.13, "north":
+See docs/reference/file_formats.md#segmentation-model.
+
+Meters on the ground, JSON: ``{"building": {"east": -0.13, "north":
 0.6, "spread": 0.35, "sun": 150}}``.
 """
 

@@ -1,6 +1,6 @@
 """What a segmentation model says about itself: the keys of the Deepness plugin, and SemRef's own.
 
-Told in docs/file-formats.md#segmentation-model.
+Told in docs/reference/file_formats.md#segmentation-model.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What a model says about itself to people: what it was trained on, how good it is, what it is not good for.
 
-Read from an ONNX file without onnxruntime, from the metadata that docs/file-formats.md#model-card tells. Files of other
+Read from the metadata of an ONNX file without onnxruntime (docs/reference/file_formats.md#model-card). Files of other
 makers say less; what is not of the shape that is told there is left out, never an error.
 """
 

@@ -1,6 +1,6 @@
 """A network's scores as shares of classes on a coarse grid, row by row, so that no image of scores is ever held.
 
-Told in docs/method.md#scores-instead-of-the-best-class.
+Told in docs/explanation/method.md#scores-instead-of-the-best-class.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""Windows and topology vectors: the published method (docs/method.md)."""
+"""Windows and topology vectors: the published method (docs/explanation/method.md)."""

@@ -77,7 +77,7 @@ def whole_pixels(length: float, pixel_size: float) -> int:
 
 
 def centered_square(shape_hw: Sequence[int]) -> tuple[int, int, int]:
-    """The largest centered square of an image (docs/method.md#topology-vector).
+    """The largest centered square of an image (docs/explanation/method.md#topology-vector).
 
     Args:
         shape_hw: (height, width) of the image, pixels.

@@ -1,4 +1,4 @@
-"""Windows and landmarks of a large database as columns in the user's cache (docs/file-formats.md#cache)."""
+"""Windows and landmarks of a large database as columns in the user's cache (docs/reference/file_formats.md#cache)."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ CHECKSUMS = "checksums"
 
 
 def checksums_of(connection: sqlite3.Connection, windows: Windows, landmarks: MapLandmarks) -> dict[str, str]:
-    """SHA-256 by table of what is read of a database, as columns of little-endian numbers (docs/file-formats.md)."""
+    """SHA-256 by table of a database's columns as little-endian numbers (docs/reference/file_formats.md)."""
     distinct = windows.distinctiveness
     numbers = (
         windows.levels,

@@ -1,4 +1,4 @@
-"""THE database schema: layers and columns of a reference database (docs/file-formats.md), and how a row is put in."""
+"""Schema of a reference database: layers, columns and how a row is inserted (docs/reference/file_formats.md)."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ def test_the_plugin_opens_pages_of_the_guide_that_exist():
 
 
 def test_the_licenses_of_all_that_ships_or_is_installed_are_told():
-    page = (DOCS / "third_party.md").read_text(encoding="utf-8")
+    page = (DOCS / "reference" / "third_party.md").read_text(encoding="utf-8")
     files = [*(ROOT / "processing" / "packages").glob("wheels_*.txt"), ROOT / "training" / "requirements.txt"]
     pinned = {name for path in files for name in re.findall(r"^([\w-]+)[=>]=", path.read_text(), flags=re.MULTILINE)}
     assert {"onnxruntime-gpu", "torch"} <= pinned

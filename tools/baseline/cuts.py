@@ -104,7 +104,7 @@ def _ground(view: View) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _level(right, top, tilt, focal) -> tuple[np.ndarray, np.ndarray]:
-    """Where a tilted camera's rays meet the ground, from where its axis does: docs/file-formats.md has the signs."""
+    """Where a tilted camera's rays meet the ground, from where its axis does; signs: docs/reference/file_formats.md."""
     roll, pitch = np.radians(tilt)
     down = np.array([-np.sin(roll) * np.cos(pitch), -np.sin(pitch), np.cos(roll) * np.cos(pitch)])
     ahead = np.array([0.0, 1.0, 0.0]) - down[1] * down

@@ -25,7 +25,7 @@ NOTES = Path(__file__).with_name("troubleshooting_notes.txt")
 
 HEAD = """# Troubleshooting by message
 
-*[User guide](user_guide.md) · troubleshooting · [questions](how-to/no_position.md) · [words](glossary.md)*
+*[User guide](user_guide.md) · troubleshooting · [questions](how-to/no_position.md) · [words](reference/glossary.md)*
 
 Every error of SemRef is one sentence that says what is wrong and, mostly, what to do. Search this page for a few words;
 where the sentence has a name or number, the page has *what it is* in italics. In other languages the same is said

@@ -1,4 +1,4 @@
-// Reads an onboard file (.npz) without numpy, as docs/file-formats.md describes it: node read_onboard.js FILE.npz
+// Reads an onboard file (.npz) without numpy, as docs/reference/file_formats.md describes it: node read_onboard.js FILE.npz
 // Prints JSON: the header, the windows (center, size, vector) and the reference objects (x, y, area, class).
 "use strict";
 const crypto = require("crypto");

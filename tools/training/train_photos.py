@@ -7,7 +7,7 @@ Reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data) an
 buildings.onnx --without-dubai, with its card inside, beside it as .json, and to read as .md. --leave-out trains
 without a place and tests on it: NAME_without_PLACE.onnx; what came out is told by the card of the network of all
 places, whichever is made first. The weights are no part of SemRef: before they are given to others the licenses of what
-they were trained on have to be confirmed (docs/models.md).
+they were trained on have to be confirmed (docs/reference/networks.md).
 """
 
 from __future__ import annotations

@@ -165,5 +165,5 @@ def _where_to_get_more() -> str:
         "More models: train one on your own ground (the button beside the model in the dock), make one from published "
         "photos, or take a segmentation model of the Deepness plugin. {how}"
     )
-    link = f'<a href="{guide_url("models.md")}">{escape(tr("How, and under which licenses"))}</a>'
+    link = f'<a href="{guide_url("reference/networks.md")}">{escape(tr("How, and under which licenses"))}</a>'
     return escape(text).replace("{how}", link)

@@ -101,7 +101,7 @@ def test_objects_of_the_map_that_the_image_lacks_are_counted_and_lower_the_odds(
 
 
 def test_a_match_speaks_for_a_pose_by_its_distance_its_size_and_how_rare_both_are():
-    """The likelihood ratio of docs/method.md, worked out for each object of a catalogue of three."""
+    """The likelihood ratio of docs/explanation/method.md, worked out for each object of a catalogue of three."""
     settings = CONSTELLATION
     sizes = np.log([100.0, 400.0, 50.0])
     by_class = np.linspace(0.01, 0.5, 2 * len(AREA_BINS)).reshape(2, -1)
