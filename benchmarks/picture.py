@@ -1,4 +1,4 @@
-"""The README's picture of what works: a bar of right, wrong and refused images for each line of page.toml."""
+"""Chart of what to expect: a bar of images with a right, a wrong and no position for each line of page.toml."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ WIDTH, ROW_PX, TOP_PX, LABELS_PX, BAR_PX = 850, 34, 64, 375, 260
 RIGHT, WRONG, INK, PAPER, EMPTY = "#0072b2", "#d55e00", "#222222", "#ffffff", "#e6e6e6"
 """Colors that can be told apart by the color-blind (Okabe & Ito)."""
 
-NOTE = "line: 95 % interval; a fix may be wrong at most once in 10,000 times, as told"
+NOTE = "Line: 95 % interval of the share. Error probability of each position: at most 1 in 10,000."
 
 
 class Count(NamedTuple):
@@ -63,10 +63,10 @@ def picture(bars: Sequence[dict[str, Any]]) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}"'
         ' font-family="sans-serif" font-size="14">',
         f'<rect width="{WIDTH}" height="{height}" rx="8" fill="{PAPER}"/>',
-        f'<text x="16" y="28" font-size="17" font-weight="bold" fill="{INK}">How many images are found</text>',
-        _key(LABELS_PX, RIGHT, "right")
-        + _key(LABELS_PX + 90, WRONG, "wrong")
-        + _key(LABELS_PX + 180, EMPTY, "no position"),
+        f'<text x="16" y="28" font-size="17" font-weight="bold" fill="{INK}">Share of images with a position</text>',
+        _key(LABELS_PX, RIGHT, "right position")
+        + _key(LABELS_PX + 125, WRONG, "wrong position")
+        + _key(LABELS_PX + 255, EMPTY, "no position"),
     ]
     parts += [_row(TOP_PX + ROW_PX * number, *row) for number, row in enumerate(rows)]
     parts.append(f'<text x="16" y="{height - 12}" font-size="12" fill="{INK}">{NOTE}</text>')
@@ -94,6 +94,6 @@ def _row(y: int, images: str, right: Count | None, wrong: Count | None) -> str:
         low, high = (LABELS_PX + BAR_PX * share / 100 for share in (right.low, right.high))
         parts.append(f'<path d="M{low:.1f} {middle}H{high:.1f}" stroke="{INK}" stroke-width="1.5" opacity="0.6"/>')
     words = f"{right.count:,} of {right.of:,}" if right else f"{wrong.of:,} tried" if wrong else ""
-    words += f", {wrong.count or 'none'} wrong" if wrong else ""
+    words += f", {wrong.count} wrong" if wrong else ""
     parts.append(f'<text x="{LABELS_PX + BAR_PX + 12}" y="{middle + 5}" font-size="13" fill="{INK}">{words}</text>')
     return "".join(parts)
