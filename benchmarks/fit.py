@@ -1,7 +1,7 @@
 """What settings would fit the records of scenarios: curves of the risk, and the factor of the radius.
 
-The constants of the solvers (docs/calibration.md) are chosen from this; nothing is changed. Fit on one place or pair of
-dates, then run the scenario on another.
+The solvers' settings (docs/reference/settings.md) are chosen from the output; this program changes nothing. Fit on one
+place or pair of dates, then run the scenario on another.
 """
 
 from __future__ import annotations

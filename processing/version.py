@@ -1,4 +1,4 @@
-"""What metadata.txt says and nothing else repeats – version, addresses on the web – and where the guide is."""
+"""Version and web addresses from metadata.txt, and the addresses of help pages."""
 
 import configparser
 from functools import lru_cache
@@ -6,7 +6,7 @@ from pathlib import Path
 
 _ROOT = Path(__file__).resolve().parent.parent
 PLACEHOLDER = "example.org"
-"""In addresses that an owner has not filled in yet: nobody is led there."""
+"""Marks addresses in metadata.txt that the owner has not filled in yet; SemRef does not open them."""
 
 
 @lru_cache(maxsize=1)
@@ -21,30 +21,34 @@ def plugin_version() -> str:
 
 
 def tracker_url() -> str:
-    """Where issues are opened; empty while nobody has said where."""
+    """Return the address for new issues; empty until the owner fills it in."""
     address = _metadata()["tracker"]
     return "" if PLACEHOLDER in address else address
 
 
-def guide_url(page: str = "user_guide.md", root: Path = _ROOT) -> str:
-    """Address of a page of docs/: in the plugin's folder where the pages come with it, else on the web, or its text."""
-    made = _made("index" if page == "README.md" else page[: -len(".md")], root)
+def guide_url(page: str = "README.md", root: Path = _ROOT) -> str:
+    """Return the address of a page of docs/: the page that ships with the plugin, the web page, or the Markdown file.
+
+    Args:
+        page: Path of the page in docs/; the default is the index.
+        root: Folder of the plugin.
+    """
+    built = _built("index" if page == "README.md" else page[: -len(".md")], root)
     homepage, text = _metadata()["homepage"], root / "docs" / page
-    if made or (PLACEHOLDER in homepage and text.is_file()):
-        return made or text.as_uri()
+    if built or (PLACEHOLDER in homepage and text.is_file()):
+        return built or text.as_uri()
     return f"{homepage}/blob/main/docs/{page}"
 
 
 def algorithm_help_url(name: str, root: Path = _ROOT) -> str:
-    """Address of the algorithm's section in the guide; forges leave the colon out of a heading's anchor.
+    """Return the address of the algorithm's reference section; without built pages that of the index.
 
-    Where the pages come with the plugin, each algorithm has one that leads to its section: programs that open files
-    for others drop what stands behind a #.
+    Each algorithm has a page that leads to its section, because some programs that open files drop the part after #.
     """
-    return _made(f"algorithms/{name}", root) or f"{guide_url('how-to/toolbox.md', root)}#semref{name}"
+    return _built(f"algorithms/{name}", root) or guide_url(root=root)
 
 
-def _made(name: str, root: Path) -> str:
-    """Address of a page that was made of docs/ (tools/docs/build_site.py); empty where it was not, as in a clone."""
+def _built(name: str, root: Path) -> str:
+    """Return the address of a page that tools/docs/build_site.py built; empty if there is none, as in a clone."""
     page = root / "help" / f"{name}.html"
     return page.as_uri() if page.is_file() else ""

@@ -1,6 +1,6 @@
 """The constellation's verdict: how likely is the best place wrong, and is that little enough for a fix?
 
-Told in docs/explanation/method.md#constellation; the constants in docs/calibration.md.
+Told in docs/explanation/method.md#constellation; the constants in docs/reference/settings.md.
 """
 
 from __future__ import annotations

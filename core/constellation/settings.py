@@ -1,7 +1,7 @@
 """What was chosen for the constellation, and may be chosen otherwise to calibrate it.
 
-In brackets: what a value was set on; the trials that set it or ran with it, by the name under which docs/calibration.md
-has their command.
+In brackets: the data that a value was set on, and the trials that set it or used it, by their names in
+docs/reference/settings.md.
 """
 
 from __future__ import annotations

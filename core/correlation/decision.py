@@ -4,7 +4,7 @@ Two opponents: chance, and the best other place of the map. What chance reaches 
 map the best place of the mirrored image tells; whether the map has two places alike, the best other place. Both are
 weighed by how well class areas agree as a whole, of which the place was chosen, and in detail, which nobody searched
 for. The curve was fitted on parts of three places and frozen before their other parts were tried
-(docs/calibration.md).
+(docs/reference/settings.md).
 """
 
 from __future__ import annotations

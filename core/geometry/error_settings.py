@@ -1,7 +1,7 @@
 """What is taken to be known of errors that landmarks share: of the map, of the network, of the camera.
 
-In brackets: what a value was set on; the trials that set it or ran with it, by the name under which docs/calibration.md
-has their command.
+In brackets: the data that a value was set on, and the trials that set it or used it, by their names in
+docs/reference/settings.md.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ MAP_ACCURACY = 1.1
 NETWORK_SPREAD = 0.6
 """Standard deviation along each axis of the shift that a network gives a class, meters, where nobody states it: the one
 that was measured shows buildings 0.4 to 0.6 m from the sun, by 0.35 m more or less from piece to piece of ground
-(docs/calibration.md#what-networks-shift)."""
+(docs/development.md#class-offsets-of-networks)."""
 
 
 @dataclass(frozen=True)

@@ -83,7 +83,7 @@ def whole_walk(walk, wheels) -> dict:
 
 @pytest.fixture
 def comes_with_pages(package):
-    if "semref/help/user_guide.html" not in zipfile.ZipFile(package).namelist():
+    if "semref/help/index.html" not in zipfile.ZipFile(package).namelist():
         pytest.skip("the guide's pages were not made of these docs: tools/docs/build_site.py")
 
 
@@ -132,7 +132,7 @@ def test_the_plugin_manager_describes_it_in_the_users_language_and_shows_what_is
 
 def test_every_help_opens_a_page_that_came_with_the_zip(whole_walk, comes_with_pages):
     names = [Path(unquote(urlparse(address).path)).name for address in whole_walk["help"]]
-    assert names == ["user_guide.html", "user_guide.html", "builddatabase.html"]
+    assert names == ["index.html", "index.html", "builddatabase.html"]
     assert [address for address in whole_walk["help"] if not address.startswith("file:///")] == []
 
 
@@ -150,7 +150,7 @@ def test_a_browser_without_a_network_finds_words_in_the_installed_pages(package,
         pytest.skip("no Chromium here, or no way to take its network away")
     with zipfile.ZipFile(package) as archive:
         archive.extractall(tmp_path)
-    page = (tmp_path / "semref" / "help" / "user_guide.html").as_uri()
+    page = (tmp_path / "semref" / "help" / "index.html").as_uri()
     options = ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'browser'}"]
     command = [*OFFLINE, browser, *options, "--virtual-time-budget=8000", "--dump-dom", f"{page}?q=minimum+area"]
     shown = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False).stdout

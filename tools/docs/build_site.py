@@ -18,6 +18,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from reference_pages import FOLDER, NAMES
 from site_pages import ROOT, add_algorithm_pages, stage
 
 REQUIREMENTS = Path(__file__).with_name("requirements.txt")
@@ -30,7 +31,8 @@ _FROM_THE_WEB = re.compile(r"""(?:src|<link[^>]+href)=["']?(?:https?:)?//[^"'\s>
 
 def source_state(root: Path = ROOT) -> str:
     """A hash of all that the site is made from."""
-    files = [path for path in sorted((root / "docs").rglob("*")) if path.is_file()]
+    generated = {root / FOLDER.relative_to(ROOT) / name for name in NAMES}
+    files = [path for path in sorted((root / "docs").rglob("*")) if path.is_file() and path not in generated]
     files += [*sorted(root.glob("*.md")), *sorted((root / "tools" / "docs" / "site").iterdir())]
     files += sorted((root / "tools" / "docs").glob("*site*.py"))
     found = hashlib.sha256()
@@ -64,7 +66,7 @@ def build(target: Path, environment: Path, root: Path = ROOT) -> None:
     python = ready_environment(environment)
     with tempfile.TemporaryDirectory(prefix="semref-site-") as temporary:
         work = Path(temporary)
-        write_messages(root)
+        write_reference(root)
         stage(root, work)
         command = [str(python), "-m", "mkdocs", "build", "--quiet", "--config-file", str(work / "mkdocs.yml")]
         # Same sources, same pages.
@@ -78,11 +80,11 @@ def build(target: Path, environment: Path, root: Path = ROOT) -> None:
         shutil.copytree(work / "site", target)
 
 
-def write_messages(root: Path) -> None:
-    """The page of messages anew, so that the guide has the sentences of this very plugin."""
-    made = subprocess.run([sys.executable, str(root / "tools" / "docs" / "troubleshooting.py")], check=False)
-    if made.returncode:
-        print("The page of messages stays as it is: this Python lacks what the sentences need.", file=sys.stderr)
+def write_reference(root: Path) -> None:
+    """Write the generated reference pages; end the program if that is not possible, as without QGIS."""
+    command = [sys.executable, str(root / "tools" / "docs" / "reference_pages.py")]
+    if subprocess.run(command, check=False, stdout=subprocess.DEVNULL).returncode:
+        sys.exit("The reference pages were not written. They need the Python of QGIS: run tools/setup.sh first.")
 
 
 def strip(site: Path) -> None:

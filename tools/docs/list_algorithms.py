@@ -1,82 +1,68 @@
-"""Writes the list of algorithms with their keys into docs/how-to/toolbox.md: python tools/docs/list_algorithms.py."""
+"""The reference page of the Processing algorithms, from SemRef's provider."""
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
+import re
 
-sys.path.append(str(Path(__file__).parent))
 from example_calls import ELSEWHERE, in_python, in_terminal
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "toolbox.md"
-BEGIN, END = "<!-- algorithms: tools/docs/list_algorithms.py -->", "<!-- /algorithms -->"
 GROUPS = ("annotation", "referencedatabase", "localization")
+HEAD = """# Algorithms
+
+Every algorithm with its id, its parameters and an example on the [sample area](../tutorials/first_fix.md). Run the
+examples in a folder that has copies of `sample` and of `models/sample_area.onnx` from the plugin's folder.
+[Toolbox](../how-to/toolbox.md) explains how to run them. A key in brackets is optional. `processing.run` and
+`qgis_process` take choices by number.
+"""
 
 
-def listing(provider) -> str:
-    """Markdown: a heading for each algorithm of the provider, by group, with title, what it does, keys and a call."""
-    parts = []
+def page(provider) -> str:
+    """Return the whole page, by groups of algorithms."""
+    parts = [HEAD.rstrip()]
     for group in GROUPS:
         algorithms = sorted((a for a in provider.algorithms() if a.groupId() == group), key=lambda a: a.name())
-        parts += [f"### {algorithms[0].group()}", *(entry(algorithm) for algorithm in algorithms)]
-    return "\n\n".join(parts)
+        parts += [f"## {algorithms[0].group()}", *(entry(algorithm) for algorithm in algorithms)]
+    return "\n\n".join(parts) + "\n"
 
 
 def entry(algorithm) -> str:
+    """Return heading, summary, tables of parameters and results, and two example calls of an algorithm."""
     from qgis.core import QgsProcessingModelAlgorithm
 
-    title = f"*{algorithm.displayName()}*"
-    if isinstance(algorithm, QgsProcessingModelAlgorithm):
-        title += " (a model)"
-    about = f"{title}: {algorithm.shortDescription()}" if algorithm.shortDescription() else f"{title}."
-    keys = [key_text(parameter) for parameter in algorithm.parameterDefinitions()]
-    named = {parameter.name() for parameter in algorithm.parameterDefinitions()}
-    results = [f"`{o.name()}`" for o in algorithm.outputDefinitions() if o.name() not in named]
-    keys_text = ", ".join(keys) + (" → " + ", ".join(results) if results else "")
     name = algorithm.name()
-    calls = f"```sh\n{in_terminal(name)}\n```\n\n```python\n{in_python(name)}\n```"
-    needs = [ELSEWHERE[name]] if name in ELSEWHERE else []
-    return "\n\n".join([f"#### {algorithm.id()}", about, keys_text, calls, *needs])
+    kind = ", a model" if isinstance(algorithm, QgsProcessingModelAlgorithm) else ""
+    parameters = ["| key | parameter | meaning | default |", "|---|---|---|---|"]
+    parameters += [parameter_row(parameter) for parameter in algorithm.parameterDefinitions()]
+    keys = {parameter.name() for parameter in algorithm.parameterDefinitions()}
+    results = [f"`{o.name()}` ({o.description()})" for o in algorithm.outputDefinitions() if o.name() not in keys]
+    return "\n\n".join(
+        [
+            f"### {algorithm.id()}",
+            f"*{algorithm.displayName()}*{kind}. {algorithm.shortDescription()}".rstrip(),
+            "\n".join(parameters),
+            *([f"Results besides the outputs: {', '.join(results)}."] if results else []),
+            f"```sh\n{in_terminal(name)}\n```\n\n```python\n{in_python(name)}\n```",
+            *([ELSEWHERE[name]] if name in ELSEWHERE else []),
+        ]
+    )
 
 
-def key_text(parameter) -> str:
-    """The key, in brackets where it may be left out, with its choices or its default."""
+def parameter_row(parameter) -> str:
+    """Return key, title, meaning with choices, and default of a parameter."""
     from qgis.core import QgsProcessingParameterDefinition
 
     default = parameter.defaultValue()
-    has_default = default is not None and default != ""
-    if has_default or parameter.flags() & QgsProcessingParameterDefinition.FlagOptional:
-        text = f"`[{parameter.name()}]`"
-    else:
-        text = f"`{parameter.name()}`"
+    default = "" if default is None else f"{default:g}" if isinstance(default, float) else str(default)
+    is_optional = bool(default) or bool(parameter.flags() & QgsProcessingParameterDefinition.FlagOptional)
+    key = f"`[{parameter.name()}]`" if is_optional else f"`{parameter.name()}`"
+    meaning = parameter.help()
     if parameter.type() == "enum":
-        return text + " (" + ", ".join(f"{number} {name}" for number, name in enumerate(parameter.options())) + ")"
-    if has_default:
-        return text + (f" ({default:g})" if isinstance(default, float) else f" ({default})")
-    return text
+        choices = ", ".join(f"{number} {name}" for number, name in enumerate(parameter.options()))
+        meaning = f"{meaning} Choices: {choices}.".strip()
+    cells = (parameter.description(), meaning, default)
+    return f"| {key} | {' | '.join(cell.replace('|', '&#124;').replace('<', '&lt;') for cell in cells)} |"
 
 
-def with_listing(page: str, text: str) -> str:
-    """The page with this text between its markers."""
-    before, _, rest = page.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    return f"{before}{BEGIN}\n\n{text}\n\n{END}{after}"
-
-
-def sections(page: str) -> list[str]:
-    """Ids of the algorithms that have a heading on the page."""
-    return [line[5:] for line in page.splitlines() if line.startswith("#### ")]
-
-
-def main() -> None:
-    sys.path.append(str(Path(__file__).resolve().parents[1]))
-    from qgis_session import qgis_session
-
-    with qgis_session() as provider:
-        page = with_listing(PAGE.read_text(encoding="utf-8"), listing(provider))
-    PAGE.write_text(page, encoding="utf-8")
-    print(f"{PAGE}: {len(sections(page))} algorithms")
-
-
-if __name__ == "__main__":
-    main()
+def ids(text: str) -> list[str]:
+    """Return the ids of the algorithms that have a heading on the page."""
+    return re.findall(r"^### (semref:\w+)$", text, flags=re.MULTILINE)

@@ -1,4 +1,4 @@
-"""What the site is made of: the Markdown of docs/ and of the repository's root, in the order of its menu."""
+"""Prepares the Markdown of docs/ and of the repository's root for MkDocs, in the order of the menu."""
 
 from __future__ import annotations
 
@@ -7,49 +7,49 @@ import re
 import shutil
 from pathlib import Path
 
+from list_algorithms import ids
+
 ROOT = Path(__file__).resolve().parents[2]
 SITE = Path(__file__).with_name("site")
 
 MENU: dict[str, tuple[tuple[str, str], ...]] = {
-    "Start": (
+    "Tutorials": (
         ("What do you want to do?", "README.md"),
-        ("The first fix", "tutorials/first_fix.md"),
-        ("User guide", "user_guide.md"),
-        ("What works, what not", "explanation/what_to_expect.md"),
+        ("First fix", "tutorials/first_fix.md"),
+        ("Your own area and photos", "tutorials/own_area_and_photos.md"),
+        ("First flight", "tutorials/first_flight.md"),
     ),
-    "Guide": (
-        ("Your own area", "guide/own_area.md"),
-        ("Your own photos", "tutorials/own_area_and_photos.md"),
-        ("Your own network", "how-to/train_a_network.md"),
-        ("Correct a map", "how-to/correct_a_layer.md"),
-        ("A round trip", "how-to/build_and_update.md"),
-        ("Plan a flight", "how-to/where_it_works.md"),
-        ("Flights", "tutorials/first_flight.md"),
-        ("On board", "how-to/on_board.md"),
-        ("For toolbox users", "how-to/toolbox.md"),
-        ("On many cores or machines", "how-to/many_machines.md"),
-        ("Without a network", "how-to/offline.md"),
+    "How-to": (
+        ("Check and correct a layer", "how-to/correct_a_layer.md"),
+        ("Build and update a database", "how-to/build_and_update.md"),
+        ("Find out where it will work", "how-to/where_it_works.md"),
+        ("Train a network", "how-to/train_a_network.md"),
+        ("Run on board", "how-to/on_board.md"),
+        ("Use toolbox, terminal and Python", "how-to/toolbox.md"),
+        ("Use many machines", "how-to/many_machines.md"),
+        ("Install offline", "how-to/offline.md"),
+        ("Solve “No position”", "how-to/no_position.md"),
     ),
-    "Look up": (
-        ("Troubleshooting", "troubleshooting.md"),
-        ("Questions", "how-to/no_position.md"),
-        ("Words", "reference/glossary.md"),
-        ("Models", "reference/networks.md"),
-        ("Training", "training.md"),
+    "Reference": (
+        ("Algorithms", "reference/algorithms.md"),
+        ("Messages", "reference/messages.md"),
+        ("Command line", "reference/command_line.md"),
+        ("Solver settings", "reference/settings.md"),
         ("File formats", "reference/file_formats.md"),
-        ("Changes", "CHANGELOG.md"),
-        ("Licenses of others", "reference/third_party.md"),
-    ),
-    "How well, and why": (
-        ("Methods", "explanation/method.md"),
-        ("Benchmarks", "benchmarks.md"),
-        ("Countries and continents", "explanation/scale.md"),
-        ("The published method", "explanation/published_method.md"),
-        ("Reliability", "reliability.md"),
-        ("Calibration", "calibration.md"),
+        ("Networks", "reference/networks.md"),
+        ("Glossary", "reference/glossary.md"),
+        ("Third-party licenses", "reference/third_party.md"),
         ("Security", "SECURITY.md"),
+        ("Changes", "CHANGELOG.md"),
     ),
-    "For developers": (
+    "Explanation": (
+        ("What to expect", "explanation/what_to_expect.md"),
+        ("Method", "explanation/method.md"),
+        ("Published method", "explanation/published_method.md"),
+        ("Scale", "explanation/scale.md"),
+        ("Benchmarks", "benchmarks.md"),
+    ),
+    "Contributors": (
         ("Contributing", "CONTRIBUTING.md"),
         ("Architecture", "architecture.md"),
         ("Development", "development.md"),
@@ -58,18 +58,18 @@ MENU: dict[str, tuple[tuple[str, str], ...]] = {
         ("Code of conduct", "CODE_OF_CONDUCT.md"),
     ),
 }
-"""Titles and pages, paths within docs/ or names in the repository's root."""
+"""Titles and pages by section; pages are paths in docs/ or names in the repository's root."""
 
 OF_THE_ROOT = ("CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md")
-STANDS_FOR = {"README.md": "docs/README.md", "CITATION.cff": "docs/README.md"}
-"""Files of the root that have no page, and the page that a link to them leads to."""
+REPLACED = {"README.md": "docs/README.md", "CITATION.cff": "docs/README.md"}
+"""Files of the root that have no page, and the page that links to them open instead."""
 
 _LINK = re.compile(r"(?P<picture>!?)\[(?P<text>(?:[^\[\]]|\[[^\]]*\]\([^)]*\))*)\]\((?P<target>[^)\s]+)\)")
 _ITEM = re.compile(r"(?:\d+\. |[-*] )")
 
 
 def stage(root: Path, work: Path) -> None:
-    """Puts mkdocs.yml and all pages with their pictures, as MkDocs wants them, into a folder."""
+    """Write mkdocs.yml and all pages with their pictures into a folder."""
     places = page_places(root)
     for path, place in places.items():
         target = work / "docs" / place
@@ -86,7 +86,7 @@ def stage(root: Path, work: Path) -> None:
 
 
 def page_places(root: Path) -> dict[Path, str]:
-    """Where in the site each page and picture lies, by its path in the repository."""
+    """Return the place in the site of each page and picture, by its path in the repository."""
     docs = root / "docs"
     found = {path: path.relative_to(docs).as_posix() for path in docs.rglob("*") if path.is_file()}
     found.update({root / name: name for name in OF_THE_ROOT})
@@ -94,7 +94,7 @@ def page_places(root: Path) -> dict[Path, str]:
 
 
 def staged(path: Path, root: Path, places: dict[Path, str]) -> str:
-    """A page with links that lead within the site; where there is no page, the text alone stays."""
+    """Return a page with links to pages of the site; a link to any other file becomes its name."""
 
     def link(found: re.Match) -> str:
         target, _, anchor = found["target"].partition("#")
@@ -102,7 +102,7 @@ def staged(path: Path, root: Path, places: dict[Path, str]) -> str:
         if "://" in target or target.startswith("mailto:") or not target:
             return f"{found['picture']}[{text}]({found['target']})"
         linked = (path.parent / target).resolve()
-        linked = root / STANDS_FOR.get(linked.relative_to(root).as_posix(), linked.relative_to(root).as_posix())
+        linked = root / REPLACED.get(linked.relative_to(root).as_posix(), linked.relative_to(root).as_posix())
         if linked not in places:
             return text if text.startswith("`") else f"{text} (`{linked.relative_to(root).as_posix()}`)"
         here = os.path.dirname(places[path])
@@ -115,14 +115,13 @@ def staged(path: Path, root: Path, places: dict[Path, str]) -> str:
 
 
 def boost(place: str) -> float:
-    """How much more a page counts in the search than its words say: who asks wants to do something, mostly."""
-    guide = {page for section in ("Start", "Guide") for _, page in MENU[section]}
-    look_up = {page for _, page in MENU["Look up"]}
-    return 4 if place in guide else 1.5 if place in look_up else 0.5
+    """Return the weight of a page in the search. Pages for users come before those for contributors."""
+    weights = {"Tutorials": 4, "How-to": 4, "Reference": 1.5}
+    return next((weights.get(section, 0.5) for section, pages in MENU.items() if place in dict(pages).values()), 0.5)
 
 
 def indented(text: str) -> str:
-    """What belongs to a list's entry, four spaces in: forges want it below the entry's text, MkDocs wants four."""
+    """Indent the paragraphs of list items by four spaces for MkDocs; forges align them with the item's text."""
     lines, width, blank = [], 0, True
     for line in text.split("\n"):
         item = _ITEM.match(line)
@@ -138,19 +137,20 @@ def indented(text: str) -> str:
 
 
 def add_algorithm_pages(root: Path, site: Path) -> None:
-    """A page for each algorithm's Help that leads to its section at once."""
+    """Write a page for each algorithm that opens its section; Help opens these pages."""
     folder = site / "algorithms"
     folder.mkdir()
-    text = (root / "docs" / "how-to" / "toolbox.md").read_text(encoding="utf-8")
-    for name in re.findall(r"^#### semref:(\w+)$", text, flags=re.MULTILINE):
-        target = f"../how-to/toolbox.html#semref{name}"
+    text = (root / "docs" / "reference" / "algorithms.md").read_text(encoding="utf-8")
+    for algorithm in ids(text):
+        name = algorithm.partition(":")[2]
+        target = f"../reference/algorithms.html#semref{name}"
         leads = f'<meta charset="utf-8"><meta http-equiv="refresh" content="0; url={target}">'
-        page = f'<!doctype html><html lang="en"><head>{leads}<title>semref:{name}</title></head>'
+        page = f'<!doctype html><html lang="en"><head>{leads}<title>{algorithm}</title></head>'
         (folder / f"{name}.html").write_text(f'{page}<body><a href="{target}">{name}</a></body></html>\n', "utf-8")
 
 
 def navigation(root: Path) -> str:
-    """The menu as YAML; pages that it does not name come below the last heading, so that none is lost."""
+    """Return the menu as YAML, with pages that it does not name at the end."""
     lines = ["nav:"]
     for section, entries in MENU.items():
         lines.append(f"  - {section}:")

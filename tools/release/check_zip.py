@@ -29,7 +29,7 @@ REQUIRED = (
 )
 LANGUAGES = ("de", "es", "fr", "zh")
 FOR_DEVELOPERS = {"tests", "tools", "docs"}
-HELP_START = "semref/help/user_guide.html"
+HELP_START = "semref/help/index.html"
 SAMPLE_MARKER = "semref/sample/sample.json"
 
 

@@ -1,9 +1,6 @@
-"""Writes docs/troubleshooting.md: every sentence that SemRef may say, and for many why, and what to do.
+"""The reference page of messages: every sentence that SemRef can show, and for many the reason and what to do.
 
-    .venv/bin/python tools/docs/troubleshooting.py
-
-The templates come from the source, from where the sentences are made; what is added to them is in
-troubleshooting_notes.txt.
+The templates come from the source code. troubleshooting_notes.txt has what the page adds to them.
 """
 
 from __future__ import annotations
@@ -20,19 +17,12 @@ sys.path.append(str(ROOT / "tools" / "release"))
 
 from update_translations import MAKERS, ROOMS, name_of, templates_of  # noqa: E402
 
-PAGE = ROOT / "docs" / "troubleshooting.md"
 NOTES = Path(__file__).with_name("troubleshooting_notes.txt")
 
-HEAD = """# Troubleshooting by message
+HEAD = """# Messages
 
-*[User guide](user_guide.md) · troubleshooting · [questions](how-to/no_position.md) · [words](reference/glossary.md)*
-
-Every error of SemRef is one sentence that says what is wrong and, mostly, what to do. Search this page for a few words;
-where the sentence has a name or number, the page has *what it is* in italics. In other languages the same is said
-in other words: the sections are in the order of the work. A message that is not here is
-[a fault](user_guide.md#when-something-goes-wrong).
-
-Written by `tools/docs/troubleshooting.py` from the sentences themselves.
+Search this page for a few words of a message. Names and numbers are *in italics* here. In other languages the order
+of the sections is the same. If QGIS shows an error that is not on this page, [report it](../how-to/no_position.md).
 """
 
 SECTIONS = {
@@ -47,29 +37,29 @@ SECTIONS = {
     "What to expect of a database": ("core/assessment", "core/evaluation", "core/simulation"),
     "On board": ("core/onboard",),
 }
-"""Headings, and where the sentences below them are made; the first room that has a sentence counts."""
+"""Headings, and the folders of the messages below each; a message belongs to the first heading that fits."""
 
-OTHERS = "Everything else"
-"""Heading of all other rooms."""
+OTHERS = "Other messages"
+"""Heading for messages of all other folders."""
 
 
 class Note(NamedTuple):
-    """Why a sentence is said, and what to do: Markdown."""
+    """The reason for a message, and what to do, in Markdown."""
 
     why: str
     do: str
 
 
 def notes() -> dict[str, Note]:
-    """What is added to sentences, by template."""
+    """Return the notes by template."""
     lines = [line for line in NOTES.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     return {template: Note(why, do) for template, why, do in (line.split(" | ") for line in lines)}
 
 
 def sentences() -> dict[str, str]:
-    """Where each sentence is made, by template: a path from the root; of a plural the form for many.
+    """Return the file of each message by template, a path from the root; of a plural only the form for many.
 
-    Parts of sentences are left out where there is no note on them.
+    Parts of sentences are left out unless they have a note.
     """
     found: dict[str, str] = {}
     added = notes()
@@ -82,14 +72,14 @@ def sentences() -> dict[str, str]:
 
 
 def reasons() -> set[str]:
-    """Templates of why an image has no position, or of what its fix does not hold for."""
+    """Return the templates of the reasons why an image has no position, and of the limits of a position."""
     rooms = SECTIONS["An image has no position"]
     made = {template for maker, template, path in _made() if maker == "Sentence" and path.startswith(rooms)}
     return made & set(sentences())
 
 
 def _made() -> Iterator[tuple[str, str, str]]:
-    """What makes each sentence, its template and its file."""
+    """Yield the class of each message, its template and its file."""
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -99,53 +89,41 @@ def _made() -> Iterator[tuple[str, str, str]]:
 
 
 def _without_singular(call: ast.Call) -> list[str]:
-    said = call.args[0] if call.args else None
-    is_plural = isinstance(said, ast.IfExp) and "Constant(value=1" in ast.dump(said.test)
+    text = call.args[0] if call.args else None
+    is_plural = isinstance(text, ast.IfExp) and "Constant(value=1" in ast.dump(text.test)
     return templates_of(call)[-1:] if is_plural else templates_of(call)
 
 
-def page(templates: dict[str, str]) -> str:
-    """The whole page, of sentences with where they are made."""
+def page(templates: dict[str, str] | None = None) -> str:
+    """Return the whole page.
+
+    Args:
+        templates: The file of each message by template; None for all of the source code.
+    """
+    left = sentences() if templates is None else dict(templates)
     parts, added = [HEAD], notes()
-    left = dict(templates)
     for heading, rooms in {**SECTIONS, OTHERS: ("",)}.items():
-        chosen = [template for template, path in left.items() if path.startswith(rooms)]
+        chosen = {template for template, path in left.items() if path.startswith(rooms)}
         left = {template: path for template, path in left.items() if template not in chosen}
         explained = [template for template in added if template in chosen]
-        plain = sorted((template for template in chosen if template not in added), key=lambda t: shown(t).lower())
+        plain = sorted(map(shown, chosen.difference(explained)), key=str.lower)
         if chosen:
             parts.append(f"## {heading}\n")
         if explained:
-            parts.append("| message | why | what to do |\n|---|---|---|")
-            parts += [_row(shown(template), *added[template]) for template in explained]
+            parts.append("| message | reason | what to do |\n|---|---|---|")
+            parts += [f"| {shown(template)} | {' | '.join(map(_moved, added[template]))} |" for template in explained]
             parts.append("")
         if plain:
-            parts.append("| message | what to do |\n|---|---|")
-            parts += [_row(*_parted(shown(template))) for template in plain]
-            parts.append("")
+            parts += [*(f"- {text}" for text in plain), ""]
     return "\n".join(parts)
 
 
 def shown(template: str) -> str:
-    """A template as a reader sees it: values by their names, in italics."""
+    """Return a template with the names of its values in italics."""
     text = re.sub(r"\{(\w*)[^}]*\}", lambda found: f"*{found[1].replace('_', ' ') or 'value'}*", template)
     return text.replace("|", "\\|").replace("<", "&lt;")
 
 
-def _parted(text: str) -> tuple[str, str]:
-    """What is wrong, and what to do: mostly there is a semicolon between them."""
-    wrong, _, do = text.partition("; ")
-    return (f"{wrong}.", do[:1].upper() + do[1:]) if do else (text, "")
-
-
-def _row(*cells: str) -> str:
-    return f"| {' | '.join(cells)} |"
-
-
-def main() -> None:
-    PAGE.write_text(page(sentences()), encoding="utf-8")
-    print(PAGE)
-
-
-if __name__ == "__main__":
-    main()
+def _moved(note: str) -> str:
+    """Links of the notes start from docs/, those of the page from docs/reference/."""
+    return re.sub(r"\]\((?!\w+:|#)", "](../", note)

@@ -1,0 +1,68 @@
+"""The generated reference pages have every message, command and setting; tests/qgis checks the algorithms."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import fields
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tools" / "docs"))
+
+import list_commands  # noqa: E402
+import list_messages  # noqa: E402
+import list_settings  # noqa: E402
+import reference_pages  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def sentences() -> dict[str, str]:
+    return list_messages.sentences()
+
+
+def test_the_page_of_messages_has_every_message(sentences):
+    page = list_messages.page(sentences)
+    assert [template for template in sentences if list_messages.shown(template) not in page] == []
+
+
+def test_every_note_belongs_to_a_message(sentences):
+    assert set(list_messages.notes()) - set(sentences) == set()
+
+
+def test_every_reason_that_an_image_has_no_position_has_a_note():
+    assert list_messages.reasons() - set(list_messages.notes()) == set()
+
+
+def test_messages_of_an_unknown_folder_come_last():
+    page = list_messages.page({"Something new.": "novel/x.py"})
+    assert page.index(f"## {list_messages.OTHERS}") < page.index("- Something new.")
+
+
+def test_names_of_values_are_in_italics():
+    template = "{path} has {size_mb:.1f} MB; choose another."
+    assert "- *path* has *size mb* MB; choose another.\n" in list_messages.page({template: "storage/x.py"})
+
+
+def test_the_page_of_commands_has_every_option():
+    page = list_commands.page()
+    assert page.count("\n## semref ") == 3
+    for option in ("--database", "--require-signature KEYFILE", "--near X Y RADIUS", "--mavlink WHERE"):
+        assert f"| `{option}` |" in page
+    assert "## Exit codes" in page
+
+
+def test_the_page_of_settings_has_every_class_and_field():
+    page, found = list_settings.page(), list_settings.classes()
+    assert {"LocalizerSettings", "SearchLimits", "FlightSettings"} <= {one.__name__ for one in found}
+    assert max(len(fields(one)) for one in found) <= 25
+    for one in found:
+        rows = list_settings.rows_of(one)
+        assert [row[0].strip("`") for row in rows] == [field.name for field in fields(one)]
+        assert [row for row in rows if f"| {' | '.join(row)} |" not in page] == []
+
+
+def test_git_ignores_the_generated_pages():
+    ignored = (ROOT / ".gitignore").read_text(encoding="utf-8").splitlines()
+    assert {f"/docs/reference/{name}" for name in reference_pages.NAMES} <= set(ignored)
