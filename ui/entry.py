@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication, QgsSettings
-from qgis.gui import QgisInterface
+from typing import Callable
+
+from qgis.core import QgsApplication, QgsProject, QgsSettings
+from qgis.gui import QgisInterface, QgsCustomDropHandler
 from qgis.PyQt.QtCore import Qt, QUrl
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
+from ..core.errors import SemRefError
 from ..processing.base.algorithm import ICON_PATH
+from ..processing.inspection.chosen import require_database
+from ..processing.layers.database_layers import add_database_to_map
 from ..processing.packages.components import NEEDED, missing
 from ..processing.translation import tr
 from ..processing.version import guide_url
-from .database_drop import DatabaseDrop
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
 from .options import PAGE, OptionsFactory
 from .packages.component_installer import ComponentInstaller
+from .running.localization_run import named_results
 from .widgets.messages import Messages
 
 MENU = "SemRef"
@@ -37,6 +42,7 @@ class DockEntry:
         self._action.setToolTip(tr("Show or hide the SemRef dock: find where images were taken"))
         iface.addToolBarIcon(self._action)
         iface.addPluginToMenu(MENU, self._action)
+        self._menu = [self._action]
         self._dock = SemRefDock(iface.mapCanvas(), iface.messageBar(), window)
         iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
         if not QgsSettings().value(_VISIBLE_SETTING, False, type=bool):
@@ -48,32 +54,27 @@ class DockEntry:
         self._drop = DatabaseDrop()
         iface.registerCustomDropHandler(self._drop)
         self._sample = None
-        self._sample_action = QAction(tr("Open the sample project…"), window)
-        self._sample_action.setObjectName("SemRefSampleAction")
-        self._sample_action.triggered.connect(self._open_sample)
-        iface.addPluginToMenu(MENU, self._sample_action)
-        self._help = QAction(QgsApplication.getThemeIcon("/mActionHelpContents.svg"), tr("User guide"), window)
-        self._help.setObjectName("SemRefHelpAction")
-        self._help.triggered.connect(_open_user_guide)
-        iface.addPluginToMenu(MENU, self._help)
         self._diagnostics = Diagnostics(window)
-        copy_icon = QgsApplication.getThemeIcon("/mActionEditCopy.svg")
-        self._diagnostics_action = QAction(copy_icon, tr("Copy diagnostics"), window)
-        self._diagnostics_action.setObjectName("SemRefDiagnosticsAction")
-        self._diagnostics_action.triggered.connect(self._copy_diagnostics)
-        iface.addPluginToMenu(MENU, self._diagnostics_action)
+        self._add_to_menu("SemRefSampleAction", tr("Open the sample project…"), "", self._open_sample)
+        self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", _open_user_guide)
+        copy = "SemRefDiagnosticsAction", tr("Copy diagnostics"), "/mActionEditCopy.svg"
+        self._add_to_menu(*copy, self._copy_diagnostics)
         # Not the page's: it goes on when the options are closed.
         self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
         self._options = OptionsFactory(self._installer, self._training_installer, self._diagnostics)
         iface.registerOptionsWidgetFactory(self._options)
-        self._dock.helpAsked.connect(_open_user_guide)
-        self._dock.installAsked.connect(self._show_options)
+        self._dock.notice.installAsked.connect(self._show_options)
         self._options.changed.connect(self._dock.refresh_notice)
         for signal in (self._installer.installed, self._installer.failed, self._installer.canceled):
             signal.connect(self._dock.refresh_notice)
-        for installer in (self._installer, self._training_installer):
-            installer.failed.connect(self._dock.messages.error)
-            installer.broke.connect(self._dock.messages.bug)
+        self._dock.messages.show_failures(self._installer, self._training_installer)
+
+    def _add_to_menu(self, name: str, text: str, icon: str, triggered: Callable[[], None]) -> None:
+        action = QAction(QgsApplication.getThemeIcon(icon) if icon else QIcon(), text, self._iface.mainWindow())
+        action.setObjectName(name)
+        action.triggered.connect(lambda _checked: triggered())
+        self._iface.addPluginToMenu(MENU, action)
+        self._menu.append(action)
 
     def _open_sample(self) -> None:
         lacking = missing(NEEDED)
@@ -104,29 +105,21 @@ class DockEntry:
             installer.deleteLater()
         self._iface.unregisterOptionsWidgetFactory(self._options)
         self._options.deleteLater()
-        self._iface.removePluginMenu(MENU, self._diagnostics_action)
-        self._diagnostics_action.deleteLater()
         self._diagnostics.shut_down()
         self._diagnostics.deleteLater()
-        self._iface.removePluginMenu(MENU, self._help)
-        self._help.deleteLater()
-        self._iface.removePluginMenu(MENU, self._sample_action)
-        self._sample_action.deleteLater()
         if self._sample is not None:
             self._sample.shut_down()
             self._sample.deleteLater()
-        self._sample = self._sample_action = None
         self._iface.unregisterCustomDropHandler(self._drop)
         # QGIS deletes it.
         QgsSettings().setValue(_VISIBLE_SETTING, not self._dock.isHidden())
         self._dock.shut_down()
         self._iface.removeDockWidget(self._dock)
         self._dock.deleteLater()
-        self._iface.removePluginMenu(MENU, self._action)
         self._iface.removeToolBarIcon(self._action)
-        self._action.deleteLater()
-        self._dock = self._action = self._drop = self._help = self._options = self._installer = None
-        self._training_installer = self._preload = self._diagnostics = self._diagnostics_action = None
+        for action in reversed(self._menu):
+            self._iface.removePluginMenu(MENU, action)
+            action.deleteLater()
 
     def _show_options(self) -> None:
         self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)
@@ -134,3 +127,28 @@ class DockEntry:
 
 def _open_user_guide() -> None:
     QDesktopServices.openUrl(QUrl(guide_url()))
+
+
+class DatabaseDrop(QgsCustomDropHandler):
+    """Otherwise QGIS would ask which of the tables it shall add, and add them without names and order."""
+
+    def handleFileDrop(self, file):
+        return file.lower().endswith(".gpkg") and (_did(_add_database, file) or _did(_add_results, file))
+
+
+def _add_database(path: str) -> None:
+    require_database(path)
+    add_database_to_map(path, QgsProject.instance())
+
+
+def _add_results(path: str) -> None:
+    QgsProject.instance().addMapLayers([layer for layer in named_results(path) if layer is not None])
+
+
+def _did(add: Callable[[str], None], path: str) -> bool:
+    """Whether it is such a file; any other GeoPackage is QGIS's business."""
+    try:
+        add(path)
+    except SemRefError:
+        return False
+    return True

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Callable
 
 from qgis.core import QgsProject, QgsSettings
-from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ..core.named_files import is_elsewhere, named_file
 from ..processing.inspection.models import at_hand
@@ -107,48 +105,3 @@ def _prior_of(entries: list[str]) -> Prior | None:
 def remembered_database() -> str:
     """The path chosen last, in any session; empty where none ever was."""
     return QgsSettings().value(DATABASE_SETTING, "", type=str)
-
-
-class ProjectState(QObject):
-    """Follows the project: ``opened`` with the state of one that has it; asks ``state_now`` when one is saved.
-
-    cleared: the project was emptied, for a new one or another one.
-    """
-
-    opened = pyqtSignal(object)
-    cleared = pyqtSignal()
-
-    def __init__(self, state_now: Callable[[], DockState | None], parent: QObject) -> None:
-        """``state_now``: gives None where there is nothing to keep; the project then stays as it is."""
-        super().__init__(parent)
-        self._state_now = state_now
-        project = QgsProject.instance()
-        project.readProject.connect(self._read)
-        project.writeProject.connect(self._write)
-        project.cleared.connect(self.cleared)
-
-    def now(self) -> DockState | None:
-        """Of the project that is open: where the plugin is loaded anew while one is."""
-        return read_state(QgsProject.instance())
-
-    def shut_down(self) -> None:
-        """Stops following; what is there stays with the open project, for a plugin that is loaded anew."""
-        project = QgsProject.instance()
-        state, is_dirty = self._state_now(), project.isDirty()
-        if state is not None and state != (read_state(project) or DockState(opacity=state.opacity)):
-            write_state(project, state)
-            # Nothing that a user would have to save.
-            project.setDirty(is_dirty)
-        project.readProject.disconnect(self._read)
-        project.writeProject.disconnect(self._write)
-        project.cleared.disconnect(self.cleared)
-
-    def _read(self, *_document) -> None:
-        state = read_state(QgsProject.instance())
-        if state is not None:
-            self.opened.emit(state)
-
-    def _write(self, *_document) -> None:
-        state = self._state_now()
-        if state is not None:
-            write_state(QgsProject.instance(), state)

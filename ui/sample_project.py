@@ -52,10 +52,10 @@ class SampleProject(QObject):
         self._messages = Messages(iface.messageBar())
         self._folder = Path()
         self.run = AlgorithmRun(self)
-        self.run.done.connect(self._finish)
-        self.run.failed.connect(self._fail)
-        self.run.broke.connect(self._break)
-        self.run.canceled.connect(self.ended)
+        for signal in (self.run.done, self.run.failed, self.run.broke, self.run.canceled):
+            signal.connect(lambda *_: self.ended.emit())
+        self.run.done.connect(lambda *_: self._open())
+        self._messages.show_failures(self.run)
         self.run.canceled.connect(lambda: self._messages.take_back_failure(self.run.title))
 
     def shut_down(self) -> None:
@@ -93,18 +93,6 @@ class SampleProject(QObject):
             return
         self._show_bar()
         self.run.start_algorithm(MAKE_DATABASE, parameters(self._folder), tr("Making the sample project"))
-
-    def _finish(self, *_) -> None:
-        self.ended.emit()
-        self._open()
-
-    def _fail(self, sentence: str) -> None:
-        self.ended.emit()
-        self._messages.error(sentence)
-
-    def _break(self, report: str) -> None:
-        self.ended.emit()
-        self._messages.bug(report)
 
     def _show_bar(self) -> None:
         """What is being done, how far, and a way to stop it; the user may close it and let the work go on."""

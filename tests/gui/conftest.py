@@ -133,11 +133,11 @@ def first_task_lost(qgis_app, monkeypatch):
     """QGIS never begins the first task that it gets; the list of the one it lost."""
     from qgis.core import QgsApplication
 
-    from semref.ui.running import begin_watch
+    from semref.ui.running import algorithm_run
 
     manager = LosingManager(QgsApplication.taskManager())
     monkeypatch.setattr(QgsApplication, "taskManager", lambda: manager)
-    monkeypatch.setattr(begin_watch, "BEGINS_WITHIN_MS", 50)
+    monkeypatch.setattr(algorithm_run, "BEGINS_WITHIN_MS", 50)
     return manager.lost
 
 

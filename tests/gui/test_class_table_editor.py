@@ -24,7 +24,7 @@ def file(tmp_path):
 @pytest.fixture
 def editor(plugin, file):
     from semref.processing.inspection.class_tables import read_rows
-    from semref.ui.class_table.editor import ClassTableEditor
+    from semref.ui.class_table import ClassTableEditor
 
     window = ClassTableEditor(read_rows(str(file)))
     window.show()
@@ -49,17 +49,17 @@ def accepted(editor):
 
 def test_headings_and_roles_are_not_cut_off_in_a_language_of_longer_words(plugin, file, monkeypatch):
     from semref.processing.inspection.class_tables import read_rows
-    from semref.ui.class_table import editor
+    from semref.ui import class_table
 
-    monkeypatch.setattr(editor, "tr", lambda text: f"{text}, much longer")
-    window = editor.ClassTableEditor(read_rows(str(file)))
+    monkeypatch.setattr(class_table, "tr", lambda text: f"{text}, much longer")
+    window = class_table.ClassTableEditor(read_rows(str(file)))
     window.resize(900, 300)
     window.show()
     settle()
     header = window.rows.horizontalHeader()
     for column in range(header.count()):
         assert header.sectionSize(column) >= header.sectionSizeHint(column)
-    role = window.rows.cellWidget(0, editor.ROLE)
+    role = window.rows.cellWidget(0, class_table.ROLE)
     assert role.width() >= role.sizeHint().width()
     window.close()
 
@@ -67,7 +67,7 @@ def test_headings_and_roles_are_not_cut_off_in_a_language_of_longer_words(plugin
 def test_every_column_can_be_edited(editor, accepted):
     from qgis.PyQt.QtGui import QColor
 
-    from semref.ui.class_table.editor import COLOR, NAME, ORDER, ROLE
+    from semref.ui.class_table import COLOR, NAME, ORDER, ROLE
 
     editor.rows.item(1, NAME).setText('wood, "old"')
     editor.rows.item(1, ORDER).setText("2.5")
@@ -85,7 +85,7 @@ def test_classes_are_added_with_the_next_free_value_and_removed(editor, accepted
 
 
 def test_classes_that_make_no_table_are_told_and_the_window_stays(editor):
-    from semref.ui.class_table.editor import VALUE
+    from semref.ui.class_table import VALUE
 
     editor.rows.item(1, VALUE).setText("1")
     editor.accept()
@@ -103,19 +103,18 @@ def test_a_nomenclature_fills_the_table(editor, accepted):
 def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_path, monkeypatch):
     from qgis.gui import QgsFileWidget
 
-    from semref.ui.class_table import edit_button
-    from semref.ui.class_table.editor import NAME
+    from semref.ui import class_table
 
     box = QgsFileWidget()
-    button = edit_button.EditButton(box)
+    button = class_table.EditButton(box)
     box.setFilePath(str(file))
 
     def edited(window):
-        window.rows.item(1, NAME).setText("wood")
+        window.rows.item(1, class_table.NAME).setText("wood")
         window.accept()
         return window.result()
 
-    monkeypatch.setattr(edit_button.ClassTableEditor, "exec", edited)
+    monkeypatch.setattr(class_table.ClassTableEditor, "exec", edited)
     button.click()
     assert "4,wood,#1f7a3a" in Path(file).read_text(encoding="utf-8")
     assert [path.name for path in tmp_path.iterdir()] == ["classes.csv"]
@@ -124,13 +123,13 @@ def test_the_button_beside_a_file_box_edits_the_file_in_place(plugin, file, tmp_
 def test_a_table_that_cannot_be_read_is_told_and_left_alone(plugin, file, monkeypatch):
     from qgis.gui import QgsFileWidget
 
-    from semref.ui.class_table import edit_button
+    from semref.ui import class_table
 
     file.write_text("no table", encoding="utf-8")
     said = []
-    monkeypatch.setattr(edit_button.QMessageBox, "warning", lambda *arguments: said.append(arguments[2]))
+    monkeypatch.setattr(class_table.QMessageBox, "warning", lambda *arguments: said.append(arguments[2]))
     box = QgsFileWidget()
-    button = edit_button.EditButton(box)
+    button = class_table.EditButton(box)
     box.setFilePath(str(file))
     button.click()
     assert len(said) == 1 and "classes.csv" in said[0]

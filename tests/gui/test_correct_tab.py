@@ -13,10 +13,11 @@ def tab(iface):
     from qgis.core import QgsCoordinateReferenceSystem, QgsProject, QgsSettings
 
     from semref.ui.tabs.correct.tab import CorrectTab
+    from semref.ui.widgets.messages import Messages
 
     iface.canvas.setDestinationCrs(QgsCoordinateReferenceSystem(CRS))
     QgsSettings().remove("semref/correct")
-    tab = CorrectTab(iface.canvas)
+    tab = CorrectTab(iface.canvas, Messages(iface.bar))
     tab.open.setChecked(False)
     yield tab
     tab.shut_down()
@@ -44,7 +45,7 @@ def add_layer(qgis_app):
 
 
 @pytest.mark.parametrize("others", [[], ["A land cover"], ["Z land cover"]])
-def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, add_layer, others):
+def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, iface, add_layer, others):
     from qgis.core import QgsProject
 
     for name in others:
@@ -54,7 +55,7 @@ def test_when_the_layer_is_removed_no_other_one_takes_its_place(tab, add_layer, 
     tab.places.selectRow(0)
     QgsProject.instance().removeMapLayer(issues.id())
     assert tab.layer.currentLayer() is None
-    assert tab.places.rowCount() == 0
+    assert tab.places.rowCount() == 0 and rubber_bands(iface, "Polygon") == []
     tab.done.click()
     assert tab.progress.value() == 0 and not tab.progress.isTextVisible()
 
@@ -178,16 +179,6 @@ def test_what_is_done_is_remembered_in_the_project_and_not_in_the_table(dock, is
     dock.content.correct.layer.setLayer(issues)
     assert dock.content.correct.progress.value() == 1
     assert issues.fields().names() == fields
-
-
-def test_a_layer_that_is_removed_while_it_is_corrected_leaves_an_empty_list(dock, iface, issues):
-    from qgis.core import QgsProject
-
-    dock.content.correct.places.selectRow(1)
-    QgsProject.instance().removeMapLayer(issues.id())
-    settle()
-    assert dock.content.correct.places.rowCount() == 0
-    assert rubber_bands(iface, "Polygon") == []
 
 
 def test_a_list_of_many_places_is_filled_without_holding_up_qgis(dock, iface, issues, monkeypatch):

@@ -134,18 +134,6 @@ def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
     assert landmarks(database) == landmarks(str(tmp_path / "anew.gpkg"))
 
 
-def test_an_update_is_undone_by_one_button(dock, box, annotation, database):
-    before = landmarks(database)
-    mend(annotation)
-    press(dock, box)
-    assert landmarks(database) != before and box.undo.isVisibleTo(dock.content.correct)
-    assert landmarks(database.replace(".gpkg", "_before_update.gpkg")) == before
-    box.undo.click()
-    wait_until(lambda: not box.undo.isVisibleTo(dock.content.correct), "the undo")
-    assert landmarks(database) == before
-    assert sorted(p.name for p in Path(database).parent.glob("area*.gpkg")) == ["area.gpkg"]
-
-
 def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_told(dock, box, database, monkeypatch):
     from semref.ui.running import correction_run
 
@@ -215,21 +203,23 @@ def drawn(layer) -> bytes:
     return bytes(bits)
 
 
-def test_the_map_shows_the_overview_of_the_updated_database(dock, box, annotation, database):
+def test_an_update_and_its_undo_by_one_button_are_shown_on_the_map(dock, box, annotation, database):
     from qgis.core import QgsProject
 
     dock.content.database.add_to_map.click()
     (overview,) = QgsProject.instance().mapLayersByName("Overview")
-    before, repainted = drawn(overview), []
+    before, repainted, rows = drawn(overview), [], landmarks(database)
     overview.repaintRequested.connect(lambda *_: repainted.append(True))
     mend(annotation)
     press(dock, box)
     after = drawn(overview)
-    assert after != before and repainted
+    assert after != before and repainted and landmarks(database) != rows
+    assert landmarks(database.replace(".gpkg", "_before_update.gpkg")) == rows
     box.undo.click()
     wait_until(lambda: not box.undo.isVisibleTo(dock.content.correct), "the undo")
     settle()
-    assert drawn(overview) == before
+    assert drawn(overview) == before and landmarks(database) == rows
+    assert sorted(p.name for p in Path(database).parent.glob("area*.gpkg")) == ["area.gpkg"]
 
 
 def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, run_algorithm, tmp_path):

@@ -8,26 +8,15 @@ import pytest
 from dock_area import add_raster_layer, dropped, from_the_layer_tree, messages, wait_until
 
 
-def test_dropped_files_are_added_once(dock, area, tab):
-    from qgis.PyQt.QtCore import QMimeData, QPointF, Qt, QUrl
-    from qgis.PyQt.QtGui import QDropEvent
+def test_dropped_files_are_added_once_and_selected_ones_removed(dock, area, tab):
+    from qgis.PyQt.QtCore import QMimeData, QUrl
 
-    dropped = QMimeData()
-    dropped.setUrls([QUrl.fromLocalFile(area.image), QUrl("https://example.org/image.png")])
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(area.image), QUrl("https://example.org/image.png")])
     for _ in range(2):
-        event = QDropEvent(
-            QPointF(5, 5),
-            Qt.DropAction.CopyAction,
-            dropped,
-            Qt.MouseButton.LeftButton,
-            Qt.KeyboardModifier.NoModifier,
-        )
-        tab.images.list.dropEvent(event)
+        assert dropped(tab.images.list, data)
     assert tab.images.paths() == [area.image]
-
-
-def test_selected_images_can_be_removed(dock, area, tab):
-    tab.images.list.add([area.image, area.unreadable])
+    tab.images.list.add([area.unreadable])
     tab.images.list.setCurrentRow(0)
     tab.images.remove.click()
     assert tab.images.paths() == [area.unreadable]

@@ -40,7 +40,7 @@ def folder(qgis_app, tmp_path):
 
 @pytest.fixture
 def dialog(folder):
-    from semref.ui.models.model_list import ModelsDialog
+    from semref.ui.model_list import ModelsDialog
 
     made = ModelsDialog()
     made.show()

@@ -19,21 +19,7 @@ def reloaded(plugin, iface):
     return dock
 
 
-def test_results_come_back_with_the_project_without_anybody_saving_them(dock, area, tab, tmp_path):
-    from qgis.core import QgsProject
-
-    choose_method(dock, CONSTELLATION)
-    localize(dock, area.database, [area.image, area.unreadable])
-    shown, project = table(dock), QgsProject.instance()
-    assert project.write(str(tmp_path / "one.qgs"))
-    project.clear()
-    assert table(dock) == []
-    assert project.read(str(tmp_path / "one.qgs"))
-    assert table(dock) == shown and dock.content.database.path() == area.database
-    wait_until(lambda: tab.results.image.canvas.scene().items(), "the picture")
-
-
-def test_two_projects_in_turn_have_each_their_own(dock, area, tab, tmp_path):
+def test_two_projects_in_turn_have_each_their_own_results_without_anybody_saving_them(dock, area, tab, tmp_path):
     from qgis.core import QgsProject
 
     project, states = QgsProject.instance(), []

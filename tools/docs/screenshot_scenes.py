@@ -291,7 +291,7 @@ def algorithm_dialog(session: Session) -> None:
 def models(session: Session) -> None:
     """The models at hand with their cards."""
     from semref.processing.inspection.models import choose_models_folder
-    from semref.ui.models.model_list import ModelsDialog
+    from semref.ui.model_list import ModelsDialog
 
     choose_models_folder(session.job["models"])
     dialog = ModelsDialog()

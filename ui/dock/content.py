@@ -6,13 +6,15 @@ from functools import partial
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsMapCanvas
-from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QSize, Qt, QUrl, pyqtSignal
+from qgis.PyQt.QtGui import QDesktopServices
 from qgis.PyQt.QtWidgets import QFrame, QScrollArea, QTabWidget, QVBoxLayout, QWidget
 
 from ...core.errors import DatabaseError
 from ...processing.layers.database_layers import add_database_to_map, reload_database
 from ...processing.messages.sentences import worded
 from ...processing.translation import tr
+from ...processing.version import guide_url
 from ..running.background import DatabaseShelf, Reader
 from ..running.correction_run import RASTERIZE
 from ..tabs.correct.tab import CorrectTab
@@ -35,7 +37,6 @@ _LEAST_WIDTH_PX = 300
 class DockContent(QWidget):
     """Joins the tabs with the database and with each other. ``shut_down`` before it is deleted."""
 
-    helpAsked = pyqtSignal()
     resetAsked = pyqtSignal()
 
     def __init__(self, canvas: QgsMapCanvas, messages: Messages, shelf: DatabaseShelf) -> None:
@@ -43,8 +44,8 @@ class DockContent(QWidget):
         self._messages, self._shelf = messages, shelf
         self.database = DatabaseBox()
         self.localize = LocalizeTab(canvas, self.database, messages, shelf)
-        self.inspect = InspectTab(canvas)
-        self.correct = CorrectTab(canvas)
+        self.inspect = InspectTab(canvas, messages)
+        self.correct = CorrectTab(canvas, messages)
         self.tabs = QTabWidget()
         self.rasterizing: QWidget | None = None
         self._reader = Reader(self)
@@ -78,20 +79,16 @@ class DockContent(QWidget):
         self.database.changed.connect(self._forget_database)
         self.database.addToMapAsked.connect(self._add_database_to_map)
         self.tabs.currentChanged.connect(self._remember_tab)
-        self.help.clicked.connect(self.helpAsked)
+        self.help.clicked.connect(lambda: QDesktopServices.openUrl(QUrl(guide_url())))
         self.reset.clicked.connect(self.resetAsked)
         self.localize.hit.described.connect(self.inspect.compare_with)
         self.inspect.databaseWanted.connect(self._read_database)
-        self.inspect.said.connect(self._messages.info)
         self.correct.updated.connect(self._show_updated)
         self.correct.outdated.connect(self._offer_label_map)
-        self.correct.failed.connect(self._messages.error)
-        self.correct.broke.connect(self._messages.bug)
         for run in (self.localize.run, self.correct.run, self.correct.repair.run):
             run.canceled.connect(lambda run=run: self._messages.take_back_failure(run.title))
         self._reader.answered.connect(self.inspect.use)
-        self._reader.failed.connect(self._messages.error)
-        self._reader.broke.connect(self._messages.bug)
+        self._messages.show_failures(self._reader)
         self.correct.updating.use_database(self.database.path())
 
     def minimumSizeHint(self) -> QSize:

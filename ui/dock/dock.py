@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsProject, QgsSettings
 from qgis.gui import QgsDockWidget, QgsMapCanvas, QgsMessageBar
-from qgis.PyQt.QtCore import Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtGui import QShowEvent
 from qgis.PyQt.QtWidgets import QMainWindow, QMessageBox, QVBoxLayout, QWidget
 
@@ -15,7 +15,7 @@ from ...core.localization import Method
 from ...processing.layers.database_layers import OPENED, reload_raster
 from ...processing.translation import tr
 from ..packages.missing_notice import MissingNotice
-from ..project_state import DATABASE_SETTING, DockState, ProjectState
+from ..project_state import DATABASE_SETTING, DockState, read_state, write_state
 from ..running.background import DatabaseShelf
 from ..widgets.layouts import narrow
 from ..widgets.messages import TAG, Messages
@@ -36,13 +36,7 @@ _SIZED_SETTING = f"{SETTINGS}/dock/sized"
 
 
 class SemRefDock(QgsDockWidget):
-    """``shut_down`` before it is deleted: it cancels what runs and clears the canvas.
-
-    helpAsked: the user guide is wanted; installAsked: missing packages are to be installed.
-    """
-
-    helpAsked = pyqtSignal()
-    installAsked = pyqtSignal()
+    """``shut_down`` before it is deleted: it cancels what runs and clears the canvas."""
 
     def __init__(self, canvas: QgsMapCanvas, message_bar: QgsMessageBar, parent: QWidget | None = None) -> None:
         super().__init__("SemRef", parent)
@@ -50,7 +44,6 @@ class SemRefDock(QgsDockWidget):
         self.setObjectName("SemRefDock")
         self.messages = Messages(message_bar)
         self.notice = MissingNotice()
-        self.notice.installAsked.connect(self.installAsked)
         whole = QWidget()
         self._layout = narrow(QVBoxLayout(whole))
         self._layout.addWidget(self.notice)
@@ -61,11 +54,12 @@ class SemRefDock(QgsDockWidget):
         self._shelf = DatabaseShelf()
         self._content: DockContent | None = None
         self._opens = False
-        self._wanted_state: DockState | None = None
-        self._state = ProjectState(self._state_now, self)
-        self._wanted_state = self._state.now()
-        self._state.opened.connect(self._restore)
-        self._state.cleared.connect(self._forget)
+        project = QgsProject.instance()
+        # A project may be open when the plugin is loaded.
+        self._wanted_state: DockState | None = read_state(project)
+        project.readProject.connect(self._restore)
+        project.writeProject.connect(self._write)
+        project.cleared.connect(self._forget)
         OPENED.database.connect(self.choose_database)
         OPENED.raster.connect(self._reload_raster)
         self.visibilityChanged.connect(self._follow_visibility)
@@ -93,7 +87,6 @@ class SemRefDock(QgsDockWidget):
         from .content import DockContent
 
         content = DockContent(self._canvas, self.messages, self._shelf)
-        content.helpAsked.connect(self.helpAsked)
         content.resetAsked.connect(self._ask_to_reset)
         content.localize.found.connect(self._tell_found)
         content.localize.modelChosen.connect(self.notice.use_model)
@@ -116,7 +109,7 @@ class SemRefDock(QgsDockWidget):
     def shut_down(self) -> None:
         """Cancels what runs and clears the canvas."""
         self.visibilityChanged.disconnect(self._follow_visibility)
-        self._state.shut_down()
+        self._leave_project()
         OPENED.database.disconnect(self.choose_database)
         OPENED.raster.disconnect(self._reload_raster)
         self._opens = False
@@ -157,12 +150,30 @@ class SemRefDock(QgsDockWidget):
         """Of a dock that was never opened: what its project had."""
         return self._wanted_state if self._content is None else self._content.localize.state_now()
 
-    def _restore(self, state: DockState) -> None:
+    def _restore(self, *_document) -> None:
         """As it was when the project that is opened now was saved."""
+        state = read_state(QgsProject.instance())
         if self._content is None:
             self._wanted_state = state
-        else:
+        elif state is not None:
             self._content.localize.show_state(state)
+
+    def _write(self, *_document) -> None:
+        state = self._state_now()
+        if state is not None:
+            write_state(QgsProject.instance(), state)
+
+    def _leave_project(self) -> None:
+        """Stop following the project, and leave the dock's state in it for a plugin that is loaded again."""
+        project = QgsProject.instance()
+        state, is_dirty = self._state_now(), project.isDirty()
+        if state is not None and state != (read_state(project) or DockState(opacity=state.opacity)):
+            write_state(project, state)
+            # The user has nothing to save because of it.
+            project.setDirty(is_dirty)
+        project.readProject.disconnect(self._restore)
+        project.writeProject.disconnect(self._write)
+        project.cleared.disconnect(self._forget)
 
     def _forget(self) -> None:
         """Nothing of a project stays for the next one: neither its marks and results nor its database."""

@@ -26,7 +26,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from ...processing.base import parameters
-from ..class_table.edit_button import EditButton
+from ..class_table import EditButton
 from ..layer_files import photo_layer
 from ..widgets.layouts import narrow
 from .epochs import TRAINING_VALUES, epochs_text

@@ -40,7 +40,7 @@ from ...processing.packages.components import (
     remove_components,
 )
 from ...processing.translation import tr
-from ..models.model_list import ModelsDialog
+from ..model_list import ModelsDialog
 from ..widgets.layouts import row_of
 from .component_installer import ComponentInstaller
 from .device_group import DeviceGroup

@@ -11,8 +11,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...core.errors import SemRefError
 from ...processing.messages.sentences import worded
-from .algorithm_run import UNLOAD_WAIT_MS
-from .begin_watch import BeginWatch
+from .algorithm_run import UNLOAD_WAIT_MS, BeginWatch
 
 if TYPE_CHECKING:
     from ...core.database.model import ReferenceDatabase

@@ -28,7 +28,7 @@ _FOLD_PX = 48
 
 
 class DatabaseBox(FoldingBox):
-    """The chosen database, remembered from session to session; ``chosen`` is its path for other threads.
+    """The chosen database, remembered from session to session.
 
     A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.
 
@@ -72,7 +72,6 @@ class DatabaseBox(FoldingBox):
         layout.addWidget(self.fault_label)
         layout.addWidget(self.in_project)
         name_fold(self)
-        self.chosen = self.path()
         self.file.fileChanged.connect(self._remember)
         self.in_project.activated.connect(self._choose_in_project)
         self.add_to_map.clicked.connect(self.addToMapAsked)
@@ -145,14 +144,14 @@ class DatabaseBox(FoldingBox):
 
     def _remember(self) -> None:
         name_fold(self)
-        self.chosen = self.path()
-        if self.chosen:
+        path = self.path()
+        if path:
             # A project that is cleared takes its database along, but not what the next session begins with.
-            QgsSettings().setValue(DATABASE_SETTING, self.chosen)
-            note_used(DATABASE, self.chosen)
+            QgsSettings().setValue(DATABASE_SETTING, path)
+            note_used(DATABASE, path)
         self._check()
         self._show_in_project()
-        if not self.chosen:
+        if not path:
             self.setCollapsed(False)
         self._show_title()
         self.changed.emit()

@@ -73,6 +73,12 @@ class Messages:
             if (item.title(), item.text()) == (title, text):
                 self._bar.popWidget(item)
 
+    def show_failures(self, *parts) -> None:
+        """Show what the signals ``failed`` and ``broke`` of these objects report."""
+        for part in parts:
+            part.failed.connect(self.error)
+            part.broke.connect(self.bug)
+
     def bug(self, report: str) -> None:
         """One sentence in the bar, the traceback in the log panel."""
         QgsMessageLog.logMessage(report, TAG, Qgis.MessageLevel.Critical, False)

@@ -1,10 +1,17 @@
-"""What lists and tables share: a selected row, a change of font, a text where there are no rows."""
+"""What lists and tables share: a selected row, a change of font, icons of severity, a text where there are no rows."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from qgis.PyQt.QtCore import QEvent, QItemSelectionModel, QRectF, Qt
-from qgis.PyQt.QtGui import QPainter, QPalette, QTextOption
+from qgis.PyQt.QtGui import QIcon, QPainter, QPalette, QTextOption
 from qgis.PyQt.QtWidgets import QAbstractScrollArea, QTableView, QWidget
+
+from ...core.annotation.findings import SEVERITIES, WARNING
+
+_SIGNS = Path(__file__).resolve().parents[2] / "resources" / "severity"
+"""Pictures in the colors of ``processing/layers/palette.py``. QGIS's own error sign is gray in some versions."""
 
 _FLAGS = QItemSelectionModel.SelectionFlag
 _MARGIN_PX = 12
@@ -26,6 +33,11 @@ def select_row(view: QTableView, row: int) -> None:
 def changes_font(event: QEvent) -> bool:
     """Whether an event may bring another font: QGIS's, and its size, come by a style sheet after a widget is made."""
     return event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange, QEvent.Type.Polish)
+
+
+def severity_icon(severity: str) -> QIcon:
+    """Return a cross in a disk, a triangle, or an i in a disk; a triangle for unknown severities."""
+    return QIcon(str(_SIGNS / f"{severity if severity in SEVERITIES else WARNING}.svg"))
 
 
 def paint_placeholder(view: QWidget, text: str) -> None:

@@ -7,15 +7,14 @@ from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QEvent, Qt
-from qgis.PyQt.QtGui import QIcon, QPaintEvent, QResizeEvent
+from qgis.PyQt.QtGui import QPaintEvent, QResizeEvent
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from ....core.annotation.findings import WARNING
+from ....core.annotation.findings import SEVERITIES, WARNING
 from ....processing.compat import POLYGON_GEOMETRY, is_null
 from ....processing.messages.annotation_messages import kind_titles, severity_title
 from ....processing.translation import tr
-from ...widgets.severity_icons import severity_icon
-from ...widgets.tables import changes_font, paint_placeholder, select_row
+from ...widgets.tables import changes_font, paint_placeholder, select_row, severity_icon
 from ...widgets.texts import number_text, plain_tip
 
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, POSITION_COLUMN = range(4)
@@ -64,7 +63,7 @@ class PlacesTable(QTableWidget):
 
     def __init__(self) -> None:
         super().__init__(0, 2 + len(_COLUMNS))
-        self._icons: dict[str, QIcon] = {}
+        self._icons = {severity: severity_icon(severity) for severity in SEVERITIES}
         self.setObjectName("SemRefPlaces")
         self.setAccessibleName(tr("Places"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -88,7 +87,7 @@ class PlacesTable(QTableWidget):
         names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
         self.setHorizontalHeaderLabels(["", *(_title(name) for name in names), tr("Position")])
         self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
-        self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(severity_icon(WARNING))
+        self.horizontalHeaderItem(SEVERITY_COLUMN).setIcon(self._icons[WARNING])
         self._positions_beside = layer is None or _has_messages(layer)
         self.setColumnHidden(SEVERITY_COLUMN, layer is not None and not has_severity(layer))
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
@@ -99,7 +98,7 @@ class PlacesTable(QTableWidget):
         self.setRowCount(number + 1)
         severity = QTableWidgetItem()
         if place.severity:
-            severity.setIcon(self._icon(place.severity))
+            severity.setIcon(self._icons.get(place.severity, self._icons[WARNING]))
             title = severity_title(place.severity)
             severity.setToolTip(title)
             severity.setData(Qt.ItemDataRole.AccessibleTextRole, title)
@@ -111,12 +110,6 @@ class PlacesTable(QTableWidget):
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.setItem(number, column, item)
         return number
-
-    def _icon(self, severity: str) -> QIcon:
-        """Each is painted once: there are thousands of places."""
-        if severity not in self._icons:
-            self._icons[severity] = severity_icon(severity)
-        return self._icons[severity]
 
     def id_of(self, row: int) -> int:
         """Of the feature that a row shows."""

@@ -22,6 +22,7 @@ from ...running.background import Reader
 from ...running.correction_run import Correction, CorrectionRun
 from ...widgets.controls import ChoiceBox, shortcut, tool_button
 from ...widgets.layouts import FoldingRow, narrow, row_of
+from ...widgets.messages import Messages
 from ...widgets.texts import number_text
 from .places_table import PlaceRow, PlacesTable, has_severity, is_places, place_text, places_of
 from .repair_button import RepairButton
@@ -43,18 +44,16 @@ class CorrectTab(QWidget):
     """``shut_down`` before it is deleted.
 
     updated: the path of a database that was replaced; outdated: a label map of it on the map, and how to rasterize it
-    again; failed: a sentence; broke: a bug's traceback.
+    again.
     """
 
     updated = pyqtSignal(str)
     outdated = pyqtSignal(str, dict)
-    failed = pyqtSignal(str)
-    broke = pyqtSignal(str)
 
     _undone = ""
 
-    def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, canvas: QgsMapCanvas, messages: Messages) -> None:
+        super().__init__()
         self._canvas = canvas
         self._done: set[int] = set()
         self._ids: set[int] = set()
@@ -75,6 +74,7 @@ class CorrectTab(QWidget):
         self._undoing = Reader(self)
         self._lay_out()
         self._connect()
+        messages.show_failures(self.repair, self.run, self._undoing)
         self._list_layers()
         self._use_layer()
 
@@ -138,9 +138,6 @@ class CorrectTab(QWidget):
         self.run.done.connect(self._tell_updated)
         self.run.canceled.connect(lambda: self.updating.show_running(False, tr("Canceled.")))
         self._undoing.answered.connect(lambda _: self._tell_undone())
-        for part in (self.repair, self.run, self._undoing):
-            part.failed.connect(self.failed)
-            part.broke.connect(self.broke)
         for part in (self.run, self._undoing):
             for ended in (part.failed, part.broke):
                 ended.connect(lambda *_: self.updating.show_running(False))

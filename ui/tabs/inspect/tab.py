@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Callable
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -39,6 +40,7 @@ from ....processing.translation import tr
 from ...canvas.window_marks import WindowMarks, WindowTool
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
+from ...widgets.messages import Messages
 from ...widgets.tables import changes_font
 from ...widgets.texts import number_text
 from .vector_plot import VectorPlot
@@ -59,19 +61,16 @@ class InspectTab(QWidget):
     """Asks for a database with ``databaseWanted``; ``use`` gives it. ``shut_down`` before it is deleted."""
 
     databaseWanted = pyqtSignal()
-    said = pyqtSignal(str)
 
-    def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._canvas = canvas
+    def __init__(self, canvas: QgsMapCanvas, messages: Messages) -> None:
+        super().__init__()
+        self._canvas, self._messages = canvas, messages
         self._database: ReferenceDatabase | None = None
         self._crs: QgsCoordinateReferenceSystem | None = None
         self._window: InspectedWindow | None = None
         self._image_vector: np.ndarray | None = None
         self._image_name = ""
-        self._wanted_name = ""
-        self._wanted_point: QgsPointXY | None = None
-        self._wanted_step = 0
+        self._wanted: Callable[[], None] | None = None
         self.tool = WindowTool(canvas)
         self._marks = WindowMarks(canvas)
         self._lay_out()
@@ -168,31 +167,31 @@ class InspectTab(QWidget):
     # --- what is inspected ---
 
     def use(self, database: ReferenceDatabase | None) -> None:
-        """Takes another database; the wish that made it be read is fulfilled."""
+        """Use another database, and repeat the step that had to wait for it; None for no database."""
         self._database = database
         self.name.clear()
         self._show_nothing()
         if database is None:
             return
         self._crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
-        name, point, step = self._wanted_name, self._wanted_point, self._wanted_step
-        self._wanted_name, self._wanted_point, self._wanted_step = "", None, 0
-        if name:
-            self.show_window(name)
-        elif point is not None:
-            self._show_at(point)
-        elif step:
-            self._step(step)
+        wanted, self._wanted = self._wanted, None
+        if wanted is not None:
+            wanted()
+
+    def _must_wait(self, step: Callable[..., None], *arguments) -> bool:
+        """Return whether there is no database yet; ``use`` then takes the step."""
+        if self._database is None:
+            self._wanted = partial(step, *arguments)
+            self.databaseWanted.emit()
+        return self._database is None
 
     def show_window(self, name: str) -> None:
         """Inspects the window of this name, once the database is read."""
-        if self._database is None:
-            self._wanted_name = name
-            self.databaseWanted.emit()
+        if self._must_wait(self.show_window, name):
             return
         index = window_named(self._database, name)
         if index is None:
-            self.said.emit(tr("The database has no window “{name}”.").format(name=name))
+            self._messages.info(tr("The database has no window “{name}”.").format(name=name))
             return
         self._show(index)
 
@@ -209,9 +208,7 @@ class InspectTab(QWidget):
         self._refresh()
 
     def _show_at(self, point: QgsPointXY) -> None:
-        if self._database is None:
-            self._wanted_point = point
-            self.databaseWanted.emit()
+        if self._must_wait(self._show_at, point):
             return
         crs = self._canvas.mapSettings().destinationCrs()
         place = transformed_point(QgsCoordinateTransform(crs, self._crs, QgsProject.instance()), point)
@@ -219,7 +216,7 @@ class InspectTab(QWidget):
             return
         index = window_under(self._database, place.x(), place.y())
         if index is None:
-            self.said.emit(tr("No window of the database lies there."))
+            self._messages.info(tr("No window of the database lies there."))
             return
         self._show(index)
 
@@ -231,9 +228,7 @@ class InspectTab(QWidget):
         self._show(self._window.look_alikes[row].index)
 
     def _step(self, step: int) -> None:
-        if self._database is None:
-            self._wanted_step = step
-            self.databaseWanted.emit()
+        if self._must_wait(self._step, step):
             return
         # None yet: the next one is the first, the one before it the last.
         start = -max(step, 0) if self._window is None else self._window.index

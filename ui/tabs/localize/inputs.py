@@ -27,7 +27,7 @@ from ....processing.messages.sentences import worded
 from ....processing.translation import tr
 from ...fields.recent_files import MODEL, note_used
 from ...layer_files import drawn_layers, layer_file, raster_layers
-from ...models.model_list import ModelsDialog
+from ...model_list import ModelsDialog
 from ...project_state import MODEL_SETTING
 from ...proposals import training_at_hand
 from ...running.background import Reader
@@ -46,15 +46,13 @@ class ImageBox(FoldingBox):
 
     chosen: what is known of them, None while folders are being read; fault: why a folder can't be used.
 
-    looked: ``chosen`` or ``fault`` is another now; refused: names of layers that are not added because they are no
-    file; drawAsked: the layer, such as map tiles, of which the map's extent shall become an image; trained: a model was
-    made and is the chosen one; its report's file.
+    looked: ``chosen`` or ``fault`` has changed; drawAsked: a layer, such as map tiles, whose map view shall become an
+    image; trained: the report of a model that was trained and is now the chosen one.
     """
 
     changed = pyqtSignal()
     looked = pyqtSignal()
     trained = pyqtSignal(str)
-    refused = pyqtSignal(list)
     drawAsked = pyqtSignal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -111,7 +109,6 @@ class ImageBox(FoldingBox):
         self._reader.answered.connect(self._take_look)
         self._reader.failed.connect(self._take_fault)
         self._look()
-        self.list.refused.connect(self.refused)
 
     def paths(self) -> list[str]:
         """Of the images and folders, as listed."""

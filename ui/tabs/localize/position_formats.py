@@ -2,26 +2,14 @@
 
 from __future__ import annotations
 
-from qgis.core import (
-    QgsCoordinateFormatter,
-    QgsCoordinateReferenceSystem,
-    QgsCoordinateTransform,
-    QgsProject,
-)
+from qgis.core import QgsCoordinateFormatter, QgsCoordinateTransform, QgsProject
 
 from ....processing.layers.reference_systems import transformed_point
 from ....processing.translation import tr
 from ...findings import Finding
 
-DEGREES, DEGREES_LATITUDE_FIRST, DEGREES_MINUTES, PROJECT, DATABASE, WELL_KNOWN_TEXT = (
-    "degrees",
-    "latitude_first",
-    "minutes",
-    "project",
-    "database",
-    "wkt",
-)
-FORMATS = (DEGREES, DEGREES_LATITUDE_FIRST, DEGREES_MINUTES, PROJECT, DATABASE, WELL_KNOWN_TEXT)
+FORMATS = "degrees", "latitude_first", "minutes", "project", "database", "wkt"
+DEGREES, DEGREES_LATITUDE_FIRST, DEGREES_MINUTES, PROJECT, DATABASE, WELL_KNOWN_TEXT = FORMATS
 
 
 def format_title(name: str, project: QgsProject) -> str:
@@ -40,7 +28,8 @@ def position_text(finding: Finding, name: str, project: QgsProject) -> str:
     if name == DATABASE:
         return f"{finding.x:.2f}, {finding.y:.2f}"
     if name in (PROJECT, WELL_KNOWN_TEXT):
-        place = _in_project(finding, project)
+        way = QgsCoordinateTransform(finding.crs, project.crs(), project)
+        place = transformed_point(way, finding.center) if project.crs().isValid() else None
         if place is None:
             return ""
         decimals = 7 if project.crs().isGeographic() else 2
@@ -52,22 +41,9 @@ def position_text(finding: Finding, name: str, project: QgsProject) -> str:
         return f"{finding.longitude:.7f}, {finding.latitude:.7f}"
     if name == DEGREES_LATITUDE_FIRST:
         return f"{finding.latitude:.7f}, {finding.longitude:.7f}"
-    return ", ".join(_sexagesimal(finding))
-
-
-def _sexagesimal(finding: Finding) -> tuple[str, str]:
     kind = QgsCoordinateFormatter.FormatDegreesMinutesSeconds
-    return (
-        QgsCoordinateFormatter.formatY(finding.latitude, kind, 3),
-        QgsCoordinateFormatter.formatX(finding.longitude, kind, 3),
-    )
-
-
-def _in_project(finding: Finding, project: QgsProject):
-    crs: QgsCoordinateReferenceSystem = project.crs()
-    if not crs.isValid():
-        return None
-    return transformed_point(QgsCoordinateTransform(finding.crs, crs, project), finding.center)
+    latitude = QgsCoordinateFormatter.formatY(finding.latitude, kind, 3)
+    return f"{latitude}, {QgsCoordinateFormatter.formatX(finding.longitude, kind, 3)}"
 
 
 def possible_formats(finding: Finding, project: QgsProject) -> list[str]:

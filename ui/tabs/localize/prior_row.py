@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
     QgsDistanceArea,
     QgsPointXY,
     QgsProject,
@@ -14,6 +15,7 @@ from qgis.PyQt.QtWidgets import QWidget
 from ....processing.messages.numbers import LocalTemplate
 from ....processing.translation import tr
 from ...canvas.prior_tool import PriorTool
+from ...project_state import Prior
 from ...widgets.controls import tool_button
 from ...widgets.layouts import narrow, row_of
 from ...widgets.progress import StatusLine
@@ -26,9 +28,7 @@ class PriorRow(QWidget):
         super().__init__(parent)
         self.setObjectName("SemRefPrior")
         self._canvas = canvas
-        self._middle: QgsPointXY | None = None
-        self._edge: QgsPointXY | None = None
-        self._crs: QgsCoordinateReferenceSystem | None = None
+        self._circle: Prior | None = None
         self._radius_m = 0.0
         self.tool = PriorTool(canvas)
         self.text = StatusLine()
@@ -44,32 +44,34 @@ class PriorRow(QWidget):
 
     def parameters(self) -> dict:
         """PRIOR_POINT and PRIOR_RADIUS of semref:localizeimages; empty without a circle."""
-        if self._middle is None:
+        if self._circle is None:
             return {}
-        point = f"{self._middle.x()!r},{self._middle.y()!r} [{self._crs.authid()}]"
-        return {"PRIOR_POINT": point, "PRIOR_RADIUS": self._radius_m}
+        x, y, *_edge, crs = self._circle
+        return {"PRIOR_POINT": f"{x!r},{y!r} [{crs}]", "PRIOR_RADIUS": self._radius_m}
 
     def set_circle(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
         """Both in the canvas's CRS; the radius is measured on the ground."""
-        self._keep(middle, edge, self._canvas.mapSettings().destinationCrs())
+        crs = self._canvas.mapSettings().destinationCrs()
+        if not crs.authid():
+            # A custom CRS has no key that a project or a parameter could name.
+            wgs84 = QgsCoordinateReferenceSystem("EPSG:4326")
+            way = QgsCoordinateTransform(crs, wgs84, QgsProject.instance())
+            middle, edge, crs = way.transform(middle), way.transform(edge), wgs84
+        self.restore((middle.x(), middle.y(), edge.x(), edge.y(), crs.authid()))
         self._canvas.unsetMapTool(self.tool)
 
-    def circle(self) -> tuple | None:
-        """(x, y of the middle, x, y of the edge, authid of their CRS); None without a circle."""
-        if self._middle is None:
-            return None
-        return self._middle.x(), self._middle.y(), self._edge.x(), self._edge.y(), self._crs.authid()
+    def circle(self) -> Prior | None:
+        """Return the search circle; None without one."""
+        return self._circle
 
-    def restore(self, circle: tuple | None) -> None:
-        """What ``circle`` told."""
+    def restore(self, circle: Prior | None) -> None:
+        """Search in a circle; in the whole database for None and for a circle in an unknown CRS."""
         crs = QgsCoordinateReferenceSystem() if circle is None else QgsCoordinateReferenceSystem(circle[4])
-        if crs.isValid():
-            self._keep(QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4]), crs)
-        else:
+        if not crs.isValid():
             self.forget()
-
-    def _keep(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
-        self._middle, self._edge, self._crs = middle, edge, crs
+            return
+        self._circle = circle
+        middle, edge = QgsPointXY(*circle[:2]), QgsPointXY(*circle[2:4])
         measure = QgsDistanceArea()
         measure.setSourceCrs(crs, QgsProject.instance().transformContext())
         measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
@@ -80,7 +82,7 @@ class PriorRow(QWidget):
 
     def forget(self) -> None:
         """Searches the whole database."""
-        self._middle = self._edge = None
+        self._circle = None
         self.tool.circle.clear()
         self.text.show_text(tr("Search: the whole database"))
         self.clear.setEnabled(False)

@@ -13,7 +13,7 @@ from ....core.localization import Status
 from ....processing.base.localized_image import ERROR as UNREAD
 from ....processing.translation import tr
 from ...findings import Finding, error_text, status_text
-from ...widgets.severity_icons import severity_icon
+from ...widgets.tables import severity_icon
 from ...widgets.texts import number_text, plain_tip
 
 IMAGE, PROBABILITY, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
@@ -67,7 +67,7 @@ class ResultsModel(QStandardItemModel):
         return self._findings[row]
 
     def _show_headers(self) -> None:
-        for column, (title, help_text) in enumerate(zip(_headers(), _header_help())):
+        for column, (title, help_text) in enumerate(_headers()):
             self.setHeaderData(column, Qt.Orientation.Horizontal, title)
             self.setHeaderData(column, Qt.Orientation.Horizontal, help_text, Qt.ItemDataRole.ToolTipRole)
 
@@ -100,31 +100,18 @@ def _drawn(name: str) -> QIcon:
     return severity_icon(name) if name == annotation.ERROR else QgsApplication.getThemeIcon(name)
 
 
-def _headers() -> list[str]:
+def _headers() -> list[tuple[str, str]]:
+    """Return heading and tool tip of each column."""
     return [
-        tr("Image"),
-        tr("Error probability"),
-        tr("Radius (m)"),
-        tr("Heading"),
-        tr("Status"),
-        tr("Window"),
-        tr("Distance"),
-        tr("Longitude, latitude"),
-        tr("Image"),
-    ]
-
-
-def _header_help() -> list[str]:
-    return [
-        tr("File name of the image"),
-        tr("Probability that the position is wrong"),
-        tr("Radius in meters that contains the true position in 95 % of fixes"),
-        tr("Where the image’s top points to, in degrees clockwise from grid north"),
-        tr("Whether a position was found"),
-        tr("Name of the matched window: its first column and row on the map"),
-        tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none"),
-        tr("Of the image’s center, in degrees (WGS 84)"),
-        tr("File name, status, error probability, and position with its 95 % radius"),
+        (tr("Image"), tr("File name of the image")),
+        (tr("Error probability"), tr("Probability that the position is wrong")),
+        (tr("Radius (m)"), tr("Radius in meters that contains the true position in 95 % of fixes")),
+        (tr("Heading"), tr("Where the image’s top points to, in degrees clockwise from grid north")),
+        (tr("Status"), tr("Whether a position was found")),
+        (tr("Window"), tr("Name of the matched window: its first column and row on the map")),
+        (tr("Distance"), tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none")),
+        (tr("Longitude, latitude"), tr("Of the image’s center, in degrees (WGS 84)")),
+        (tr("Image"), tr("File name, status, error probability, and position with its 95 % radius")),
     ]
 
 

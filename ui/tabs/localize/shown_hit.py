@@ -58,9 +58,8 @@ class ShownHit(QObject):
         self._picture_reader.answered.connect(self._show_picture)
         self._picture_reader.failed.connect(self._results.image.clear)
         self._drape_reader.answered.connect(self._show_drape)
-        self._drape_reader.failed.connect(self._messages.error)
-        for reader in (self._picture_reader, self._drape_reader):
-            reader.broke.connect(self._messages.bug)
+        self._picture_reader.broke.connect(self._messages.bug)
+        self._messages.show_failures(self._drape_reader)
 
     def shut_down(self) -> None:
         """Takes everything off the canvas, and waits for what is being read."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from functools import partial
+from threading import Event
 from typing import Callable
 
 from qgis.core import QgsProject, QgsRasterLayer, QgsSettings
@@ -30,7 +31,6 @@ from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages
 from ...widgets.progress import RemainingBar, StatusLine
 from .inputs import ImageBox, MethodRow
-from .map_image import MapImage
 from .prior_row import PriorRow
 from .results import ResultsBox
 from .shown_hit import ShownHit
@@ -56,8 +56,10 @@ class LocalizeTab(QWidget):
         self._used = self._found_with = self._chosen = "", ""
         self.run = LocalizationRun(self)
         self._reader = Reader(self)
+        self._drawer = Reader(self)
+        self._drawing_canceled = Event()
+        self._canvas = canvas
         self.images = ImageBox()
-        self.map_image = MapImage(canvas, self)
         self.method = MethodRow()
         self.prior = PriorRow(canvas)
         self.localize_button = QPushButton()
@@ -85,33 +87,29 @@ class LocalizeTab(QWidget):
         self.images.changed.connect(self._show_idle)
         self.images.looked.connect(self._show_looked)
         self.images.collapsedStateChanged.connect(self._show_choices)
-        self.images.refused.connect(self._refuse_layers)
+        self.images.list.refused.connect(self._refuse_layers)
         self.images.drawAsked.connect(self._draw)
         self.images.trained.connect(self._tell_trained)
-        self.map_image.made.connect(self._add_drawn)
-        self.map_image.failed.connect(self._messages.error)
-        self.map_image.broke.connect(self._messages.bug)
-        for ended in (self.map_image.failed, self.map_image.broke):
-            ended.connect(self._show_idle)
+        self._drawer.answered.connect(self._add_drawn)
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.saveAsked.connect(self._save_results)
         self.results.earlier.aboutToShow.connect(self._list_earlier)
         self.results.copied.connect(self._show_copied)
-        self.run.progressed.connect(self._show_progress)
+        self.run.progressed.connect(self.progress.show_percent)
         self.run.said.connect(self.state.show_text)
         self.run.logged.connect(self._messages.log)
         self.run.found.connect(self._show_found)
-        self.run.failed.connect(self._messages.error)
-        self.run.broke.connect(self._messages.bug)
-        for ended in (self.run.failed, self.run.broke, self.run.canceled):
+        self._messages.show_failures(self.run, self._drawer)
+        for ended in (self.run.failed, self.run.broke, self.run.canceled, self._drawer.failed, self._drawer.broke):
             ended.connect(self._show_idle)
-        self.run.canceled.connect(self._show_canceled)
+        self.run.canceled.connect(lambda: self.state.show_text(tr("Canceled.")))
 
     def shut_down(self) -> None:
         """Cancels what runs and clears the canvas."""
         self.run.abandon()
         self._reader.shut_down()
-        self.map_image.shut_down()
+        self._drawing_canceled.set()
+        self._drawer.shut_down()
         self.images.shut_down()
         self.hit.shut_down()
         self.prior.shut_down()
@@ -215,12 +213,6 @@ class LocalizeTab(QWidget):
         if self.images.chosen.has_photos and not self.images.model_path():
             return tr("These are photos: choose a model."), tr("Otherwise colors are taken for classes.")
         return (tr("Ready to localize."),)
-
-    def _show_progress(self, percent: float) -> None:
-        self.progress.show_percent(percent)
-
-    def _show_canceled(self) -> None:
-        self.state.show_text(tr("Canceled."))
 
     # --- results ---
 
@@ -335,8 +327,19 @@ class LocalizeTab(QWidget):
         self.state.show_text(tr("Copied: {command}").format(command=text))
 
     def _draw(self, layer: QgsRasterLayer) -> None:
+        """Make an image of the map's extent from a layer that is not a file, at the model's pixel size."""
+        model = self.images.model_path()
+        if not model:
+            self._messages.error(tr("Choose a model first: it says how large the pixels of the map shall be."))
+            return
+        # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
+        from ....processing.base.photo_source import draw_for_model
+        from ....processing.layers.rendering import drawable
+
         self.state.show_text(tr("Drawing “{layer}” as the map shows it…").format(layer=layer.name()))
-        self.map_image.draw(layer, self.images.model_path())
+        settings, context = self._canvas.mapSettings(), QgsProject.instance().transformContext()
+        arguments = drawable(layer), settings.visibleExtent(), settings.destinationCrs(), model, context
+        self._drawer.read(tr("Drawing the layer"), draw_for_model, *arguments, self._drawing_canceled.is_set)
 
     def _add_drawn(self, path: str) -> None:
         self.images.list.add([path])

@@ -1,32 +1,45 @@
-"""A class table in a window: value, name, color, role and order of each class, to be edited and saved."""
+"""A class table in a window: value, name, color, role and order of each class; and the button that opens it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
 
-from qgis.gui import QgsColorButton
+from qgis.gui import QgsColorButton, QgsFileWidget
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QHBoxLayout,
+    QFileDialog,
     QHeaderView,
     QLabel,
     QMenu,
+    QMessageBox,
     QPushButton,
     QTableWidget,
     QTableWidgetItem,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from ...core.errors import ClassTableError
-from ...processing.inspection.class_tables import ClassRow, new_row, preset_rows, preset_titles, require_table
-from ...processing.messages.sentences import worded
-from ...processing.translation import tr
+from ..core.errors import ClassTableError, SemRefError
+from ..processing.inspection.class_tables import (
+    ClassRow,
+    is_shipped,
+    new_row,
+    preset_rows,
+    preset_titles,
+    read_rows,
+    require_table,
+    save_rows,
+)
+from ..processing.messages.sentences import worded
+from ..processing.translation import tr
+from .widgets.controls import tool_button
+from .widgets.layouts import row_of
 
 VALUE, NAME, COLOR, ROLE, ORDER = range(5)
 """Columns."""
@@ -69,9 +82,7 @@ class ClassTableEditor(QDialog):
         for number, title in enumerate(preset_titles()):
             menu.addAction(title).triggered.connect(partial(self._show_preset, number))
         self.preset_button.setMenu(menu)
-        beside = QHBoxLayout()
-        for button in (self.add_button, self.remove_button, self.preset_button):
-            beside.addWidget(button)
+        beside = row_of(self.add_button, self.remove_button, self.preset_button)
         beside.addStretch(1)
         layout = QVBoxLayout(self)
         layout.addWidget(self.rows, 1)
@@ -148,3 +159,32 @@ class ClassTableEditor(QDialog):
 
     def _show_preset(self, number: int, *_checked) -> None:
         self.show_classes(preset_rows(number))
+
+
+class EditButton(QToolButton):
+    """Opens the table that the box names, or an empty one, and has the box name what was saved."""
+
+    def __init__(self, box: QgsFileWidget) -> None:
+        super().__init__(box)
+        tool_button("/mActionToggleEditing.svg", tr("Edit class table"), made=self)
+        self.setObjectName("SemRefEditClassTable")
+        self.clicked.connect(self.edit)
+        box.layout().addWidget(self)
+
+    def edit(self) -> None:
+        """Shows the table; what is saved goes into its file, or into one that is asked for."""
+        path = self.parent().filePath()
+        try:
+            editor = ClassTableEditor(read_rows(path), self.window())
+            if editor.exec() == ClassTableEditor.DialogCode.Accepted:
+                self._save(editor.classes(), path)
+        except SemRefError as error:
+            QMessageBox.warning(self.window(), tr("Class table"), worded(error))
+
+    def _save(self, classes: list[ClassRow], path: str) -> None:
+        """Raises SemRefError where it can't be written."""
+        if not path or is_shipped(path):
+            path, _ = QFileDialog.getSaveFileName(self.window(), tr("Save class table"), "", tr("CSV files (*.csv)"))
+        if path:
+            save_rows(classes, path)
+            self.parent().setFilePath(path)

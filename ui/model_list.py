@@ -20,12 +20,12 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...processing.inspection.models import choose_models_folder, listed_models, models_folder
-from ...processing.reports.model_card import card_html, card_title, quality_text, resolution_text
-from ...processing.translation import tr
-from ...processing.version import guide_url
-from ..widgets.layouts import row_of
-from ..widgets.texts import plain_tip
+from ..processing.inspection.models import choose_models_folder, listed_models, models_folder
+from ..processing.reports.model_card import card_html, card_title, quality_text, resolution_text
+from ..processing.translation import tr
+from ..processing.version import guide_url
+from .widgets.layouts import row_of
+from .widgets.texts import plain_tip
 
 _SIZE_SETTING = "semref/models/size"
 _SMALLEST_PX = 760, 460

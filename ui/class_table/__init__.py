@@ -1,1 +1,0 @@
-"""Class tables in a window: looked through and edited where an algorithm asks for one."""

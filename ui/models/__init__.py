@@ -1,1 +1,0 @@
-"""The models at hand, with their cards, to choose from."""
