@@ -1,4 +1,4 @@
-"""Training tiles on disk: image and label tiles, class table and manifest in one folder (docs/training.md)."""
+"""Write training tiles: image and label tiles, class table and manifest (docs/how-to/train_a_network.md)."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Training a segmentation network in a Python of its own that has torch; QGIS only starts it (docs/training.md)."""
+"""Train a segmentation network in a separate Python with torch (docs/how-to/train_a_network.md)."""

@@ -31,7 +31,8 @@ def keep_places(network: torch.nn.Module) -> None:
 
     With aligned corners, as segmentation_models_pytorch enlarges, a pixel's answer is drawn away from the middle of the
     tile, by up to half a pixel of the smallest map at its edges. No training can make up for that, as it differs by
-    place, and photos that a single tile shows are taken for about 1 % larger than they are (docs/training.md).
+    place, and photos that a single tile shows are taken for about 1 % larger than they are
+    (docs/how-to/train_a_network.md).
     """
     for module in network.modules():
         if hasattr(module, "align_corners"):

@@ -2,7 +2,7 @@
 
 Autopilots reckon in meters north and east of an origin. It is the middle of the map unless it is stated, so that it
 is the same after a restart; an autopilot that has none takes the one that is sent. What an image can't tell – height,
-roll, pitch – is 0 with a deviation of ``UNKNOWN``. Described in docs/tutorials/first_flight.md#mavlink.
+roll, pitch – is 0 with a deviation of ``UNKNOWN``. Described in docs/how-to/on_board.md#send-positions-to-an-autopilot.
 """
 
 from __future__ import annotations

@@ -31,7 +31,7 @@ class OnnxHeader:
         opset: Version of ONNX's own operators; 0 when it says none.
         weight_files: Names of other files that hold its weights.
         aligns_corners: Whether it enlarges anything with aligned corners: what lies off the middle of a tile is then
-            answered farther off (docs/training.md).
+            answered farther off (docs/how-to/train_a_network.md).
     """
 
     ir_version: int

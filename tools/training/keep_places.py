@@ -2,10 +2,10 @@
 
     .venv/bin/python tools/training/keep_places.py MODEL.onnx OUTPUT.onnx
 
-Networks of segmentation_models_pytorch (PAN, FPN, DeepLab and others) and of SemRef before this was mended enlarge with
-aligned corners: what lies off the middle of a tile is shown up to half a pixel of the smallest map farther off
-(docs/training.md). Half-pixel centers need no other weights: training had made up for the mean of it, which stays.
-Weights and metadata are those of MODEL; a class bias that it states has to be measured again.
+Networks of segmentation_models_pytorch (PAN, FPN, DeepLab and others) and older networks of SemRef enlarge with aligned
+corners. What is off the middle of a tile is then shown up to half a pixel of the smallest map farther off
+(docs/how-to/train_a_network.md). Half-pixel centers need no other weights, because training compensated for the mean.
+Weights and metadata are those of MODEL. If it states a class offset, measure the offset again.
 """
 
 from __future__ import annotations

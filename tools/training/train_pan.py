@@ -5,7 +5,7 @@
 The same code as semref:trainmodel (training/), which makes the tiles by itself; here all of it can be set. TILES are
 folders of exported tiles with the same classes. Beside the model a folder MODEL.training holds the curves
 (curves.csv), the best weights and what --resume needs. --test tells how good the model is on tiles of another place,
-in torch and in onnxruntime. Set-up: bash tools/training/setup_training.sh; docs/training.md explains.
+in torch and in onnxruntime. Set-up: bash tools/training/setup_training.sh; docs/how-to/train_a_network.md explains.
 """
 
 from __future__ import annotations
