@@ -1,6 +1,6 @@
 """How exactly map correlation knows a place: its own fit's spread, and the errors that all of an image shares.
 
-Told in docs/explanation/method.md#how-exactly.
+Told in docs/explanation/method.md#position-error.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What a lens that bends or a camera that is tilted does to a place that areas were compared at as if neither did.
 
-See docs/explanation/method.md#how-exactly.
+See docs/explanation/method.md#position-error.
 
 Both displace what an image shows by amounts that grow outwards, so that the level
 pose that fits best lies beside the true one. How much the image shows of either is measured by the same Gauss–Newton

@@ -23,7 +23,7 @@ that was measured shows buildings 0.4 to 0.6 m from the sun, by 0.35 m more or l
 
 @dataclass(frozen=True)
 class ErrorSettings:
-    """Settings of the covariance of a pose (docs/explanation/method.md#how-exactly).
+    """Settings of the covariance of a pose (docs/explanation/method.md#position-error).
 
     Attributes:
         map_kernels: How neighbors share a map's displacement, (length in meters, share of the variance); the rest is

@@ -1,6 +1,6 @@
 """How exactly a pose is known when errors are shared: generalized least squares on the landmarks that agree.
 
-See docs/explanation/method.md#how-exactly.
+See docs/explanation/method.md#position-error.
 
 Landmarks near each other are displaced alike, a network shifts all landmarks of a
 class, a lens bends and a tilt stretches the whole image: such errors don't average out. Each is a random effect with a

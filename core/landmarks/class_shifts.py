@@ -1,6 +1,6 @@
 """How far from where they are a prediction shows the landmarks of each class: a network's bias, and its spread.
 
-See docs/explanation/method.md#what-a-network-shifts.
+See docs/explanation/method.md#class-offset.
 
 Landmarks of two label images of one ground are paired; each piece of
 ground has the median of its pairs, and what the pieces differ by beyond chance is the bias' spread.
