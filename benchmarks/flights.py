@@ -113,7 +113,7 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
         seconds += [0.0] * (done - len(seconds))
         seconds[-1] += time.process_time() - started
         started = time.process_time()
-    ways = {"whole": solver.result.poses, "causal": solver.causal}
+    ways = {"whole": solver.poses, "causal": solver.causal}
     placed = {name: [_placed(pose, view) for pose, view in zip(poses, views)] for name, poses in ways.items()}
     return {**placed, "seconds": seconds}
 

@@ -213,7 +213,7 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
         results.append(replace(result, seen=replace(seen, pixels=None)))
         before = features
     settings = replace(FLIGHT, allowed_risk=risk)
-    poses = localize_images_of_flight(flown, links, pipeline.localizer, settings).poses
+    poses = localize_images_of_flight(flown, links, pipeline.localizer, settings)
     return [result.as_taken(pose.localization()) for result, pose in zip(results, poses)]
 
 

@@ -14,10 +14,10 @@ from ..localizer.localizer import Localizer
 from .evidence import seen_image
 from .links import links_by_image
 from .measurement import GATE, Measurement, distance, measured_near, shared_variance
-from .model import FlightImage, FlightPose, FlightResult
+from .model import FlightImage, FlightPose
 from .motion import Link
 from .pool import Pool, moved, predicted, updated
-from .reported_pose import told_pose
+from .reported_pose import report_pose
 from .settings import FLIGHT, FlightSettings
 from .smoothing import (
     Estimate,
@@ -45,7 +45,7 @@ FIRST_DEVIATIONS = (0.25, 0.2, 0.1)
 
 def localize_flight(
     images: Sequence[FlightImage], links: Sequence[Link], localizer: Localizer, settings: FlightSettings = FLIGHT
-) -> FlightResult:
+) -> tuple[FlightPose, ...]:
     """The joint answer for all images of a flight.
 
     Args:
@@ -60,7 +60,7 @@ def localize_flight(
     solver = FlightSolver(localizer, settings)
     for _ in solver.steps(images, links):
         pass
-    return solver.result
+    return solver.poses
 
 
 @dataclass
@@ -78,7 +78,7 @@ class FlightSolver:
     """Localizes a flight step by step, so that whoever runs it can tell progress and stop.
 
     Attributes:
-        result: What came of it; of no image before the steps are done.
+        poses: One for each image, in order; empty before the steps are done.
         causal: What was known image by image, from those before alone, so far.
     """
 
@@ -89,7 +89,7 @@ class FlightSolver:
             localizer: Of a database with its overview.
         """
         self.localizer, self.settings = localizer, settings
-        self.result = FlightResult(())
+        self.poses: tuple[FlightPose, ...] = ()
         self.causal: tuple[FlightPose, ...] = ()
         self._looked: list[Looked] = []
 
@@ -122,7 +122,7 @@ class FlightSolver:
             for _ in self._smoothed(images, track, poses):
                 yield len(images), len(images)
             earliest = track.last + 1
-        self.result = FlightResult(tuple(poses))
+        self.poses = tuple(poses)
 
     def _carry_back(self, images: Sequence[FlightImage], track: _Track, earliest: int) -> None:
         """Follows a track from where it was found back to where it began, and measures the images there."""
@@ -180,7 +180,7 @@ class FlightSolver:
                 kept[n] = None if measured is None else softened(measured, expected)
             estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
         for number, estimate in zip(numbers, estimates):
-            poses[number] = told_pose(images[number], number, self.localizer, estimate, track.risk, track.number)
+            poses[number] = report_pose(images[number], self.localizer, estimate, track.risk, track.number)
 
     def _estimated(
         self, looked: list[Looked], measured: list[Measurement | None], image: FlightImage, drift: float

@@ -65,7 +65,7 @@ def full_covariance(known: PoseCovariance, pixel_size: float) -> np.ndarray | No
     return full if np.isfinite(full).all() and full[0, 0] > 0 else None
 
 
-def of_own(own: Localization | None, pyramid: MapPyramid) -> Measurement | None:
+def own_measurement(own: Localization | None, pyramid: MapPyramid) -> Measurement | None:
     """The fix of an image alone."""
     if own is None or own.place is None or own.covariance is None or own.place.heading_deg is None:
         return None
@@ -167,7 +167,7 @@ def by_landmarks(
         (size / ratio, size * ratio),
     )
     found = localizer.localize_by_constellation(image.labels_hw, prior, image.biases)
-    measured = of_own(found, localizer.pyramid)
+    measured = own_measurement(found, localizer.pyramid)
     if measured is None or distance(measured, state, covariance) > GATE:
         return None
     return Measurement(measured.state, measured.covariance)
@@ -190,7 +190,7 @@ def measured_near(
         state: (4,) expected.
         covariance: (4, 4) of that.
     """
-    own = of_own(image.own, localizer.pyramid)
+    own = own_measurement(image.own, localizer.pyramid)
     if own is not None and distance(own, state, covariance) <= GATE:
         return own
     found = by_areas(image, localizer, state, covariance, settings)

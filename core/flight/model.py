@@ -1,7 +1,4 @@
-"""A flight: what goes in of each image, and what comes out.
-
-Told in docs/explanation/method.md#flights.
-"""
+"""The images of a flight and the poses that the flight gives them (docs/explanation/method.md#flights)."""
 
 from __future__ import annotations
 
@@ -19,7 +16,7 @@ from ..sentences import Sentence
 
 
 class PoseSource(str, Enum):
-    """What a pose rests on; each equals its key, the text of the column ``source``."""
+    """Basis of a pose; each member equals its key, the text of the column ``source``."""
 
     OWN = "own"
     FLIGHT = "flight"
@@ -35,11 +32,11 @@ class FlightImage:
     Attributes:
         name: Of its file.
         labels_hw: (H, W) uint8 labels of the database's class table, 0 = unknown; of a camera that looks straight down,
-            or leveled. No part of a comparison.
-        own: What was found for the image alone; None where nobody looked.
-        time_s: When it was taken, seconds from any fixed moment; None where unknown.
-        prior: What is known of it alone: heading with its range, range of pixel sizes, position with its radius.
-        biases: How its labels are shifted.
+            or leveled. Comparisons ignore them.
+        own: Localization of the image by itself; None without one.
+        time_s: Time of capture, seconds from any fixed moment; None if unknown.
+        prior: Of this image: heading with its range, range of pixel sizes, position with its radius.
+        biases: Class offsets of the labels.
     """
 
     name: str
@@ -50,13 +47,13 @@ class FlightImage:
     biases: KnownBiases = UNBIASED
 
     def __post_init__(self) -> None:
-        """Checks the labels.
+        """Check the labels.
 
         Raises:
-            ParameterError: They are no label image.
+            ParameterError: The array is not a label image.
         """
         if self.labels_hw.ndim != 2 or not self.labels_hw.size:
-            raise ParameterError("{name} is no label image: it has no pixels, or several bands.", name=self.name)
+            raise ParameterError("{name} is not a label image: it has no pixels or several bands.", name=self.name)
 
     @property
     def size_wh(self) -> tuple[int, int]:
@@ -66,24 +63,21 @@ class FlightImage:
 
 @dataclass(frozen=True)
 class FlightPose:
-    """What the whole flight says of one image.
+    """The pose that a flight gives one image. A pose without a fix has no place, covariance or track.
 
     Attributes:
-        number: Of the image in the flight, from 0.
-        status: ``FIX`` where the flight places it.
-        reason: Why it doesn't; None of a fix.
-        place: Where the image lies; None without a fix.
-        covariance: Of its pose, 95 % ellipse and radius included; None without a fix.
-        risk: Probability that the place is wrong; None where nothing was tried.
+        status: ``FIX`` if the flight places the image.
+        reason: Why the image has no fix; None for a fix.
+        place: Position, heading and pixel size of the image.
+        covariance: Of the pose, with 95 % ellipse and radius.
+        risk: Error probability; None if the flight was not compared with the map.
         source: Whether the image has a fix of its own that agrees with the flight.
         track: Number of its track, from 1; 0 without one.
-        is_outvoted: The image's own fix disagrees with the flight; the place is the flight's.
-        own: What was found for the image alone.
+        is_outvoted: The image's own fix contradicts the flight; the place is that of the flight.
+        own: Localization of the image by itself.
         size_wh: (width, height) of the image, pixels.
     """
 
-    name: str
-    number: int
     status: Status
     reason: Sentence | None = None
     place: Place | None = None
@@ -93,7 +87,6 @@ class FlightPose:
     track: int = 0
     is_outvoted: bool = False
     own: Localization | None = field(default=None, compare=False, repr=False)
-    time_s: float | None = None
     size_wh: tuple[int, int] = (0, 0)
 
     @property
@@ -108,16 +101,15 @@ class FlightPose:
 
     @property
     def error_95_m(self) -> float | None:
-        """Radius around the position that holds the true one in 95 % of fixes, map units; None without a fix."""
+        """95 % radius, m; None without a fix."""
         return None if self.covariance is None else self.covariance.radius_95
 
     def localization(self) -> Localization:
-        """The same as the result of an image, for all that shows one: rows, JSON, NMEA, the dock."""
+        """Return the pose as a localization, for rows, JSON, NMEA and the dock."""
         own = self.own or Localization(self.status, Method.AUTOMATIC)
         if self.place is None:
             return replace(own, status=self.status, reason=self.reason, confidence=None, alternatives=())
-        ground = image_corners(self.place.position, *self.place.oriented, *self.size_wh)
-        # What was matched at another place is not evidence of this one.
+        # Matches of another place are no evidence for this one.
         is_own = self.source is PoseSource.OWN
         return Localization(
             self.status,
@@ -131,49 +123,5 @@ class FlightPose:
             covariance=self.covariance,
             matches=own.matches if is_own else None,
             peaks=own.peaks if is_own else None,
-            footprint=ground,
+            footprint=image_corners(self.place.position, *self.place.oriented, *self.size_wh),
         )
-
-
-@dataclass(frozen=True)
-class Gap:
-    """Images between two tracks, or at an end, that the flight could not place.
-
-    Attributes:
-        first: Number of the first one.
-        last: Number of the last one.
-    """
-
-    first: int
-    last: int
-    reason: Sentence | None
-
-
-@dataclass(frozen=True)
-class FlightResult:
-    """What came of a flight.
-
-    Attributes:
-        poses: One for each image, in order.
-    """
-
-    poses: tuple[FlightPose, ...]
-
-    @property
-    def tracks(self) -> tuple[tuple[FlightPose, ...], ...]:
-        """The placed images of each track, in order."""
-        numbers = sorted({pose.track for pose in self.poses if pose.is_fix})
-        return tuple(tuple(p for p in self.poses if p.is_fix and p.track == number) for number in numbers)
-
-    @property
-    def gaps(self) -> tuple[Gap, ...]:
-        """Runs of images that have no place."""
-        found: list[Gap] = []
-        for pose in self.poses:
-            if pose.is_fix:
-                continue
-            if found and found[-1].last == pose.number - 1:
-                found[-1] = replace(found[-1], last=pose.number)
-            else:
-                found.append(Gap(pose.number, pose.number, pose.reason))
-        return tuple(found)

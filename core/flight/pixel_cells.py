@@ -24,7 +24,6 @@ class SharedGround:
 
     Attributes:
         corners: (N, 2) int: first column and row in the first picture of the cells that both show, with texture.
-        overlap: Share of the second picture that the first one shows.
     """
 
     def __init__(self, first: Features, second: Features, mapping: Mapping) -> None:
@@ -46,7 +45,6 @@ class SharedGround:
         shared = cv2.warpPerspective(known, self._matrix, (width, height), flags=cv2.INTER_NEAREST)
         if first.is_known_hw is not None:
             shared &= first.is_known_hw.astype(np.uint8)
-        self.overlap = _share(self._halves, mapping)
         self.corners = self._textured(shared)
 
     def _forward(self, mapping: Mapping) -> np.ndarray:
@@ -115,10 +113,3 @@ def _sums(values_hw: np.ndarray, x: np.ndarray, y: np.ndarray, edge: int) -> np.
     """(N,) sums over squares of an edge that begin at columns x and rows y."""
     total = cv2.integral(values_hw, sdepth=cv2.CV_64F)
     return total[y + edge, x + edge] - total[y, x + edge] - total[y + edge, x] + total[y, x]
-
-
-def _share(halves: tuple[np.ndarray, np.ndarray], mapping: Mapping) -> float:
-    """Share of the second picture that falls into the first."""
-    sides = np.linspace(-0.975, 0.975, 40)
-    points = np.array(np.meshgrid(sides, sides)).reshape(2, -1).T * halves[1]
-    return float((np.abs(mapping(points)) <= halves[0]).all(axis=1).mean())

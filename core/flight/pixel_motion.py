@@ -60,14 +60,12 @@ class Motion:
     Attributes:
         link: The motion; None where none was found.
         reason: Why none was found; None with a link.
-        overlap: Share of the second image that the first one shows, by the motion.
         agreeing: Cells of the overlap that agree with the motion.
         cells: Cells with texture in the overlap.
     """
 
     link: Link | None
     reason: Sentence | None = None
-    overlap: float = 0.0
     agreeing: int = 0
     cells: int = 0
 
@@ -100,9 +98,9 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
                 agreeing=agreeing,
                 cells=cells,
             )
-            return Motion(None, reason, ground.overlap, agreeing, cells)
+            return Motion(None, reason, agreeing, cells)
         mapping = found.mapping
-        motion = Motion(_link(first, second, found, agreeing / cells, numbers), None, ground.overlap, agreeing, cells)
+        motion = Motion(_link(first, second, found, agreeing / cells, numbers), None, agreeing, cells)
     return motion
 
 

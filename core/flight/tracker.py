@@ -21,7 +21,7 @@ from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
 from .pool import OWN_MOST, Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
-from .reported_pose import told_pose, unplaced
+from .reported_pose import report_pose, unplaced
 from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
 
@@ -69,6 +69,7 @@ class FlightTracker:
     Attributes:
         looked: At the latest image.
         track: Number of the latest track, from 1; 0 before the first.
+        risk: Error probability of the latest track as a whole; 1 before the first.
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
@@ -84,7 +85,7 @@ class FlightTracker:
         self._past: list[Past] = []
         self._latest: Past | None = None
         self._held: Estimate | None = None
-        self._risk = 1.0
+        self.risk = 1.0
         self._shared_m2 = 0.0
 
     def add(self, image: FlightImage, link: Link | None = None) -> FlightPose:
@@ -116,9 +117,10 @@ class FlightTracker:
 
     def state(self) -> dict[str, np.ndarray]:
         """All that the flight so far has left, as arrays by name, for ``from_state``; its size doesn't grow."""
-        arrays = {f"{name}_{field}": value for name, pool in self._pools() for field, value in vars(pool).items()}
+        pools = {"pool": self._pool, "mirror": self._mirror, "rival": self._rival}
+        arrays = {f"{name}_{field}": value for name, pool in pools.items() for field, value in vars(pool).items()}
         arrays["counts"] = np.array([STATE_VERSION, self._number, self.track, len(self._past)])
-        arrays["numbers"] = np.array([self._risk, self._shared_m2])
+        arrays["numbers"] = np.array([self.risk, self._shared_m2])
         if self._held is not None:
             arrays.update(held_mean=self._held.mean, held_covariance=self._held.covariance)
         remembered = [*self._past, *([] if self._latest is None else [self._latest])]
@@ -149,7 +151,7 @@ class FlightTracker:
                     version=version,
                     known=STATE_VERSION,
                 )
-            tracker._risk, tracker._shared_m2 = checked_array(state, "numbers", 2, above=-1e-9).tolist()
+            tracker.risk, tracker._shared_m2 = checked_array(state, "numbers", 2, above=-1e-9).tolist()
             tracker._pool, tracker._mirror, tracker._rival = (
                 _saved_pool(state, name, settings) for name in ("pool", "mirror", "rival")
             )
@@ -166,14 +168,6 @@ class FlightTracker:
         except (KeyError, ValueError, IndexError, OverflowError) as error:
             raise ParameterError("The saved state of the flight can't be read.") from error
         return tracker
-
-    @property
-    def risk(self) -> float:
-        """That the latest track is wrong as a whole; 1 before the first."""
-        return self._risk
-
-    def _pools(self) -> list[tuple[str, Pool]]:
-        return [("pool", self._pool), ("mirror", self._mirror), ("rival", self._rival)]
 
     def _begin(self) -> None:
         """Nothing is known of where the flight is."""
@@ -277,7 +271,7 @@ class FlightTracker:
         if self._held is None and not is_lost:
             risk = self._decided()
             if risk <= settings.allowed_risk:
-                self._risk, self.track = risk, self.track + 1
+                self.risk, self.track = risk, self.track + 1
                 found = replace(self._start(image, seen), link=link)
                 self._held = found.estimate
         self.looked = found
@@ -294,9 +288,9 @@ class FlightTracker:
     def _risk_now(self) -> float:
         """Risk of the track that is held. Where own fixes contest it, the past counts no more than one of them."""
         if not len(self._rival):
-            return self._risk
-        odds = min(log_odds_of(self._risk), OWN_MOST)
-        return max(self._risk, risk_of(odds - self.settings.risk_curve[1] * float(self._rival.totals[0])))
+            return self.risk
+        odds = min(log_odds_of(self.risk), OWN_MOST)
+        return max(self.risk, risk_of(odds - self.settings.risk_curve[1] * float(self._rival.totals[0])))
 
     def _decided(self) -> float:
         """Risk of the best hypothesis, against the best other one and that of the mirrored flight."""
@@ -356,8 +350,8 @@ class FlightTracker:
                 allowed=allowed,
             )
             status = Status.AMBIGUOUS if len(self._pool) > 1 else Status.NO_MATCH
-            return unplaced(image, self._number, reason, status)
-        return told_pose(image, self._number, self.localizer, held, risk, self.track)
+            return unplaced(image, reason, status)
+        return report_pose(image, self.localizer, held, risk, self.track)
 
 
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:

@@ -14,7 +14,7 @@ from ..flight.table import stem_of
 from ..flight.telemetry import Telemetry, log_cameras, log_links
 from ..geometry.camera import Camera
 from ..labels.photo_camera import photo_camera
-from .log import say
+from .log import log_event
 from .logs import GrowingLog, is_growing_log
 from .tables import TableOfImages
 
@@ -101,5 +101,5 @@ def opened_cameras(table: str | None, log: str | None, is_ended: bool, is_strict
     except ParameterError as error:
         if is_strict:
             raise
-        say(logging.ERROR, "log_not_used", reason=str(error))
+        log_event(logging.ERROR, "log_not_used", reason=str(error))
     return cameras

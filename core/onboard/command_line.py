@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 import contextlib
 import logging
-import math
 import os
 import sys
 from dataclasses import replace
-from typing import Any
+from itertools import product
+from typing import Any, Callable
 
 import cv2
 
@@ -29,10 +29,10 @@ from .cameras import opened_cameras
 from .flight import FlightFinding
 from .format import OnboardDatabase
 from .image_records import ERROR, FinderSettings, label_reader
-from .log import json_line, say, start_log
+from .log import json_line, log_event, start_log
 from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
 from .read import read_onboard
-from .sinks import is_udp, udp_port
+from .sinks import check_sink
 from .state_file import StateFile
 from .tables import opened_odometry
 from .watch import watch
@@ -47,10 +47,10 @@ FARTHEST = 1e9
 """Map coordinates and radii beyond are no place on Earth, in any unit of a map."""
 
 _EXIT_CODES = f"""exit codes:
-  {ALL_FIXED}  every image has a fix (watch: it was ended)
-  {SOME_WITHOUT_FIX}  an image has none, its reason is told
+  {ALL_FIXED}  every image has a fix (watch: it was ended by Ctrl+C)
+  {SOME_WITHOUT_FIX}  at least one image has no fix; the output states the reason
   {WRONG_USAGE}  the command line is wrong
-  {REFUSED}  a file could not be used, an image not be read, a result not be written, or the program has a fault
+  {REFUSED}  a file or image can't be used, a result can't be written, or the program failed
   {INTERRUPTED}  localize was ended by Ctrl+C"""
 
 _EXAMPLES = """examples:
@@ -63,102 +63,74 @@ _EXAMPLES = """examples:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs one command; gives its exit code."""
-    options = _parser().parse_args(arguments)
+    """Run one command and return its exit code; a wrong command line ends the program as argparse does."""
+    parser = _parser()
+    options = parser.parse_args(arguments)
+    if problem := _problem(options):
+        parser.error(problem)
     start_log(options.log_level)
-    try:
-        _check_values(options)
-    except ParameterError as error:
-        return _ended(options, str(error), WRONG_USAGE)
     try:
         return options.command(options)
     except SemRefError as error:
-        return _ended(options, str(error), REFUSED)
+        return _refuse(options, str(error))
     except KeyboardInterrupt:
         return ALL_FIXED if options.name == "watch" else INTERRUPTED
     except Exception as error:
-        # Python itself would end with 1, which means “no fix”.
-        say(logging.ERROR, "fault", traceback=True)
-        return _ended(options, f"{type(error).__name__}: {error}", REFUSED)
+        # Python itself would end with 1, which means "no fix".
+        log_event(logging.ERROR, "fault", traceback=True)
+        return _refuse(options, f"{type(error).__name__}: {error}")
 
 
-def _ended(options: argparse.Namespace, sentence: str, code: int) -> int:
-    """Says why a command ends; gives the exit code."""
+def _refuse(options: argparse.Namespace, reason: str) -> int:
+    """Print why a command ends and return the exit code."""
     # A closed or full stderr must not change the exit code.
     with contextlib.suppress(OSError):
-        print(f"{options.name}: {sentence}", file=sys.stderr, flush=True)
-    return code
+        print(f"{options.name}: {reason}", file=sys.stderr, flush=True)
+    return REFUSED
 
 
-def _check_values(options: argparse.Namespace) -> None:
-    """Refuses values of options that are out of range, before any work; raises ParameterError."""
-    threads, near = getattr(options, "threads", 1), getattr(options, "near", None)
-    if not 1 <= threads <= limits.THREADS:
-        raise ParameterError(
-            "--threads is {threads}; it must be from 1 to {most}.", threads=threads, most=limits.THREADS
-        )
-    if near and not all(math.isfinite(value) and abs(value) <= FARTHEST for value in near):
-        raise ParameterError(
-            "--near is {near}; it must be three numbers up to {most:g}.",
-            near=" ".join(f"{value:g}" for value in near),
-            most=FARTHEST,
-        )
-    risk = getattr(options, "risk", RISK)
-    if not LEAST_RISK <= risk <= limits.RISK:
-        raise ParameterError(
-            "--risk is {risk:g}; it must be a probability from {least:g} to {most:g}.",
-            risk=risk,
-            least=LEAST_RISK,
-            most=limits.RISK,
-        )
-    sun = getattr(options, "sun", None)
-    if sun is not None and not 0 <= sun <= 360:
-        raise ParameterError("--sun is {sun:g}; it must be a direction from 0 to 360 degrees.", sun=sun)
+def _problem(options: argparse.Namespace) -> str | None:
+    """Return what is wrong with options that are right one by one; None when nothing is."""
+    near, origin = getattr(options, "near", None), getattr(options, "mavlink_origin", None)
     if near and not near[2] > 0:
-        raise ParameterError("The radius of --near is {radius:g}; it must be more than 0 map units.", radius=near[2])
-    for where in (getattr(options, "fixes", None), getattr(options, "gga", None)):
-        if is_udp(where):
-            udp_port(str(where))
-    _check_apart(options)
-    if getattr(options, "mavlink", None):
-        _check_mavlink(options)
+        return f"argument --near: the radius is {near[2]:g}; it must be more than 0 m"
+    if origin and not abs(origin[0]) <= 90:
+        return f"argument --mavlink-origin: the latitude is {origin[0]:g}; it must be from -90 to 90 degrees"
+    for name in ("state", "odometry"):
+        if getattr(options, name, None) and not options.flight:
+            return f"argument --{name}: it needs --flight"
+    read = ("database", "model", "require_signature", "cameras", "flight_log", "odometry")
+    written = ("state", "fixes", "gga")
+    inputs, outputs = ([getattr(options, name, None) for name in names] for names in (read, written))
+    for output, path in product(outputs, inputs):
+        if output and path and os.path.exists(output) and os.path.exists(path) and os.path.samefile(output, path):
+            return f"{output} is an input of this command; write to another file"
+    return None
 
 
-def _check_apart(options: argparse.Namespace) -> None:
-    """Refuses to write into a file that is read; raises ParameterError."""
-    names = ("database", "model", "require_signature", "cameras", "flight_log", "odometry")
-    read = [getattr(options, name, None) for name in names]
-    for where in (getattr(options, name, None) for name in ("state", "fixes", "gga")):
-        for path in read:
-            if where and path and os.path.exists(where) and os.path.exists(path) and os.path.samefile(where, path):
-                raise ParameterError(
-                    "{where} can't be written: {reason}; choose another place.",
-                    where=where,
-                    reason="it is read as well",
-                )
+def _number(least: float, most: float, kind: type = float) -> Callable[[str], float]:
+    """Return an argparse type: a number from ``least`` to ``most``, both included."""
+
+    def number(text: str) -> float:
+        value = kind(text)
+        if not least <= value <= most:
+            raise argparse.ArgumentTypeError(f"{text} is not a number from {least:g} to {most:g}")
+        return value
+
+    return number
 
 
-def _check_mavlink(options: argparse.Namespace) -> None:
-    """Refuses what can't be said to an autopilot; raises ParameterError."""
-    check_place(options.mavlink)
-    if not 1 <= options.mavlink_system <= limits.SYSTEMS:
-        raise ParameterError(
-            "--mavlink-system is {system}; it must be from 1 to {most}.",
-            system=options.mavlink_system,
-            most=limits.SYSTEMS,
-        )
-    if options.mavlink_origin is not None:
-        latitude, longitude = options.mavlink_origin
-        if not (abs(latitude) <= 90 and abs(longitude) <= 180):
-            raise ParameterError(
-                "--mavlink-origin is {latitude:g} {longitude:g}; it must be a latitude and a longitude in degrees.",
-                latitude=latitude,
-                longitude=longitude,
-            )
-    if not abs(options.camera_yaw) <= 360:
-        raise ParameterError(
-            "--camera-yaw is {yaw:g}; it must be an angle of at most 360 degrees.", yaw=options.camera_yaw
-        )
+def _place(check: Callable[[str], object]) -> Callable[[str], str]:
+    """Return an argparse type: a text that ``check`` accepts, which raises ParameterError for any other."""
+
+    def place(text: str) -> str:
+        try:
+            check(text)
+        except ParameterError as error:
+            raise argparse.ArgumentTypeError(str(error)) from None
+        return text
+
+    return place
 
 
 def _write(text: str) -> None:
@@ -177,79 +149,90 @@ def _parser() -> argparse.ArgumentParser:
     program = "python -m core" if os.path.basename(sys.argv[0]) == "__main__.py" else "semref"
     parser = argparse.ArgumentParser(
         prog=program,
-        description="Finds where aerial images were taken, with a file made by SemRef's “Export for onboard use”.",
+        description="Find where aerial images were taken. Needs a file made by “Export for onboard use” of SemRef.",
         epilog=_EXAMPLES.format(program=program) + _EXIT_CODES,
         formatter_class=raw,
     )
     commands = parser.add_subparsers(dest="name", required=True, metavar="command")
-    info = commands.add_parser("info", help="what an onboard file holds", epilog=_EXIT_CODES, formatter_class=raw)
+    info = commands.add_parser(
+        "info", help="show what an onboard file contains", epilog=_EXIT_CODES, formatter_class=raw
+    )
     info.add_argument("database", metavar="DATABASE", help="onboard file (.npz)")
-    info.add_argument("--json", action="store_true", help="as JSON")
+    info.add_argument("--json", action="store_true", help="write JSON")
     info.set_defaults(command=_info)
     localize = commands.add_parser("localize", help="localize images", epilog=_EXIT_CODES, formatter_class=raw)
-    localize.add_argument("images", nargs="+", metavar="IMAGE", help="image, or folder with images")
-    localize.add_argument("--json", action="store_true", help="one JSON object a line and image")
+    localize.add_argument("images", nargs="+", metavar="IMAGE", help="image, or folder of images")
+    localize.add_argument("--json", action="store_true", help="write one line of JSON for each image")
     localize.set_defaults(command=_localize)
     watch = commands.add_parser(
-        "watch", help="localize the images of a folder as they come", epilog=_EXIT_CODES, formatter_class=raw
+        "watch", help="localize images when they arrive in a folder", epilog=_EXIT_CODES, formatter_class=raw
     )
-    watch.add_argument("folder", metavar="FOLDER", help="folder that images are written into")
-    where = "a file to append to, “-” for stdout, or udp:PORT on this computer (127.0.0.1)"
-    watch.add_argument("--fixes", metavar="WHERE", default="-", help=f"JSON lines: {where} (default: stdout)")
-    watch.add_argument("--gga", metavar="WHERE", help=f"NMEA GGA sentences: {where}")
-    _add_mavlink(watch)
-    text = "the images are of one flight: each gets the best estimate of all up to it"
-    watch.add_argument("--flight", action="store_true", help=text)
-    text = "with --flight: keeps the flight in this file and goes on from it after a restart"
-    watch.add_argument("--state", metavar="FILE", help=text)
-    text = "with --flight: motion from image to image (CSV); it may grow, a line an image"
-    watch.add_argument("--odometry", metavar="TABLE", help=text)
-    watch.add_argument("--once", action="store_true", help="end when the images that are there are done")
+    _add_watch(watch)
     watch.set_defaults(command=_watch)
     for command in (localize, watch):
-        command.add_argument("--database", required=True, help="onboard file (.npz)")
-        command.add_argument("--model", help="segmentation network (.onnx): the images are photos, not label images")
-        names = [_option(method) for method in Method]
-        command.add_argument("--method", choices=names, default=names[0], help=f"default: {names[0]}")
-        near = ("X", "Y", "RADIUS")
-        _add_cameras(command)
-        command.add_argument("--near", nargs=3, type=float, metavar=near, help="search there only, map units")
-        risk = f"probability of being wrong up to which a place is a fix (default: {RISK:g}, once in {1 / RISK:,.0f})"
-        command.add_argument("--risk", type=float, default=RISK, help=risk)
-        sun = "direction of the sun, degrees clockwise from grid north: biases of the model turn with it"
-        command.add_argument("--sun", type=float, metavar="DEG", help=sun)
-        command.add_argument("--threads", type=int, default=1, help="for OpenCV and the network (default: 1)")
-        text = f"what the network runs on (default: {AUTO}, the first that is there and starts)"
-        command.add_argument("--device", choices=KEYS, default=AUTO, help=text)
+        _add_localization(command)
     for command in (info, localize, watch):
-        text = "take DATABASE only if it was signed with this key when it was exported"
+        text = "use DATABASE only if it was signed with this key at the export"
         command.add_argument("--require-signature", metavar="KEYFILE", help=text)
         levels = ("debug", "info", "warning", "error")
-        text = "least severe of the JSON lines of the log on stderr (default: warning)"
+        text = "least severe level of the log, which is JSON lines on stderr (default: warning)"
         command.add_argument("--log-level", choices=levels, default="warning", help=text)
     return parser
 
 
-def _add_cameras(command: argparse.ArgumentParser) -> None:
-    text = "camera table (CSV) of roll, pitch, lens, height, heading; with watch it may grow, a line an image"
+def _add_localization(command: argparse.ArgumentParser) -> None:
+    """Add the options of ``localize`` and ``watch``."""
+    command.add_argument("--database", required=True, help="onboard file (.npz)")
+    command.add_argument("--model", help="network (.onnx) for photos; without it, the images are label images")
+    names = [_option(method) for method in Method]
+    command.add_argument("--method", choices=names, default=names[0], help=f"localization method (default: {names[0]})")
+    text = "camera table (CSV): roll, pitch, lens, height, heading; watch reads rows added during the flight"
     command.add_argument("--cameras", metavar="TABLE", help=text)
     text = (
-        "log of the flight (.bin, .ulg, .tlog, .SRT, geo.txt): heading, height, attitude, speed; "
-        "with watch a .tlog may grow, others are read at the start"
+        "flight log (.bin, .ulg, .tlog, .SRT, geo.txt): heading, height, attitude, speed; "
+        "watch follows a growing .tlog and reads other logs once"
     )
     command.add_argument("--flight-log", metavar="FILE", help=text)
+    number, near = _number(-FARTHEST, FARTHEST), ("X", "Y", "RADIUS")
+    command.add_argument("--near", nargs=3, type=number, metavar=near, help="search area: map coordinates and m")
+    number = _number(LEAST_RISK, limits.RISK)
+    text = f"maximum error probability of a fix (default: {RISK:g}, 1 in {1 / RISK:,.0f})"
+    command.add_argument("--risk", type=number, default=RISK, help=text)
+    text = "direction of the sun, degrees clockwise from grid north; for a model whose class offsets turn with it"
+    command.add_argument("--sun", type=_number(0, 360), metavar="DEG", help=text)
+    number, text = _number(1, limits.THREADS, int), "threads of OpenCV and the network (default: 1)"
+    command.add_argument("--threads", type=number, default=1, metavar="N", help=text)
+    text = f"device of the network (default: {AUTO}, the first one that works)"
+    command.add_argument("--device", choices=KEYS, default=AUTO, help=text)
 
 
-def _add_mavlink(watch: argparse.ArgumentParser) -> None:
+def _add_watch(watch: argparse.ArgumentParser) -> None:
+    """Add the options of ``watch`` alone."""
+    watch.add_argument("folder", metavar="FOLDER", help="folder where the camera stores images")
+    where = "a file to append to, “-” for stdout, or udp:PORT on this computer (127.0.0.1)"
+    place, text = _place(check_sink), f"JSON lines: {where} (default: stdout)"
+    watch.add_argument(
+        "--fixes", type=place, metavar="WHERE", default="-", help=f"JSON lines: {where} (default: stdout)"
+    )
+    watch.add_argument("--gga", type=place, metavar="WHERE", help=f"NMEA GGA sentences: {where}")
     where = "udp:PORT of this computer, udp:HOST:PORT, or serial:DEVICE[:BAUD]"
-    watch.add_argument("--mavlink", metavar="WHERE", help=f"positions for an autopilot (needs pymavlink): {where}")
-    text = f"message that a position is sent as (default: {MESSAGES[0]})"
+    text = f"positions for an autopilot (needs pymavlink): {where}"
+    watch.add_argument("--mavlink", type=_place(check_place), metavar="WHERE", help=text)
+    text = f"MAVLink message of a position (default: {MESSAGES[0]})"
     watch.add_argument("--mavlink-as", choices=MESSAGES, default=MESSAGES[0], help=text)
-    watch.add_argument("--mavlink-system", type=int, default=1, metavar="N", help="number of the aircraft (default: 1)")
-    text = "the autopilot's own origin, degrees; without it, it is told the middle of the map"
-    watch.add_argument("--mavlink-origin", nargs=2, type=float, metavar=("LAT", "LON"), help=text)
-    text = "where the image's top points to, degrees clockwise from the aircraft's nose (default: 0)"
-    watch.add_argument("--camera-yaw", type=float, default=0.0, metavar="DEG", help=text)
+    number, text = _number(1, limits.SYSTEMS, int), "system number of the aircraft (default: 1)"
+    watch.add_argument("--mavlink-system", type=number, default=1, metavar="N", help=text)
+    text = "origin of the autopilot, degrees; without it, the autopilot receives the center of the map as its origin"
+    watch.add_argument("--mavlink-origin", nargs=2, type=_number(-180, 180), metavar=("LAT", "LON"), help=text)
+    text = "direction of the image's top, degrees clockwise from the aircraft's nose (default: 0)"
+    watch.add_argument("--camera-yaw", type=_number(-360, 360), default=0.0, metavar="DEG", help=text)
+    text = "treat the images as one flight: each fix uses all images up to it"
+    watch.add_argument("--flight", action="store_true", help=text)
+    text = "with --flight: store the flight in this file and continue it after a restart"
+    watch.add_argument("--state", metavar="FILE", help=text)
+    text = "with --flight: motion from image to image (CSV); rows may be added during the flight"
+    watch.add_argument("--odometry", metavar="TABLE", help=text)
+    watch.add_argument("--once", action="store_true", help="localize the images in the folder, then end")
 
 
 def _option(method: Method) -> str:
@@ -335,7 +318,7 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> FinderSet
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
-    say(
+    log_event(
         logging.INFO,
         "ready",
         database=options.database,
@@ -385,10 +368,6 @@ def _watch(options: argparse.Namespace) -> int:
     is_restart = _is_restart(options)
     find: FinderSettings = _finding(options, onboard)
     after = None
-    if options.state and not options.flight:
-        raise ParameterError("Only of a flight is a state kept: add --flight, or leave --state out.")
-    if options.odometry and not options.flight:
-        raise ParameterError("Only of a flight is motion told: add --flight, or leave --odometry out.")
     if options.flight:
         if not find.pipeline.localizer.has_overview:
             raise DatabaseError(

@@ -29,7 +29,7 @@ from ..pipeline import ImageResult
 from ..values import checked, read_json
 from .format import export_date
 from .image_records import FinderSettings, time_of
-from .log import say
+from .log import log_event
 from .state_file import StateFile
 from .tables import OdometryTable
 
@@ -85,9 +85,9 @@ class FlightFinding(FinderSettings):
             return None
         try:
             tracker = self._resume(self.state)
-            say(logging.INFO, "flight_resumed", state=self.state.path, track=tracker.track)
+            log_event(logging.INFO, "flight_resumed", state=self.state.path, track=tracker.track)
         except (ParameterError, OSError) as error:
-            say(logging.ERROR, "flight_state_not_used", state=self.state.path, reason=str(error))
+            log_event(logging.ERROR, "flight_state_not_used", state=self.state.path, reason=str(error))
         return self.memory.after
 
     def localized(self, path: str) -> dict[str, Any]:
@@ -131,7 +131,7 @@ class FlightFinding(FinderSettings):
             motion = motion_between(seen_before, features)
             link = motion.link
             if link is None:
-                say(logging.INFO, "no_link", reason=None if motion.reason is None else str(motion.reason))
+                log_event(logging.INFO, "no_link", reason=None if motion.reason is None else str(motion.reason))
         return link or self.cameras.link((before, memory.taken_s), (now, taken_s))
 
     # --- the state ---
@@ -166,7 +166,7 @@ class FlightFinding(FinderSettings):
             memory.is_kept = True
         except OSError as error:
             if memory.is_kept:
-                say(logging.ERROR, "state_not_kept", state=self.state.path, reason=reason_of(error))
+                log_event(logging.ERROR, "state_not_kept", state=self.state.path, reason=reason_of(error))
             memory.is_kept = False
 
     def _resume(self, state: StateFile) -> FlightTracker:
@@ -205,7 +205,7 @@ class FlightFinding(FinderSettings):
         if newest is None or (used is not None and used >= newest):
             return
         self.memory.newest = newest
-        say(
+        log_event(
             logging.WARNING,
             "older_database",
             database=self.onboard.database.source,

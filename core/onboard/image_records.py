@@ -23,7 +23,7 @@ from ..segmentation.devices import AUTO
 from ..sentences import english
 from .cameras import Cameras
 from .format import OnboardDatabase
-from .log import say
+from .log import log_event
 
 ERROR = "error"
 """Status of an image that could not be read, as in the plugin."""
@@ -51,8 +51,8 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
 
     model = SegmentationModel(model_path, threads, device=device)
     for fallback in model.fallbacks:
-        say(logging.WARNING, "device", reason=english(fallback))
-    say(logging.INFO, "model", model=model_path, device=model.device.title)
+        log_event(logging.WARNING, "device", reason=english(fallback))
+    log_event(logging.INFO, "model", model=model_path, device=model.device.title)
     return PhotoReader(model, table)
 
 
@@ -97,11 +97,11 @@ class FinderSettings:
             found.update(status=ERROR, reason=str(error))
         except Exception as error:
             # A fault of the program stops no other either; the log tells it with its traceback.
-            say(logging.ERROR, "fault", traceback=True, image=path)
+            log_event(logging.ERROR, "fault", traceback=True, image=path)
             found.update(status=ERROR, reason=f"{type(error).__name__}: {error}")
         level = logging.WARNING if found["status"] == ERROR else logging.INFO
         seconds = round(time.perf_counter() - started, 3)
-        say(level, "image", image=path, status=found["status"], reason=found["reason"], seconds=seconds)
+        log_event(level, "image", image=path, status=found["status"], reason=found["reason"], seconds=seconds)
         return found
 
 

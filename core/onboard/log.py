@@ -19,7 +19,7 @@ def start_log(level: str) -> None:
     _LOG.setLevel(level.upper())
 
 
-def say(level: int, event: str, traceback: bool = False, **details: object) -> None:
+def log_event(level: int, event: str, traceback: bool = False, **details: object) -> None:
     """Writes one line.
 
     Args:

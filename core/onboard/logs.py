@@ -16,7 +16,7 @@ from ..flight.logs.mavlink import TlogReader, is_tlog
 from ..flight.table import bytes_of
 from ..flight.telemetry import MOST_GAP_S, Telemetry
 from ..labels.image_files import open_at_once
-from .log import say
+from .log import log_event
 from .tables import LOOK_EVERY_S, ROW_WITHIN_S
 
 _PIECE_BYTES = 4 << 20
@@ -79,7 +79,7 @@ class GrowingLog:
             self._fails = False
         except OSError as error:
             if not self._fails:
-                say(logging.ERROR, "log_fails", path=self.path, reason=reason_of(error))
+                log_event(logging.ERROR, "log_fails", path=self.path, reason=reason_of(error))
             self._fails = True
 
 

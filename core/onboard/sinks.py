@@ -13,7 +13,7 @@ import sys
 from typing import Callable
 
 from ..errors import ParameterError, reason_of
-from .log import say
+from .log import log_event
 
 LOOPBACK = "127.0.0.1"
 
@@ -44,11 +44,11 @@ class Sink:
         except OSError as error:
             self.lost += 1
             if not self._fails:
-                say(logging.ERROR, "sink_fails", where=self.where, reason=reason_of(error))
+                log_event(logging.ERROR, "sink_fails", where=self.where, reason=reason_of(error))
             self._fails = True
         else:
             if self._fails:
-                say(logging.ERROR, "sink_works_again", where=self.where, lost=self.lost)
+                log_event(logging.ERROR, "sink_works_again", where=self.where, lost=self.lost)
             self._fails = False
 
     def close(self) -> None:
@@ -110,7 +110,7 @@ def _ends_within_a_line(where: str) -> bool:
 class _UdpPort(Sink):
     def __init__(self, where: str) -> None:
         super().__init__(where)
-        self._port = udp_port(where)
+        self._port = _udp_port(where)
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
 
     def _take(self, line: str) -> None:
@@ -130,16 +130,17 @@ def opened(where: str | None) -> Sink:
         return Sink("nowhere")
     if where == "-":
         return _StandardOutput("stdout")
-    return _UdpPort(where) if is_udp(where) else _File(where)
+    return _UdpPort(where) if where.startswith(_UDP) else _File(where)
 
 
-def is_udp(where: str | None) -> bool:
-    """Whether a place is meant as a UDP port."""
-    return where is not None and where.startswith(_UDP)
+def check_sink(where: str) -> None:
+    """Raise ParameterError for ``udp:`` without a port number."""
+    if where.startswith(_UDP):
+        _udp_port(where)
 
 
-def udp_port(where: str) -> int:
-    """The number in ``udp:PORT``; raises ParameterError when there is none from 1 to 65535."""
+def _udp_port(where: str) -> int:
+    """Return the number in ``udp:PORT``; raises ParameterError when it is not from 1 to 65535."""
     text = where[len(_UDP) :]
     if not text.isdecimal() or len(text) > 5 or not 0 < int(text) < 65_536:
         raise ParameterError(

@@ -15,7 +15,7 @@ from ..flight.growing import GrowingTable
 from ..flight.motion import Link
 from ..flight.odometry import OdometryRow, check_odometry, link_over, step_of
 from ..flight.table import Check, Row, image_of
-from .log import say
+from .log import log_event
 
 ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05
 """A row may be written so much later than its image, while it is looked for every so often."""
@@ -77,7 +77,7 @@ class TableOfImages(Generic[Told]):
             if is_strict:
                 raise
             if not self._fails:
-                say(logging.ERROR, "table_fails", reason=str(error))
+                log_event(logging.ERROR, "table_fails", reason=str(error))
             self._fails = True
 
     def _take(self, row: Row | ParameterError, is_strict: bool) -> None:
@@ -100,7 +100,7 @@ class TableOfImages(Generic[Told]):
         except ParameterError as error:
             if is_strict:
                 raise
-            say(logging.ERROR, "table_line_left_out", reason=str(error))
+            log_event(logging.ERROR, "table_line_left_out", reason=str(error))
             # What comes next starts from a place that nobody knows.
             self._is_cut = True
             return

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Callable
 from ..errors import ParameterError, reason_of
 from ..labels.image_files import is_image_name
 from ..localizer.record import gga_sentence
-from .log import json_line, say
+from .log import json_line, log_event
 from .sinks import opened
 
 if TYPE_CHECKING:
@@ -97,12 +97,12 @@ def arriving(folder: str, once: bool, after: tuple[int, str] | None = None) -> I
                     reason=reason_of(error),
                 ) from None
             if not gone:
-                say(logging.ERROR, "folder_gone", folder=folder, reason=reason_of(error))
+                log_event(logging.ERROR, "folder_gone", folder=folder, reason=reason_of(error))
             gone, before = True, {}
             time.sleep(LOOK_EVERY_S)
             continue
         if gone:
-            say(logging.ERROR, "folder_back", folder=folder)
+            log_event(logging.ERROR, "folder_back", folder=folder)
             gone = False
         if after is not None:
             done = {path: state for path, state in now.items() if (state[0], os.path.basename(path)) <= after}
@@ -136,7 +136,7 @@ def _images_in(folder: str) -> dict[str, State]:
                 state = entry.stat() if entry.is_file() else None
             except OSError as error:
                 # Removed between being listed and being looked at, a link to itself, no right to look.
-                say(logging.DEBUG, "left_out", path=entry.path, reason=reason_of(error))
+                log_event(logging.DEBUG, "left_out", path=entry.path, reason=reason_of(error))
                 continue
             if state is not None:
                 found[entry.path] = (state.st_mtime_ns, state.st_size)

@@ -254,7 +254,7 @@ class LocalizeFlight(LocalizeAlgorithm):
         for done, count in interruptible(solver.steps(reader.flown, links), feedback):
             check_canceled(feedback)
             feedback.setProgress(READ_PERCENT + (JOINED_PERCENT - READ_PERCENT) * done / count)
-        found = iter(solver.result.poses)
+        found = iter(solver.poses)
         return [localized_of(taken, None if taken.flown is None else next(found)) for taken in reader.taken]
 
     def _with_jumps(

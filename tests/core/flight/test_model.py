@@ -1,10 +1,10 @@
-"""What comes out of a flight: poses, tracks, gaps."""
+"""Poses of a flight."""
 
 import numpy as np
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.flight.model import FlightImage, FlightPose, FlightResult, Gap, PoseSource
+from semref.core.flight.model import FlightImage, FlightPose, PoseSource
 from semref.core.geometry.pose import PoseCovariance
 from semref.core.localization import Localization, Method, Place, Status
 from semref.core.sentences import Sentence
@@ -12,25 +12,11 @@ from semref.core.sentences import Sentence
 LOST = Sentence("No place on the map has triangles like the image's.")
 
 
-def pose(number, track=0, **values):
-    if not track:
-        return FlightPose(str(number), number, Status.NO_MATCH, LOST)
-    place = Place((10.0 * number, 0.0), 90.0, 0.5)
-    known = PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 1.0, 0.01, radius_95=2.45)
-    return FlightPose(
-        str(number), number, Status.FIX, None, place, known, 0.01, track=track, size_wh=(100, 80), **values
-    )
-
-
-def test_tracks_are_the_placed_images_and_gaps_the_others():
-    result = FlightResult((pose(0), pose(1), pose(2, 1), pose(3), pose(4, 2), pose(5, 2)))
-    assert [[p.number for p in track] for track in result.tracks] == [[2], [4, 5]]
-    assert result.gaps == (Gap(0, 1, LOST), Gap(3, 3, LOST))
-
-
 def test_a_pose_is_told_like_the_result_of_an_image():
     own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0))
-    told = pose(3, 1, source=PoseSource.FLIGHT, own=own, is_outvoted=True).localization()
+    place, known = Place((30.0, 0.0), 90.0, 0.5), PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 1.0, 0.01, radius_95=2.45)
+    pose = FlightPose(Status.FIX, None, place, known, 0.01, PoseSource.FLIGHT, 1, True, own, (100, 80))
+    told = pose.localization()
     assert told.position == (30.0, 0.0)
     assert (told.confidence, told.error_95_m) == (pytest.approx(0.99), 2.45)
     assert told.footprint.mean(axis=0) == pytest.approx((30.0, 0.0))
@@ -39,7 +25,7 @@ def test_a_pose_is_told_like_the_result_of_an_image():
 
 def test_an_own_fix_that_the_flight_does_not_take_is_no_fix():
     own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0), confidence=1.0)
-    told = FlightPose("a", 0, Status.NO_MATCH, LOST, own=own).localization()
+    told = FlightPose(Status.NO_MATCH, LOST, own=own).localization()
     assert not told.is_fix and told.confidence is None and told.reason == LOST
 
 

@@ -1,35 +1,35 @@
-"""What is told of an image's estimate."""
+"""Poses that a flight reports."""
 
 import numpy as np
 import pytest
 
-from semref.core.flight.reported_pose import chance_off, told_pose
+from semref.core.flight.reported_pose import report_pose, tail_probability
 from semref.core.flight.smoothing import Estimate
 from semref.core.localization import LEAST_RISK
 
 
-def told(flown, localizer, sigma_m, risk=1e-6):
+def reported(flown, localizer, sigma_m, risk=1e-6):
     state = np.array([420.0, -700.0, 1.0, np.log(3.0), 0.0, 0.0, 0.0, 0.0])
     known = np.diag([sigma_m**2, sigma_m**2, 1e-4, 1e-4, 1.0, 1.0, 1e-4, 1e-4])
-    return told_pose(flown.images[2], 2, localizer, Estimate(state, known), risk, 1)
+    return report_pose(flown.images[2], localizer, Estimate(state, known), risk, 1)
 
 
 def test_the_risk_of_a_pose_is_its_tracks_or_that_of_lying_off_alone(flown, localizer):
-    exact, loose = told(flown, localizer, 0.05), told(flown, localizer, 12.0)
+    exact, loose = reported(flown, localizer, 0.05), reported(flown, localizer, 12.0)
     assert exact.risk == pytest.approx(1e-6, rel=0.5) and loose.risk > 0.05
-    assert told(flown, localizer, 0.05, risk=0.0).risk >= LEAST_RISK
+    assert reported(flown, localizer, 0.05, risk=0.0).risk >= LEAST_RISK
     assert loose.is_fix and loose.track == 1
 
 
 def test_a_pose_that_could_as_well_lie_beside_its_image_is_none(flown, localizer):
-    lost = told(flown, localizer, 120.0)
+    lost = reported(flown, localizer, 120.0)
     assert not lost.is_fix and lost.place is None and lost.track == 0
-    assert "known to 294 m only, and it shows 288 m" in str(lost.reason)
+    assert "95 % radius of this image (294 m) is too large for its footprint width (288 m)" in str(lost.reason)
 
 
 def test_the_chance_of_lying_off_has_the_tails_of_measurements():
     known = np.diag([4.0, 1.0, 1.0, 1.0])
-    assert chance_off(known, 0.0) == 1.0
-    assert chance_off(known, 20.0) == pytest.approx((1 + 100 / 4) ** -2)
+    assert tail_probability(known, 0.0) == 1.0
+    assert tail_probability(known, 20.0) == pytest.approx((1 + 100 / 4) ** -2)
     drawn = np.random.default_rng(1).standard_t(4, (200_000, 2))
-    assert (np.abs(drawn[:, 0]) > 6).mean() < chance_off(np.eye(4), 6.0) < 0.02
+    assert (np.abs(drawn[:, 0]) > 6).mean() < tail_probability(np.eye(4), 6.0) < 0.02

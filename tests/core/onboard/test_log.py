@@ -8,7 +8,7 @@ from datetime import datetime
 
 import pytest
 
-from semref.core.onboard.log import json_line, say, start_log
+from semref.core.onboard.log import json_line, log_event, start_log
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def lines(capsys):
 
 def test_a_line_tells_time_level_event_and_details(lines):
     written = lines("info")
-    say(logging.WARNING, "image failed", path="a.png", tries=2)
+    log_event(logging.WARNING, "image failed", path="a.png", tries=2)
     (line,) = written()
     assert datetime.fromisoformat(line.pop("time")).utcoffset().total_seconds() == 0
     assert line == {"level": "warning", "event": "image failed", "path": "a.png", "tries": 2}
@@ -38,7 +38,7 @@ def test_the_traceback_of_an_error_is_told_where_asked(lines):
     try:
         raise ValueError("no such thing")
     except ValueError:
-        say(logging.ERROR, "bug", traceback=True)
+        log_event(logging.ERROR, "bug", traceback=True)
     (line,) = written()
     assert line["traceback"].endswith("ValueError: no such thing")
 

@@ -224,14 +224,16 @@ def test_watch_tells_an_autopilot_where_it_is(database, autopilot, tmp_path):
         (["--mavlink", "serial:"], "no place for MAVLink"),
         (["--mavlink", "udp:a..b:14550"], "no place for MAVLink"),
         (["--mavlink", "udp:\udcff:14550"], "no place for MAVLink"),
-        (["--mavlink", "udp:14550", "--mavlink-system", "256"], "--mavlink-system is 256"),
-        (["--mavlink", "udp:14550", "--mavlink-origin", "91", "0"], "--mavlink-origin is 91 0"),
-        (["--mavlink", "udp:14550", "--mavlink-origin", "nan", "0"], "--mavlink-origin is nan 0"),
-        (["--mavlink", "udp:14550", "--camera-yaw", "361"], "--camera-yaw is 361"),
+        (["--mavlink", "udp:14550", "--mavlink-system", "256"], "--mavlink-system: 256"),
+        (["--mavlink", "udp:14550", "--mavlink-origin", "91", "0"], "--mavlink-origin: the latitude is 91"),
+        (["--mavlink", "udp:14550", "--mavlink-origin", "nan", "0"], "--mavlink-origin: nan"),
+        (["--mavlink", "udp:14550", "--camera-yaw", "361"], "--camera-yaw: 361"),
     ],
 )
 def test_what_can_not_be_is_refused_before_any_work(database, tmp_path, capsys, arguments, sentence):
-    assert main(["watch", str(tmp_path), "--database", database, "--once", *arguments]) == WRONG_USAGE
+    with pytest.raises(SystemExit) as ended:
+        main(["watch", str(tmp_path), "--database", database, "--once", *arguments])
+    assert ended.value.code == WRONG_USAGE
     assert sentence in capsys.readouterr().err
 
 
