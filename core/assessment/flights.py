@@ -156,7 +156,7 @@ class FlownRoutes:
             members = np.flatnonzero(points.lines == line)
             for flight in range(flights):
                 had_track = False
-                for n, pose in zip(members.tolist(), self._flown(points, members, [line, flight])):
+                for n, pose in zip(members.tolist(), self._fly(points, members, [line, flight])):
                     if pose.is_fix:
                         placed[flight, n] = True
                         radii[flight, n] = cast(float, pose.error_95_m)
@@ -167,7 +167,7 @@ class FlownRoutes:
                     yield done, flights * count
         self.result = FlownRoute(points, placed, radii, errors, lost)
 
-    def _flown(self, points: RoutePoints, members: np.ndarray, number: list[int]) -> Iterator[FlightPose]:
+    def _fly(self, points: RoutePoints, members: np.ndarray, number: list[int]) -> Iterator[FlightPose]:
         """What each image of one flight along a line is told when it comes."""
         plan = self._plan
         rng = np.random.default_rng([plan.seed, 4, *number])

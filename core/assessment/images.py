@@ -25,7 +25,7 @@ from ..landmarks.landmarks import Landmarks
 from ..localization import Localization, Method, Prior, Status
 from ..localizer.localizer import Localizer
 from ..simulation.label_errors import spoil_labels
-from ..simulation.landmark_errors import joined, spoil_landmarks, with_moved_boundaries
+from ..simulation.landmark_errors import concatenate, spoil_landmarks, with_moved_boundaries
 from ..simulation.noise import JITTER_LENGTH_PX
 from ..simulation.views import View, cut, image_coordinates
 
@@ -186,7 +186,7 @@ class ImageSimulator:
         small = self._as_seen(rng.integers(0, len(self._database.references), count))
         areas = np.exp(rng.uniform(math.log(self._smallest_px), math.log(max(largest, self._smallest_px)), count))
         centers = rng.uniform(0, self.size_px, (count, 2))
-        return joined(landmarks, Landmarks(centers, small.classes, areas, small.bounds, small.touches_edge))
+        return concatenate(landmarks, Landmarks(centers, small.classes, areas, small.bounds, small.touches_edge))
 
 
 def _half_boxes(database: ReferenceDatabase) -> np.ndarray:

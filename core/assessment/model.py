@@ -124,7 +124,7 @@ def fit_success(features: np.ndarray, places: np.ndarray, successes: np.ndarray,
     guess = _logistic(_design((features - centers) / scales) @ coefficients)
     tuned = np.linspace(0, len(places) - 1, min(len(places), MOST_TUNED)).astype(int)
     left_out = np.full(len(places), np.nan)
-    reach, strength, left_out[tuned] = _tuned(guess[tuned], places[tuned], successes[tuned], footprint)
+    reach, strength, left_out[tuned] = _tune(guess[tuned], places[tuned], successes[tuned], footprint)
     return SuccessModel(centers, scales, coefficients, places, successes, reach, strength, left_out)
 
 
@@ -164,7 +164,7 @@ def _weights(places: np.ndarray, trials: np.ndarray, reach: float) -> np.ndarray
     return weights
 
 
-def _tuned(
+def _tune(
     guess: np.ndarray, places: np.ndarray, successes: np.ndarray, footprint: float
 ) -> tuple[float, float, np.ndarray]:
     """Reach and strength by which each trial is best predicted from the others, and these predictions (T,)."""

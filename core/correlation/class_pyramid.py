@@ -147,7 +147,7 @@ def evidence_of_shares(shares: ClassShares, space: ClassSpace, shape_hw: tuple[i
     return EvidenceLevel(evidence, known, (shape_hw[1] / width, shape_hw[0] / height))
 
 
-def reduced_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLevel:
+def reduce_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLevel:
     """The same evidence on fewer, larger pixels (means of areas; evidence is linear in the fractions)."""
     height, width = level.known.shape
     if size_wh == (width, height):
@@ -158,7 +158,7 @@ def reduced_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLev
     return EvidenceLevel(evidence.reshape(*known.shape, -1), known, pixel)
 
 
-def mirrored_level(level: EvidenceLevel) -> EvidenceLevel:
+def mirror_level(level: EvidenceLevel) -> EvidenceLevel:
     """Left and right exchanged."""
     flipped = np.ascontiguousarray(level.evidence[:, ::-1])
     return EvidenceLevel(flipped, np.ascontiguousarray(level.known[:, ::-1]), level.pixel)
@@ -184,14 +184,14 @@ def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts
     height, width = labels_hw.shape
     padded = cv2.copyMakeBorder(labels_hw, 0, -height % block, 0, -width % block, cv2.BORDER_CONSTANT, value=0)
     fractions = class_fractions(padded, values, (padded.shape[1] // block, padded.shape[0] // block))
-    space = class_space(_halved(_halved(fractions)), values, rarity_exponent)
+    space = class_space(_halve(_halve(fractions)), values, rarity_exponent)
     parts = {"values": space.values, "usual": space.usual, "projection": space.projection}
     levels: list[tuple[np.ndarray, np.ndarray]] = []
     while space.channels and min(fractions.shape[:2]) >= 1:
         levels.append(evidence_of(fractions, space))
         if min(fractions.shape[:2]) < 2:
             break
-        fractions = _halved(fractions)
+        fractions = _halve(fractions)
     for number, (evidence, known) in enumerate(levels):
         parts |= {f"evidence_{number}": evidence, f"known_{number}": known}
     parts["energy"] = np.array([_mean_energy(*levels[min(1, len(levels) - 1)]) if levels else 0.0])
@@ -317,7 +317,7 @@ class MapPyramid:
         return part, left * pixel, top * pixel
 
 
-def _halved(fractions: np.ndarray) -> np.ndarray:
+def _halve(fractions: np.ndarray) -> np.ndarray:
     """(⌈h/2⌉, ⌈w/2⌉, K) uint8: means of 2 × 2 pixels; beyond the edge is unlabeled."""
     height, width, count = fractions.shape
     halved = np.empty((-(-height // 2), -(-width // 2), count), np.uint8)

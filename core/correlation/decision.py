@@ -53,7 +53,7 @@ def surprises(
     return found
 
 
-def ranked(
+def rank(
     places: Sequence[tuple[float, float]],
     mirrored: Sequence[tuple[float, float]],
     settings: CorrelationSettings = CORRELATION,
@@ -147,7 +147,7 @@ def decide(
     )
 
 
-def exact_enough(
+def decide_accuracy(
     error_95_m: float, diagonal_m: float, is_held: bool = False, settings: CorrelationSettings = CORRELATION
 ) -> tuple[Status, Sentence | None]:
     """Status of the only place that agrees, by how closely it is known, and the reason unless that is a fix.

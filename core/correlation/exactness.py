@@ -36,7 +36,7 @@ def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
     return to_map @ covariance @ to_map.T
 
 
-def known_pose(  # noqa: PLR0913 - a fit, what it was made on, and what it does not show
+def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and what it does not show
     pose: ScoredPose,
     covariance: np.ndarray,
     edge_m: float,

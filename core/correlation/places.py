@@ -12,7 +12,7 @@ import numpy as np
 from ..labels.class_shares import ClassShares
 from ..localization import Prior
 from ..sentences import Sentence
-from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, evidence_of_shares, reduced_level
+from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, evidence_of_shares, reduce_level
 from .decision import fisher_z
 from .refine import ScoredPose, pose_covariance, refine
 from .refine_many import refine_many
@@ -66,9 +66,9 @@ def size_for(shape_hw: tuple[int, int], edge: int) -> tuple[int, int]:
     return max(1, int(round(width / step))), max(1, int(round(height / step)))
 
 
-def reduced_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
+def reduce_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
     """The image at about edge × edge pixels (the root of its area), never more than it has."""
-    return reduced_level(image, size_for(_shape(image.known), edge))
+    return reduce_level(image, size_for(_shape(image.known), edge))
 
 
 def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence | None:
@@ -148,10 +148,10 @@ def search_spaces(
         None where the image shows too little ground for so large a map.
     """
     settings, space, wide = pyramid.settings, search_space(pyramid, prior), None
-    looks = comparisons(space, reduced_image(image, settings.coarse_edge))
+    looks = comparisons(space, reduce_image(image, settings.coarse_edge))
     if looks > settings.most_at_once:
         wide = search_space(pyramid, prior, WIDE_STEP)
-        looks = comparisons(wide, reduced_image(image, WIDE_EDGE))
+        looks = comparisons(wide, reduce_image(image, WIDE_EDGE))
     return None if looks > settings.most_comparisons else (space, wide)
 
 
@@ -167,7 +167,7 @@ def first_peaks(
     """
     space, wide = spaces
     if wide is None:
-        return search(reduced_image(image, pyramid.settings.coarse_edge), pyramid, space)
+        return search(reduce_image(image, pyramid.settings.coarse_edge), pyramid, space)
     return _wide_peaks(image, pyramid, wide, share)
 
 
@@ -238,7 +238,7 @@ def best_places(
         (settings.middle_edge, settings.middle_candidates),
         (settings.decision_edge, settings.finalists),
     ):
-        level = reduced_image(image, edge)
+        level = reduce_image(image, edge)
         starts = distinct(_above_chance(poses, chance), image, _HALF * settings.apart, kept)
         poses = [pose for pose in refine_many(level, pyramid, starts, quiet, _STEPS) if _is_in(pose, space)]
     return distinct(_above_chance(poses, chance), image, settings.apart, settings.finalists), chance
@@ -252,13 +252,13 @@ def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, sh
     settings, sizes = pyramid.settings, wide.pixel_sizes_m
 
     def refined(starts: list[ScoredPose], edge: int) -> np.ndarray:
-        moved = refine_many(reduced_image(image, edge), pyramid, starts, pyramid.quiet, _STEPS)
+        moved = refine_many(reduce_image(image, edge), pyramid, starts, pyramid.quiet, _STEPS)
         found = [(p.score, p.x, p.y, p.heading_deg, p.pixel_size_m) for p in moved if _is_in(p, wide)]
         peaks = np.array(found, np.float64).reshape(-1, 5)
         return peaks[np.argsort(-peaks[:, 0], kind="stable")]
 
     many, few = (round(share * count) for count in WIDE_CANDIDATES)
-    peaks = search(reduced_image(image, WIDE_EDGE), pyramid, wide)
+    peaks = search(reduce_image(image, WIDE_EDGE), pyramid, wide)
     poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes))
     peaks = refined(poses[:many], WIDE_EDGE)
     poses = _above_chance(_poses_of(peaks), chance_levels(peaks, sizes, are_chosen=True))
@@ -311,11 +311,11 @@ def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> 
     """
     height, width = image.known.shape
     first, quiet = pyramid.settings.decision_edge, pyramid.quiet
-    edge, decision = first, reduced_image(image, first)
+    edge, decision = first, reduce_image(image, first)
     ground_m = np.sqrt(height * width * image.pixel[0] * image.pixel[1]) * pose.pixel_size_m
     last = min(np.sqrt(height * width), ground_m / pyramid.frame.pixel_size)
     while True:
-        moved = refine(reduced_image(image, edge), pyramid, pose, quiet, 4)
+        moved = refine(reduce_image(image, edge), pyramid, pose, quiet, 4)
         if moved.score > 0:
             pose = replace(moved, score=pose.score)
         if edge * 2 > max(last * 1.2, first):

@@ -92,7 +92,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
     """
     best = pose
     for step in range(steps + 1):
-        fit = _linearized(image, pyramid, pose, quiet)
+        fit = _linearize(image, pyramid, pose, quiet)
         pose = replace(pose, score=fit.score)
         if step == 0 or fit.score > best.score:
             best = pose
@@ -101,7 +101,7 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
         move = _move(fit.pull, image)
         if (np.abs(move) < CONVERGED * parameter_units(image)).all():
             break
-        pose = moved(pose, move)
+        pose = move_pose(pose, move)
     return best
 
 
@@ -112,14 +112,14 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         image: Its evidence.
         quiet: As for ``refine``.
     """
-    pull = _linearized(image, pyramid, pose, quiet).pull
+    pull = _linearize(image, pyramid, pose, quiet).pull
     if pull is None:
         return False
-    _, known = map_under(image, pyramid, moved(pose, _move(pull, image)))
+    _, known = map_under(image, pyramid, move_pose(pose, _move(pull, image)))
     return float(known.mean()) < LEAST_KNOWN_MOVED
 
 
-def moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
+def move_pose(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
     """A pose after a step; its score is not known.
 
     Args:
@@ -136,7 +136,7 @@ def moved(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
     """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
-    return _linearized(image, pyramid, pose, quiet, LEAST_KNOWN).score
+    return _linearize(image, pyramid, pose, quiet, LEAST_KNOWN).score
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
@@ -146,7 +146,7 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite where nothing tells
         all of the pose.
     """
-    pull = _linearized(image, pyramid, pose, quiet).pull
+    pull = _linearize(image, pyramid, pose, quiet).pull
     if pull is None:
         return np.full((4, 4), np.inf)
     strengths = np.linalg.eigvalsh(_normal(pull))
@@ -155,7 +155,7 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
         return np.full((4, 4), np.inf)
     inverse, units = _inverse(pull, damping), parameter_units(image)
     height, width = image.known.shape
-    pulls = clustered(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
+    pulls = clustered_covariance(pull.slopes * pull.residual, (height, width), pyramid.settings.blocks)
     return inverse @ pulls @ inverse * np.outer(units, units)
 
 
@@ -186,7 +186,7 @@ def parameter_units(image: EvidenceLevel) -> np.ndarray:
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
 
 
-def _linearized(
+def _linearize(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, least_known: float | None = None
 ) -> _Fit:
     """A pose's score and pull; ``least_known``: of the footprint, that of poses that are moved if None."""
@@ -236,7 +236,7 @@ def _move(pull: _Pull, image: EvidenceLevel) -> np.ndarray:
     return np.clip(-(_inverse(pull, DAMPING) @ descent) * parameter_units(image), -limit, limit)
 
 
-def clustered(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
+def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
     """(P, P) covariance of the sum of all pixels' pulls (P, h·w·C), whose neighbors err together.
 
     Pulls are summed in blocks × blocks parts of the image, which are taken as independent (cluster-robust "sandwich"

@@ -21,7 +21,7 @@ from .refine import (
     ScoredPose,
     difference,
     map_under,
-    moved,
+    move_pose,
     parameter_units,
 )
 
@@ -51,7 +51,7 @@ def refine_many(
         best = [pose if pose.score > kept.score else kept for pose, kept in zip(poses, best)]
         if step < steps:
             moves = _moves(image, seen, there, np.maximum(gains, 0))
-            poses = [moved(pose, move) for pose, move in zip(poses, moves)]
+            poses = [move_pose(pose, move) for pose, move in zip(poses, moves)]
     return best
 
 

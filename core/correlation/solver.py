@@ -22,10 +22,10 @@ from ..geometry.error_settings import SharedErrors
 from ..labels.class_shares import ClassShares
 from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, Prior, Status
 from ..sentences import Sentence
-from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirrored_level
-from .decision import decide, exact_enough, position_error_95, ranked, risk_of_peaks
+from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
+from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
 from .detail import details_at
-from .exactness import covariance_on_map, known_pose, noise_factor
+from .exactness import covariance_on_map, full_pose_covariance, noise_factor
 from .parts import disagreeing_part
 from .places import (
     ChanceLevels,
@@ -34,7 +34,7 @@ from .places import (
     image_evidence,
     missing_information,
     near_size,
-    reduced_image,
+    reduce_image,
     search_spaces,
     size_for,
 )
@@ -76,7 +76,7 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     if not pyramid.space.channels:
         return _no_match(Sentence("The map has one class everywhere, so that no place differs from another."))
     image = image_evidence(np.ascontiguousarray(labels_hw), pyramid, shares)
-    coarse = reduced_image(image, settings.coarse_edge)
+    coarse = reduce_image(image, settings.coarse_edge)
     missing = missing_information(coarse, pyramid)
     if missing:
         return _no_match(missing)
@@ -88,24 +88,24 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     poses, chance = best_places(image, pyramid, spaces, settings.candidates)
     if not poses:
         return _no_match(Sentence("No place of the map has labels under at least half of the image."))
-    poses, peaks = _weighed(image, pyramid, spaces, poses, chance)
+    poses, peaks = _rank_places(image, pyramid, spaces, poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
-    decided = reduced_image(image, settings.decision_edge)
+    decided = reduce_image(image, settings.decision_edge)
     is_held = is_held_by_edge(decided, pyramid, pose, pyramid.quiet)
     height, width = labels_hw.shape
     diagonal_m = float(np.hypot(height, width)) * pose.pixel_size_m
     errors, factor = errors or SharedErrors(), noise_factor(peaks.score, settings)
     effect = view_effect(decided, pyramid, pose, factor, errors)
-    pose = pose if effect is None else effect.moved(pose)
+    pose = pose if effect is None else effect.correct(pose)
     found = _result(pyramid, [pose, *poses[1:]], covariance, peaks, (diagonal_m, allowed_risk), is_held)
     if found.is_fix:
         found = replace(found, reason=disagreeing_part(decided, pyramid, pose))
     edge_m = float(np.sqrt(height * width)) * pose.pixel_size_m
-    known = known_pose(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
+    known = full_pose_covariance(pose, factor**2 * covariance, edge_m, pyramid.frame.pixel_size, errors, effect)
     return replace(found, covariance=known, error_95_m=np.inf if known.radius_95 is None else known.radius_95)
 
 
-def _weighed(
+def _rank_places(
     image: EvidenceLevel,
     pyramid: MapPyramid,
     spaces: tuple[SearchSpace, SearchSpace | None],
@@ -118,13 +118,13 @@ def _weighed(
     # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
     space, wide = spaces
     near = near_size(space, best_size), None if wide is None else near_size(wide, best_size)
-    mirrored, _ = best_places(mirrored_level(image), pyramid, near, settings.decoys)
+    mirrored, _ = best_places(mirror_level(image), pyramid, near, settings.decoys)
     scores = [chance.moved(pose.score, pose.pixel_size_m, best_size) for pose in poses]
     decoys = [pose.score for pose in mirrored]
-    level = reduced_image(image, settings.decision_edge)
-    order, peaks = ranked(
+    level = reduce_image(image, settings.decision_edge)
+    order, peaks = rank(
         list(zip(scores, details_at(level, pyramid, poses))),
-        list(zip(decoys, details_at(mirrored_level(level), pyramid, mirrored))),
+        list(zip(decoys, details_at(mirror_level(level), pyramid, mirrored))),
         settings,
     )
     return [poses[n] for n in order], peaks
@@ -210,7 +210,7 @@ def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was 
     # What the image itself leaves open: a map that is not exact makes no place doubtful.
     error_95 = position_error_95(spread, peaks.score, pyramid.frame.pixel_size, settings)
     status, reason = decide(peaks, allowed_risk, settings)
-    exactness, looseness = exact_enough(error_95, diagonal_m, is_held, settings)
+    exactness, looseness = decide_accuracy(error_95, diagonal_m, is_held, settings)
     if status is Status.FIX:
         status, reason = exactness, looseness
     best, risk = _place(pyramid, pose), risk_of_peaks(peaks, settings)

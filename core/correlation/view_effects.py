@@ -18,7 +18,7 @@ import numpy as np
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import SLOPE_DEVIATION, STRETCH_DEVIATION
 from .class_pyramid import EvidenceLevel, MapPyramid
-from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered, difference
+from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered_covariance, difference
 
 POSE, COUNT = 4, 9
 """Numbers of a level pose (right, down, heading, ln pixel size; half a diagonal is the unit of the first two); and with
@@ -52,7 +52,7 @@ class ViewEffect:
     shift: np.ndarray
     covariance: np.ndarray
 
-    def moved(self, pose: ScoredPose) -> ScoredPose:
+    def correct(self, pose: ScoredPose) -> ScoredPose:
         """The pose without the mean effect."""
         x, y = axes(pose) @ self.shift[:2]
         heading = (pose.heading_deg + float(np.degrees(self.shift[2]))) % 360.0
@@ -83,7 +83,7 @@ def view_effect(
     loosest[range(POSE, COUNT), range(POSE, COUNT)] = deviations.max(axis=0) ** -2.0
     best, measured = NOT_COMPARABLE, None
     for _ in range(STEPS):
-        found = system.measured(known, factor, of_map)
+        found = system.fit(known, factor, of_map)
         if found is None or found.score < best - WORSE:
             break
         best = max(best, found.score)
@@ -92,7 +92,7 @@ def view_effect(
         known = np.linalg.solve(information + loosest, information @ found.mean)
     if measured is None:
         return None
-    shift, spread = _mixed(measured, deviations, np.array([view[2] for view in views]))
+    shift, spread = _mixture(measured, deviations, np.array([view[2] for view in views]))
     units = np.array([system.half, system.half, 1.0, 1.0])
     return ViewEffect(shift * units, spread * np.outer(units, units))
 
@@ -102,7 +102,7 @@ def _deviations(view: tuple[float, float, float]) -> np.ndarray:
     return np.array([lens, *[tilt] * 4]) * _UNITS
 
 
-def _mixed(measured: _Measured, deviations: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _mixture(measured: _SystemFit, deviations: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Shift (4,) of the pose and its added covariance (4, 4), against a camera that does nothing.
 
     Args:
@@ -131,7 +131,7 @@ def _mixed(measured: _Measured, deviations: np.ndarray, shares: np.ndarray) -> t
 
 
 @dataclass(frozen=True)
-class _Measured:
+class _SystemFit:
     """What a fit tells of pose and effects, in units of ``_System``.
 
     Attributes:
@@ -177,7 +177,7 @@ class _System:
         across, down = fitted[:, : len(points)], fitted[:, len(points) :]
         return (errors.map_accuracy / half_m) ** 2 * (across @ shared @ across.T + down @ shared @ down.T)
 
-    def measured(self, assumed: np.ndarray, factor: float, of_map: np.ndarray) -> _Measured | None:
+    def fit(self, assumed: np.ndarray, factor: float, of_map: np.ndarray) -> _SystemFit | None:
         """What is measured where pose and effects are assumed (9,); None where nothing tells all of them."""
         patch, share = self._patch(assumed)
         there = patch - patch.mean(axis=(0, 1))
@@ -201,12 +201,12 @@ class _System:
             return None
         inverse = np.linalg.inv(normal) * np.outer(units, units)
         descent = np.einsum("ik,k->i", slopes, residual).astype(np.float64)
-        pulls = clustered(slopes * residual, (share.shape[0], share.shape[1]), self._pyramid.settings.blocks)
+        pulls = clustered_covariance(slopes * residual, (share.shape[0], share.shape[1]), self._pyramid.settings.blocks)
         covariance = factor**2 * inverse @ pulls @ inverse + of_map + LEAST**2 * np.eye(COUNT)
         score = product / np.sqrt(norm * (energy + self._pyramid.quiet * share.size))
         of_pose = np.linalg.inv(normal[:POSE, :POSE]) * units[:POSE, None]
         to_pose = -of_pose @ (normal[:POSE, POSE:] / units[POSE:])
-        return _Measured(score, assumed - inverse @ descent, covariance, to_pose)
+        return _SystemFit(score, assumed - inverse @ descent, covariance, to_pose)
 
     def _patch(self, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The map as the image would see it: evidence (h, w, C) and labeled share (h, w), float32."""

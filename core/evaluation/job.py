@@ -54,7 +54,7 @@ class EvaluationJob:
         )
 
 
-def planned(
+def plan_trials(
     evaluation: Evaluation, methods: list[Method], count: int, mirrored_share: float, is_reported: bool
 ) -> list[Job]:
     """What is tried with which methods.

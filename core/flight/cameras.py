@@ -42,10 +42,10 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
             image=os.path.basename(paths[0]),
         )
     timed = any(row.time_s is not None for row in rows.values())
-    return [known_camera(rows.get(stem_of(path), Camera()), photo_camera(path), timed) for path in paths]
+    return [merge_camera(rows.get(stem_of(path), Camera()), photo_camera(path), timed) for path in paths]
 
 
-def known_camera(row: Camera, photo: Camera, is_timed: bool) -> Camera:
+def merge_camera(row: Camera, photo: Camera, is_timed: bool) -> Camera:
     """A camera by its row of a table where that says something, else by its photo.
 
     Args:
@@ -65,7 +65,7 @@ def known_camera(row: Camera, photo: Camera, is_timed: bool) -> Camera:
     )
 
 
-def completed(camera: Camera, told: Camera, with_attitude: bool) -> Camera:
+def complete_camera(camera: Camera, told: Camera, with_attitude: bool) -> Camera:
     """A camera with what a flight log tells and it doesn't.
 
     Args:

@@ -20,7 +20,7 @@ from ..correlation.places import (
     first_peaks,
     image_evidence,
     missing_information,
-    reduced_image,
+    reduce_image,
     search_spaces,
 )
 from ..correlation.refine import ScoredPose
@@ -59,7 +59,7 @@ class SeenImage:
     own_odds: float = 0.0
 
 
-def seen_image(
+def prepare_image(
     labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, own: Localization | None, settings: FlightSettings
 ) -> SeenImage:
     """An image, reduced to what hypotheses are compared with.
@@ -73,12 +73,12 @@ def seen_image(
     evidence = None
     if pyramid.space.channels:
         fine = image_evidence(np.ascontiguousarray(labels_hw), pyramid)
-        evidence = reduced_image(fine, pyramid.settings.coarse_edge)
+        evidence = reduce_image(fine, pyramid.settings.coarse_edge)
         evidence = None if missing_information(evidence, pyramid) else evidence
     seen = SeenImage(evidence, edge_px, (0.0, 1.0), prior, *_own(own, pyramid.frame.origin))
     if evidence is None:
         return seen
-    scores = np.array([pose.score for pose in scored(seen, pyramid, random_poses(pyramid, prior, settings.nulls))])
+    scores = np.array([pose.score for pose in score_poses(seen, pyramid, random_poses(pyramid, prior, settings.nulls))])
     found = np.arctanh(np.clip(scores[scores > -1], -0.9, 0.9))
     spread = max(float(found.std()), LEAST_SPREAD) if len(found) else 1.0
     return replace(seen, chance=(float(found.mean()) if len(found) else 0.0, spread))
@@ -111,7 +111,7 @@ def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPo
     ]
 
 
-def scored(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[ScoredPose]:
+def score_poses(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[ScoredPose]:
     """Poses moved to where image and map agree best near by, with their scores.
 
     Args:
@@ -123,7 +123,7 @@ def scored(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose]) ->
     return refine_many(seen.evidence, pyramid, list(poses), pyramid.quiet, STEPS)
 
 
-def best_of(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -> list[ScoredPose]:
+def best_poses(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -> list[ScoredPose]:
     """The best places of an image by itself, refined at the pixels of the first look, best first.
 
     Args:
@@ -138,11 +138,11 @@ def best_of(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -> l
     peaks = first_peaks(seen.evidence, pyramid, spaces, 2 * count / pyramid.settings.candidates)
     starts = [ScoredPose(x, y, heading, size, score) for score, x, y, heading, size in peaks]
     starts = distinct(starts, seen.evidence, 0.5 * apart, 2 * count)
-    refined = sorted(scored(seen, pyramid, starts), key=lambda pose: -pose.score)
+    refined = sorted(score_poses(seen, pyramid, starts), key=lambda pose: -pose.score)
     return distinct(refined, seen.evidence, apart, count)
 
 
-def worth(scores: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
+def log_ratios(scores: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
     """(n,) ln of the likelihood ratio of right places against others, of agreements (n,) at expected places."""
     offset, slope, least, most = settings.evidence_curve
     mean, spread = seen.chance

@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..localizer.localizer import Localizer
-from .evidence import seen_image
+from .evidence import prepare_image
 from .links import links_by_image
-from .measurement import GATE, Measurement, distance, measured_near, shared_variance
+from .measurement import GATE, Measurement, distance, measure_near, shared_variance
 from .model import FlightImage, FlightPose
 from .motion import Link
-from .pool import Pool, moved, predicted, updated
+from .pool import Pool, move_states, predict, update
 from .reported_pose import report_pose
 from .settings import FLIGHT, FlightSettings
 from .smoothing import (
@@ -24,13 +24,13 @@ from .smoothing import (
     Step,
     drift_of,
     first_estimate,
-    smoothed,
-    softened,
+    smooth,
+    soften,
     step_over,
     with_measurement,
     without_measurement,
 )
-from .states import turned
+from .states import wrap_angle
 from .tracker import SIZE_RANGE, FlightTracker, Looked
 
 ROUNDS = 3
@@ -119,7 +119,7 @@ class FlightSolver:
         earliest = 0
         for track in tracks:
             self._carry_back(images, track, earliest)
-            for _ in self._smoothed(images, track, poses):
+            for _ in self._smooth_track(images, track, poses):
                 yield len(images), len(images)
             earliest = track.last + 1
         self.poses = tuple(poses)
@@ -136,24 +136,24 @@ class FlightSolver:
             link = self._looked[number + 1].link
             if link is None:
                 break
-            back = moved(pool.states, link, back=True)
-            pool = replace(predicted(pool, link), states=back)
+            back = move_states(pool.states, link, back=True)
+            pool = replace(predict(pool, link), states=back)
             size, ratio = float(np.exp(pool.states[0, 3])), SIZE_RANGE
             prior = replace(images[number].prior, pixel_size_range=(size / ratio, size * ratio))
-            seen = seen_image(images[number].labels_hw, pyramid, prior, images[number].own, settings)
-            pool = updated(pool, seen, pyramid, 1.0, settings)
+            seen = prepare_image(images[number].labels_hw, pyramid, prior, images[number].own, settings)
+            pool = update(pool, seen, pyramid, 1.0, settings)
             if pool.evidence[0, -settings.recent :].sum() < settings.lost_evidence:
                 break
             spread = np.diag(pool.variances[0, [0, 0, 1, 2]])
-            measured = measured_near(images[number], self.localizer, pool.states[0], spread, settings)
+            measured = measure_near(images[number], self.localizer, pool.states[0], spread, settings)
             if measured is not None:
-                pool = _joined(pool, measured)
+                pool = _with_measurement(pool, measured)
             self._looked[number] = replace(
                 self._looked[number], measured=measured, estimate=Estimate(pool.states[0], spread)
             )
             track.first = number
 
-    def _smoothed(self, images: Sequence[FlightImage], track: _Track, poses: list[FlightPose]) -> Iterator[None]:
+    def _smooth_track(self, images: Sequence[FlightImage], track: _Track, poses: list[FlightPose]) -> Iterator[None]:
         """Puts the poses of a track into ``poses``; one step an image that is measured once more.
 
         Images are looked at again where all others expect them, unless they were measured there: so one that was led
@@ -164,7 +164,7 @@ class FlightSolver:
         links = [one.link for one in looked[1:] if one.link is not None]
         drift = drift_of(links)
         first, kept = [one.measured for one in looked], [one.measured for one in looked]
-        estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
+        estimates, shared_m2 = self._estimate_track(looked, kept, images[track.first], drift)
         for look in range(ROUNDS):
             for n, number in enumerate(numbers):
                 expected = estimates[n]
@@ -174,15 +174,15 @@ class FlightSolver:
                 is_far = measured is None or distance(measured, *expected.pose) > AGREES
                 if is_far and look + 1 < ROUNDS:
                     yield
-                    measured = first[n] = measured_near(images[number], self.localizer, *expected.pose, settings)
+                    measured = first[n] = measure_near(images[number], self.localizer, *expected.pose, settings)
                 if measured is not None and distance(measured, *expected.pose) > GATE:
                     measured = None
-                kept[n] = None if measured is None else softened(measured, expected)
-            estimates, shared_m2 = self._estimated(looked, kept, images[track.first], drift)
+                kept[n] = None if measured is None else soften(measured, expected)
+            estimates, shared_m2 = self._estimate_track(looked, kept, images[track.first], drift)
         for number, estimate in zip(numbers, estimates):
             poses[number] = report_pose(images[number], self.localizer, estimate, track.risk, track.number)
 
-    def _estimated(
+    def _estimate_track(
         self, looked: list[Looked], measured: list[Measurement | None], image: FlightImage, drift: float
     ) -> tuple[list[Estimate], float]:
         """Of each image of a track, with what all of them tell; the displacement's variance."""
@@ -203,15 +203,15 @@ class FlightSolver:
                 estimates.append(steps[-1].predicted)
             if one is not None:
                 estimates[-1] = with_measurement(estimates[-1], one, shared_m2)
-        return smoothed(estimates, steps), shared_m2
+        return smooth(estimates, steps), shared_m2
 
 
-def _joined(pool: Pool, measured: Measurement) -> Pool:
+def _with_measurement(pool: Pool, measured: Measurement) -> Pool:
     """One hypothesis with a measurement."""
     known = np.diag(pool.variances[0, [0, 0, 1, 2]])
     expected = Estimate(pool.states[0], known)
-    gain = known @ np.linalg.inv(known + softened(measured, expected).covariance)
+    gain = known @ np.linalg.inv(known + soften(measured, expected).covariance)
     off = measured.state - expected.state
-    off[2] = turned(off[2])
+    off[2] = wrap_angle(off[2])
     left = np.diag(known - gain @ known)
     return Pool((expected.state + gain @ off)[None], left[None, [0, 2, 3]], pool.evidence)

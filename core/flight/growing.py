@@ -54,12 +54,12 @@ class GrowingTable:
                         # What is half written is taken at the next look.
                         return
                     self._place += len(line)
-                    yield from self._taken(line)
+                    yield from self._rows_of_line(line)
         except (OSError, ValueError) as error:
             # ValueError: a path with a null character.
             raise ParameterError("{path} can't be read: {reason}.", path=self.path, reason=reason_of(error)) from None
 
-    def _taken(self, line: bytes) -> Iterator[Row | ParameterError]:
+    def _rows_of_line(self, line: bytes) -> Iterator[Row | ParameterError]:
         """One line as a row; nothing of the header and of an empty line."""
         was_within, self._is_within_line = self._is_within_line, not line.endswith(b"\n")
         self._number += not was_within

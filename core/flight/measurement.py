@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
-from ..correlation.exactness import known_pose, noise_factor
-from ..correlation.places import edge_m, finest_pose, image_evidence, missing_information, reduced_image
+from ..correlation.exactness import full_pose_covariance, noise_factor
+from ..correlation.places import edge_m, finest_pose, image_evidence, missing_information, reduce_image
 from ..correlation.refine import ScoredPose, score_at
 from ..geometry.error_settings import SharedErrors
 from ..geometry.pose import PoseCovariance
@@ -18,7 +18,7 @@ from ..localizer.localizer import Localizer
 from .model import FlightImage
 from .nearby import places_near
 from .settings import FlightSettings
-from .states import place_of, state_of, turned
+from .states import place_of, state_of, wrap_angle
 
 LOOSEST = 0.05
 """Measurements whose deviation is more than this share of the image's edge on the ground are not used."""
@@ -73,7 +73,7 @@ def own_measurement(own: Localization | None, pyramid: MapPyramid) -> Measuremen
     return None if full is None else Measurement(state_of(own.place, pyramid.frame.origin), full, is_own=True)
 
 
-def by_areas(
+def measure_by_areas(
     image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
     """Moved to where class areas agree near an expected place; None where they don't, or where they can't tell where.
@@ -88,7 +88,7 @@ def by_areas(
     if not pyramid.space.channels:
         return None
     evidence = image_evidence(np.ascontiguousarray(image.labels_hw), pyramid)
-    if missing_information(reduced_image(evidence, pyramid.settings.coarse_edge), pyramid):
+    if missing_information(reduce_image(evidence, pyramid.settings.coarse_edge), pyramid):
         return None
     likely = places_near(evidence, pyramid, state, covariance, settings)
     errors = localizer.errors.with_biases(image.biases)
@@ -99,7 +99,7 @@ def by_areas(
             found.append((one, share))
     if not found:
         return None
-    whole = mixed(found)
+    whole = mixture(found)
     loosest_m = LOOSEST * edge_m(evidence, float(np.exp(whole.state[3])))
     if np.trace(whole.covariance[:2, :2]) / 2 > loosest_m**2:
         return None
@@ -110,13 +110,13 @@ def _measured_at(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, errors: SharedErrors, settings: FlightSettings
 ) -> Measurement | None:
     """A place as exactly as class areas tell it; None where they don't tell all of the pose."""
-    pose, spread = finest_pose(reduced_image(image, FINEST_EDGE), pyramid, pose)
-    score = score_at(reduced_image(image, pyramid.settings.decision_edge), pyramid, pose, pyramid.quiet)
+    pose, spread = finest_pose(reduce_image(image, FINEST_EDGE), pyramid, pose)
+    score = score_at(reduce_image(image, pyramid.settings.decision_edge), pyramid, pose, pyramid.quiet)
     if score < settings.least_score or not np.isfinite(spread).all():
         return None
     ground_m = edge_m(image, pose.pixel_size_m)
-    spread = (factor_of(ground_m, settings) * noise_factor(score, pyramid.settings)) ** 2 * spread
-    known = known_pose(pose, spread, ground_m, pyramid.frame.pixel_size, errors)
+    spread = (deviation_factor(ground_m, settings) * noise_factor(score, pyramid.settings)) ** 2 * spread
+    known = full_pose_covariance(pose, spread, ground_m, pyramid.frame.pixel_size, errors)
     full = full_covariance(known, pose.pixel_size_m)
     if full is None:
         return None
@@ -124,13 +124,13 @@ def _measured_at(
     return Measurement(moved, full, score=float(score))
 
 
-def factor_of(edge_m: float, settings: FlightSettings) -> float:
+def deviation_factor(edge_m: float, settings: FlightSettings) -> float:
     """What deviations of class areas' fits are multiplied with: of little ground, neighboring parts err alike."""
     factor, enough_m, power = settings.measured_factor
     return factor * max(1.0, enough_m / edge_m) ** power
 
 
-def mixed(found: Sequence[tuple[Measurement, float]]) -> Measurement:
+def mixture(found: Sequence[tuple[Measurement, float]]) -> Measurement:
     """One measurement of several that may be, with the shares that they are likely with.
 
     Args:
@@ -138,7 +138,7 @@ def mixed(found: Sequence[tuple[Measurement, float]]) -> Measurement:
     """
     first, total = found[0][0], sum(share for _, share in found)
     off = np.array([one.state - first.state for one, _ in found])
-    off[:, 2] = turned(off[:, 2])
+    off[:, 2] = wrap_angle(off[:, 2])
     shares = np.array([share for _, share in found]) / total
     mean = shares @ off
     apart = off - mean
@@ -146,7 +146,7 @@ def mixed(found: Sequence[tuple[Measurement, float]]) -> Measurement:
     return replace(first, state=first.state + mean, covariance=covariance + (shares[:, None] * apart).T @ apart)
 
 
-def by_landmarks(
+def measure_by_landmarks(
     image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray
 ) -> Measurement | None:
     """The constellation's fix near an expected place; None where there is none.
@@ -176,12 +176,12 @@ def by_landmarks(
 def distance(measured: Measurement, state: np.ndarray, covariance: np.ndarray) -> float:
     """How far a measurement is from what is expected, in deviations of both, per degree of freedom."""
     off = measured.state - state
-    off[2] = turned(off[2])
+    off[2] = wrap_angle(off[2])
     square = float(off @ np.linalg.solve(measured.covariance + covariance, off))
     return float(np.sqrt(max(square, 0.0) / 2))
 
 
-def measured_near(
+def measure_near(
     image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
     """What an image says itself at an expected place: its own fix, landmarks, or class areas; None where nothing.
@@ -193,11 +193,11 @@ def measured_near(
     own = own_measurement(image.own, localizer.pyramid)
     if own is not None and distance(own, state, covariance) <= GATE:
         return own
-    found = by_areas(image, localizer, state, covariance, settings)
+    found = measure_by_areas(image, localizer, state, covariance, settings)
     if found is not None:
-        near = by_landmarks(image, localizer, found.state, found.covariance)
+        near = measure_by_landmarks(image, localizer, found.state, found.covariance)
         return near or found
-    return by_landmarks(image, localizer, state, covariance)
+    return measure_by_landmarks(image, localizer, state, covariance)
 
 
 def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:

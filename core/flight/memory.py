@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import limits
-from ..correlation.class_pyramid import EvidenceLevel, mirrored_level
+from ..correlation.class_pyramid import EvidenceLevel, mirror_level
 from ..localization import Prior
 from .evidence import SeenImage
 from .motion import Link, LinkSource, as_rows
@@ -27,12 +27,19 @@ class Past:
     link: Link
     weight: float
 
+    def mirrored(self) -> Past:
+        """Return it with left and right exchanged, without priors that can't be right then."""
+        evidence = None if self.seen.evidence is None else mirror_level(self.seen.evidence)
+        prior = Prior(pixel_size_range=self.seen.prior.pixel_size_range)
+        seen = SeenImage(evidence, self.seen.edge_px, self.seen.chance, prior)
+        return Past(seen, self.link.mirrored(), self.weight)
+
 
 NOWHERE = Link(0, 1, (0.0, 0.0), 0.0, 0.0, as_rows(np.eye(4)))
 """Stands for the link of the latest image, which leads to none yet."""
 
 
-def packed(past: Past) -> dict[str, np.ndarray]:
+def pack(past: Past) -> dict[str, np.ndarray]:
     """An image of the window as arrays by name."""
     seen, link = past.seen, past.link
     arrays = {
@@ -75,11 +82,11 @@ def checked_array(
     return found.astype(np.float64)
 
 
-def unpacked(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
+def unpack(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
     """An image of the window.
 
     Args:
-        arrays: As of ``packed``.
+        arrays: As of ``pack``.
         channels: Of evidence.
 
     Raises:
@@ -112,9 +119,3 @@ def unpacked(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
         (sizes[0], sizes[1]) if sizes else None,
     )
     return Past(SeenImage(evidence, edge_px, (mean, spread), prior, own if len(own) else None, own_odds), link, weight)
-
-
-def mirrored(seen: SeenImage) -> SeenImage:
-    """Left and right exchanged, without what can't be right then."""
-    evidence = None if seen.evidence is None else mirrored_level(seen.evidence)
-    return SeenImage(evidence, seen.edge_px, seen.chance, Prior(pixel_size_range=seen.prior.pixel_size_range))

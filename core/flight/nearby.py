@@ -14,11 +14,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..correlation.class_pyramid import EvidenceLevel, MapPyramid
-from ..correlation.places import distinct, edge_m, reduced_image
+from ..correlation.places import distinct, edge_m, reduce_image
 from ..correlation.refine import ScoredPose
 from ..correlation.refine_many import refine_many
 from .settings import FlightSettings
-from .states import as_poses, as_states, turned
+from .states import as_poses, as_states, wrap_angle
 
 REACH = 2.5
 """Deviations of what is expected that places are looked for in."""
@@ -80,7 +80,7 @@ def places_near(
     for edge_px, kept, steps in KEPT:
         poses = [
             pose
-            for pose in refine_many(reduced_image(image, edge_px), pyramid, poses, pyramid.quiet, steps)
+            for pose in refine_many(reduce_image(image, edge_px), pyramid, poses, pyramid.quiet, steps)
             if pose.score > 0
         ]
         odds = log_odds(poses, state, known, settings)
@@ -101,7 +101,7 @@ def log_odds(poses: Sequence[ScoredPose], state: np.ndarray, known: np.ndarray, 
         known: (4, 4) covariance of how far places are off that.
     """
     off = as_states(poses) - state
-    off[:, 2] = turned(off[:, 2])
+    off[:, 2] = wrap_angle(off[:, 2])
     scores = np.array([pose.score for pose in poses]).clip(0, 0.999)
     agreement = -0.5 * settings.comparisons * np.log(1 - scores**2)
     return agreement - 0.5 * (off * np.linalg.solve(known, off.T).T).sum(axis=1)

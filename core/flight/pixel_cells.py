@@ -74,7 +74,7 @@ class SharedGround:
         textured = np.sqrt(np.maximum(square - mean * mean, 0)) >= LEAST_TEXTURE
         return np.column_stack([x[textured], y[textured]])
 
-    def found(self) -> tuple[np.ndarray, np.ndarray]:
+    def match_cells(self) -> tuple[np.ndarray, np.ndarray]:
         """(M, 2) places in the second picture and (M, 2) the same in the first, from the centers, of cells found."""
         moves = [self._move(int(x), int(y)) for x, y in self.corners]
         is_found = np.array([move is not None for move in moves], bool)

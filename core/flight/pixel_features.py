@@ -143,7 +143,7 @@ def _features(gray_hw: np.ndarray, is_known_hw: np.ndarray | None, width: int | 
         gray_hw = cv2.resize(gray_hw, size, interpolation=cv2.INTER_AREA)
         if is_known_hw is not None:
             is_known_hw = cv2.resize(is_known_hw.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
-    picture = evened(gray_hw)
+    picture = even_contrast(gray_hw)
     points, descriptors = _corners(picture, is_known_hw)
     return Features(picture, points, descriptors, is_known_hw, (width or own_width) / size[0])
 
@@ -164,7 +164,7 @@ def _corners(picture_hw: np.ndarray, is_known_hw: np.ndarray | None) -> tuple[np
     return points + 0.5 * (levels - 1)[:, None] - (np.array(picture_hw.shape[::-1]) - 1) / 2, descriptors
 
 
-def evened(gray_hw: np.ndarray) -> np.ndarray:
+def even_contrast(gray_hw: np.ndarray) -> np.ndarray:
     """(H, W) uint8 of even brightness and contrast: what exposure, vignetting and haze change is gone.
 
     Args:

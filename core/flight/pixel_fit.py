@@ -88,7 +88,7 @@ def pose_of(mapping: Mapping) -> np.ndarray:
     return np.array([*center, np.angle(ratio), np.log(max(abs(ratio), 1e-9))])
 
 
-def fitted(second: np.ndarray, first: np.ndarray, within: float) -> Fitted | None:
+def fit_mapping(second: np.ndarray, first: np.ndarray, within: float) -> Fitted | None:
     """The mapping that most places agree with; None where no similarity holds for four of them.
 
     Args:

@@ -19,7 +19,7 @@ from ..sentences import Sentence
 from .motion import Link, LinkSource, as_rows
 from .pixel_cells import SharedGround
 from .pixel_features import Features
-from .pixel_fit import Fitted, Mapping, fitted, similarity
+from .pixel_fit import Fitted, Mapping, fit_mapping, similarity
 
 RATIO = 0.85
 """A corner counts when its best likeness is nearer than this share of the second best."""
@@ -89,8 +89,8 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
     motion = Motion(None)
     for _ in range(ROUNDS):
         ground = SharedGround(first, second, mapping)
-        at_second, at_first = ground.found()
-        found = fitted(at_second, at_first, AGREES_WITHIN_PX) if len(at_first) >= LEAST_AGREEING else None
+        at_second, at_first = ground.match_cells()
+        found = fit_mapping(at_second, at_first, AGREES_WITHIN_PX) if len(at_first) >= LEAST_AGREEING else None
         agreeing, cells = 0 if found is None else int(found.is_used.sum()), len(ground.corners)
         if found is None or agreeing < LEAST_AGREEING or evidence(agreeing, cells) < LEAST_EVIDENCE:
             reason = Sentence(
@@ -142,7 +142,7 @@ def _proposed(first: Features, second: Features) -> np.ndarray | None:
 def _link(first: Features, second: Features, found: Fitted, share: float, numbers: tuple[int, int]) -> Link:
     """The motion in pixels of the images, of which a share of the cells tells."""
     (right, down, turn, log_scale), covariance = found.pose()
-    covariance = covariance + unseen(np.array([right, down]), max(first.picture_hw.shape), share)
+    covariance = covariance + unmeasured_covariance(np.array([right, down]), max(first.picture_hw.shape), share)
     units = np.array([first.scale, first.scale, 1.0, 1.0])
     return Link(
         *numbers,
@@ -154,7 +154,7 @@ def _link(first: Features, second: Features, found: Fitted, share: float, number
     )
 
 
-def unseen(move: np.ndarray, edge: int, share: float) -> np.ndarray:
+def unmeasured_covariance(move: np.ndarray, edge: int, share: float) -> np.ndarray:
     """(4, 4) of what two images alone do not tell: tilt of the first one, relief of the ground.
 
     Args:

@@ -12,11 +12,11 @@ import numpy as np
 
 from ..correlation.class_pyramid import MapPyramid
 from ..correlation.refine import ScoredPose
-from .evidence import SeenImage, scored, worth
+from .evidence import SeenImage, log_ratios, score_poses
 from .memory import Past
 from .motion import Link
 from .settings import FlightSettings
-from .states import as_poses, as_states, turned, turns_of
+from .states import as_poses, as_states, turns_of, wrap_angle
 
 OWN_MOST = 12.0
 """Most log odds that an image's own best place counts: the flight can outvote it."""
@@ -56,16 +56,16 @@ class Pool:
         """(n,) evidence of all images of the window."""
         return self.evidence.sum(axis=1)
 
-    def chosen(self, which: np.ndarray) -> Pool:
+    def select(self, which: np.ndarray) -> Pool:
         """The hypotheses that ``which`` selects: (n,) bool or indices."""
         return Pool(self.states[which], self.variances[which], self.evidence[which])
 
-    def joined(self, other: Pool) -> Pool:
+    def append(self, other: Pool) -> Pool:
         """The hypotheses of both pools, those of ``other`` last."""
         return Pool(*(np.concatenate(pair) for pair in zip(vars(self).values(), vars(other).values())))
 
 
-def moved(states: np.ndarray, link: Link, back: bool = False) -> np.ndarray:
+def move_states(states: np.ndarray, link: Link, back: bool = False) -> np.ndarray:
     """(n, 4) states of the link's second image from those of the first; of the first from the second with ``back``."""
     centers, turns = states[:, 0] + 1j * states[:, 1], turns_of(states)
     if back:
@@ -76,7 +76,7 @@ def moved(states: np.ndarray, link: Link, back: bool = False) -> np.ndarray:
     return np.column_stack([centers.real, centers.imag, -np.angle(turns), np.log(np.abs(turns))])
 
 
-def predicted(pool: Pool, link: Link) -> Pool:
+def predict(pool: Pool, link: Link) -> Pool:
     """The hypotheses about the next image, before it is looked at: less sure, with room for its evidence."""
     states, known = pool.states, np.array(link.covariance)
     unit = 1.0 if link.in_meters else np.exp(states[:, 3])
@@ -88,10 +88,10 @@ def predicted(pool: Pool, link: Link) -> Pool:
     variances[:, 1] += known[2, 2]
     variances[:, 2] += known[3, 3]
     evidence = np.column_stack([pool.evidence[:, 1:], np.zeros(len(pool))])
-    return Pool(moved(states, link), variances, evidence)
+    return Pool(move_states(states, link), variances, evidence)
 
 
-def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, settings: FlightSettings) -> Pool:
+def update(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, settings: FlightSettings) -> Pool:
     """The hypotheses after a look at the image: moved to where it agrees, with its evidence.
 
     Args:
@@ -103,18 +103,18 @@ def updated(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, set
     evidence, states, variances = pool.evidence.copy(), pool.states.copy(), pool.variances.copy()
     worths = np.zeros(len(pool))
     if seen.evidence is not None:
-        found = scored(seen, pyramid, as_poses(states))
+        found = score_poses(seen, pyramid, as_poses(states))
         off = as_states(found) - states
-        off[:, 2] = turned(off[:, 2])
+        off[:, 2] = wrap_angle(off[:, 2])
         noise = look_noise(seen, states, settings.search_noise)
         total = variances + noise
         far = (off[:, :2] ** 2).sum(axis=1) / total[:, 0] + (off[:, 2:] ** 2 / total[:, 1:]).sum(axis=1)
-        worths = worth(np.array([pose.score for pose in found]), seen, settings) - np.maximum(far - 4, 0) / 2
+        worths = log_ratios(np.array([pose.score for pose in found]), seen, settings) - np.maximum(far - 4, 0) / 2
         worths = np.maximum(worths, settings.evidence_curve[2])
         gain = variances / total * np.clip(worths / 2, 0, 1)[:, None]
         states += np.column_stack([gain[:, 0], gain]) * off
         variances -= gain * variances
-    evidence[:, -1] = weight * worths + own_worth(states, variances, seen, settings)
+    evidence[:, -1] = weight * worths + own_log_ratios(states, variances, seen, settings)
     return Pool(states, variances, evidence)
 
 
@@ -128,7 +128,7 @@ def look_noise(seen: SeenImage, states: np.ndarray, deviations: tuple[float, flo
     return noise
 
 
-def own_worth(states: np.ndarray, variances: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
+def own_log_ratios(states: np.ndarray, variances: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
     """(n,) evidence that the image's own best place adds to hypotheses at it; 0 to others and without one."""
     lead = own_lead(seen, settings)
     if seen.own_state is None or lead <= 0:
@@ -155,9 +155,9 @@ def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings:
     """
     support, evidence = float(track.evidence[-1, -1]), rival.evidence.copy()
     if seen.own_state is not None and weight > 0 and own_lead(seen, settings) > 0:
-        at_own = own_worth(track.states, track.variances, seen, settings) > 0
+        at_own = own_log_ratios(track.states, track.variances, seen, settings) > 0
         if not at_own[0]:
-            again = own_worth(rival.states, rival.variances, seen, settings)
+            again = own_log_ratios(rival.states, rival.variances, seen, settings)
             if not again.any():
                 evidence, weight = np.zeros((1, settings.window)), 1.0
             evidence[0, -1] = weight * own_lead(seen, settings)
@@ -166,16 +166,16 @@ def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings:
             support = 0.0 if at_own[-1] else support
     evidence[:, -1] -= support
     found = replace(rival, evidence=evidence)
-    return found.chosen(found.totals > 0)
+    return found.select(found.totals > 0)
 
 
-def started(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
+def new_pool(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
     """Hypotheses at the best places of an image, with its evidence alone."""
     states = as_states(poses)
     variances = look_noise(seen, states, settings.search_noise)
     evidence = np.zeros((len(states), settings.window))
-    worths = worth(np.array([pose.score for pose in poses]), seen, settings)
-    evidence[:, -1] = weight * worths + own_worth(states, variances, seen, settings)
+    worths = log_ratios(np.array([pose.score for pose in poses]), seen, settings)
+    evidence[:, -1] = weight * worths + own_log_ratios(states, variances, seen, settings)
     return Pool(states, variances, evidence)
 
 
@@ -189,15 +189,15 @@ def with_past(pool: Pool, past: Sequence[Past], pyramid: MapPyramid, settings: F
     evidence, states, variances = pool.evidence.copy(), pool.states, pool.variances
     for back, earlier in enumerate(past[: settings.window - 1], 2):
         seen, link, weight = earlier.seen, earlier.link, earlier.weight
-        states = moved(states, link, back=True)
-        grown = replace(predicted(Pool(states, variances, evidence), link), states=states, evidence=evidence)
-        looked = updated(grown, seen, pyramid, weight, settings)
+        states = move_states(states, link, back=True)
+        grown = replace(predict(Pool(states, variances, evidence), link), states=states, evidence=evidence)
+        looked = update(grown, seen, pyramid, weight, settings)
         states, variances = looked.states, looked.variances
         evidence[:, -back] = looked.evidence[:, -1]
     return Pool(pool.states, pool.variances, evidence)
 
 
-def pruned(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
+def prune(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
     """The best hypotheses, best first, no two at the same place.
 
     Args:
@@ -213,11 +213,11 @@ def pruned(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
             break
         if not kept or not same_place(pool.states[kept], pool.states[n], apart * edge_m).any():
             kept.append(int(n))
-    return pool.chosen(np.array(kept, int))
+    return pool.select(np.array(kept, int))
 
 
 def same_place(states: np.ndarray, state: np.ndarray, reach_m: float | np.ndarray) -> np.ndarray:
     """(n,) bool: which states are about the same as one."""
     off = states - state
     near = np.hypot(off[:, 0], off[:, 1]) < reach_m
-    return near & (np.abs(turned(off[:, 2])) < np.radians(SAME_HEADING_DEG))
+    return near & (np.abs(wrap_angle(off[:, 2])) < np.radians(SAME_HEADING_DEG))

@@ -18,7 +18,7 @@ import numpy as np
 from .measurement import Measurement
 from .motion import Link, LinkSource
 from .settings import FlightSettings
-from .states import turned
+from .states import wrap_angle
 
 DRIFT = 0.01
 """Deviation of a flight's constant errors of links: share of the distance along and, in radians, across."""
@@ -153,13 +153,13 @@ def without_measurement(estimate: Estimate, measured: Measurement, shared_m2: fl
     return Estimate(estimate.mean - covariance @ seen.T @ _off(estimate, measured), covariance)
 
 
-def softened(measured: Measurement, expected: Estimate) -> Measurement:
+def soften(measured: Measurement, expected: Estimate) -> Measurement:
     """A measurement, the less exact the farther it is from what is expected: errors of labels have long tails.
 
     By Student's t with ``TAILS`` degrees of freedom, as in iteratively reweighted least squares.
     """
     off = measured.state - expected.state
-    off[2] = turned(off[2])
+    off[2] = wrap_angle(off[2])
     square = float(off @ np.linalg.solve(measured.covariance + expected.pose_covariance, off))
     factor = (TAILS + square) / (TAILS + len(off))
     return replace(measured, covariance=factor * measured.covariance) if factor > 1 else measured
@@ -175,11 +175,11 @@ def _own_noise(measured: Measurement, shared_m2: float) -> np.ndarray:
 def _off(expected: Estimate, measured: Measurement) -> np.ndarray:
     """(4,) of a measurement from what is expected."""
     off = measured.state - _SEEN @ expected.mean
-    off[2] = turned(off[2])
+    off[2] = wrap_angle(off[2])
     return off
 
 
-def smoothed(filtered: list[Estimate], steps: list[Step]) -> list[Estimate]:
+def smooth(filtered: list[Estimate], steps: list[Step]) -> list[Estimate]:
     """All images' estimates with what later ones tell.
 
     Args:
@@ -190,7 +190,7 @@ def smoothed(filtered: list[Estimate], steps: list[Step]) -> list[Estimate]:
     for before, step in zip(filtered[-2::-1], steps[::-1]):
         gain = np.linalg.solve(step.predicted.covariance, step.transition @ before.covariance).T
         off = found[-1].mean - step.predicted.mean
-        off[2] = turned(off[2])
+        off[2] = wrap_angle(off[2])
         covariance = before.covariance + gain @ (found[-1].covariance - step.predicted.covariance) @ gain.T
         found.append(Estimate(before.mean + gain @ off, (covariance + covariance.T) / 2))
     return found[::-1]

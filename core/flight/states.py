@@ -36,7 +36,7 @@ def state_of(place: Place, origin: tuple[float, float]) -> np.ndarray:
     return np.array([x, y, np.radians(heading_deg), np.log(size)])
 
 
-def turned(difference: np.ndarray) -> np.ndarray:
+def wrap_angle(difference: np.ndarray) -> np.ndarray:
     """Angles in radians, between −π and π."""
     return (difference + np.pi) % (2 * np.pi) - np.pi
 

@@ -15,15 +15,15 @@ from ..errors import ParameterError
 from ..localization import Method, Prior, Status, log_odds_of, risk_of
 from ..localizer.localizer import Localizer, default_scales
 from ..sentences import Sentence
-from .evidence import SeenImage, best_of, seen_image
-from .measurement import Measurement, measured_near, shared_after, shared_variance
-from .memory import NOWHERE, Past, checked_array, mirrored, packed, unpacked
+from .evidence import SeenImage, best_poses, prepare_image
+from .measurement import Measurement, measure_near, shared_after, shared_variance
+from .memory import NOWHERE, Past, checked_array, pack, unpack
 from .model import FlightImage, FlightPose
 from .motion import Link, LinkSource, as_rows
-from .pool import OWN_MOST, Pool, look_noise, predicted, pruned, rival_of, same_place, started, updated, with_past
+from .pool import OWN_MOST, Pool, look_noise, new_pool, predict, prune, rival_of, same_place, update, with_past
 from .reported_pose import report_pose, unplaced
 from .settings import FLIGHT, FlightSettings
-from .smoothing import SIZE, Estimate, drift_of, first_estimate, softened, step_over, with_measurement
+from .smoothing import SIZE, Estimate, drift_of, first_estimate, soften, step_over, with_measurement
 
 OVERLAP_SHARE = 0.35
 """Least weight of an image that shows hardly new ground."""
@@ -101,9 +101,9 @@ class FlightTracker:
         """
         self._number += 1
         prior = self._prior(image)
-        seen = seen_image(image.labels_hw, self.localizer.pyramid, prior, image.own, self.settings)
+        seen = prepare_image(image.labels_hw, self.localizer.pyramid, prior, image.own, self.settings)
         if self._latest is not None:
-            link = link or self._assumed()
+            link = link or self._assumed_link()
         if link is None or self._latest is None:
             self._begin()
         else:
@@ -113,7 +113,7 @@ class FlightTracker:
         self._look(seen, link, weight)
         self._latest = Past(seen, NOWHERE, weight)
         self._follow(image, seen, link)
-        return self._told(image)
+        return self._report(image)
 
     def state(self) -> dict[str, np.ndarray]:
         """All that the flight so far has left, as arrays by name, for ``from_state``; its size doesn't grow."""
@@ -125,7 +125,7 @@ class FlightTracker:
             arrays.update(held_mean=self._held.mean, held_covariance=self._held.covariance)
         remembered = [*self._past, *([] if self._latest is None else [self._latest])]
         for number, past in enumerate(remembered):
-            arrays.update({f"past{number}_{field}": value for field, value in packed(past).items()})
+            arrays.update({f"past{number}_{field}": value for field, value in pack(past).items()})
         return arrays
 
     @classmethod
@@ -164,7 +164,7 @@ class FlightTracker:
                     raise ValueError("the window is another")
                 channels = localizer.pyramid.space.channels
                 remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
-                *tracker._past, tracker._latest = [unpacked(arrays, channels) for arrays in remembered]
+                *tracker._past, tracker._latest = [unpack(arrays, channels) for arrays in remembered]
         except (KeyError, ValueError, IndexError, OverflowError) as error:
             raise ParameterError("The saved state of the flight can't be read.") from error
         return tracker
@@ -184,7 +184,7 @@ class FlightTracker:
         sizes = self.localizer.pixel_sizes(image.size_wh[::-1], default_scales(Method.MAP_CORRELATION))
         return replace(image.prior, pixel_size_range=sizes)
 
-    def _assumed(self) -> Link | None:
+    def _assumed_link(self) -> Link | None:
         """The motion before goes on; None where there was none."""
         latest = self._past[0].link if self._past else None
         if latest is None:
@@ -208,26 +208,26 @@ class FlightTracker:
         every = searching if self._held is None else held
         is_searched = len(self._past) < SEARCH_FIRST or self._number % every == 0
         is_searched = is_searched or self._held is None and not len(self._mirror)
-        self._pool = self._looked(self._pool, Past(seen, link or NOWHERE, weight), self._past if is_searched else None)
+        latest, past = Past(seen, link or NOWHERE, weight), self._past if is_searched else None
+        self._pool = self._update_pool(self._pool, latest, past)
         if self._held is None:
-            flipped = [Past(mirrored(past.seen), past.link.mirrored(), past.weight) for past in self._past]
-            latest = Past(mirrored(seen), (link or NOWHERE).mirrored(), weight)
-            self._mirror = self._looked(self._mirror, latest, flipped if is_searched else None)
+            flipped = None if past is None else [one.mirrored() for one in past]
+            self._mirror = self._update_pool(self._mirror, latest.mirrored(), flipped)
 
-    def _looked(self, pool: Pool, latest: Past, past: list[Past] | None) -> Pool:
+    def _update_pool(self, pool: Pool, latest: Past, past: list[Past] | None) -> Pool:
         """Hypotheses after an image; new ones are looked for where ``past`` is told.
 
         ``latest``: the image, with the link that led to it.
         """
         settings, pyramid, seen, weight = self.settings, self.localizer.pyramid, latest.seen, latest.weight
         if len(pool):
-            pool = updated(predicted(pool, latest.link), seen, pyramid, weight, settings)
+            pool = update(predict(pool, latest.link), seen, pyramid, weight, settings)
         if past is not None:
             count = settings.added if len(pool) else settings.candidates
-            new = started(best_of(seen, pyramid, count, APART), seen, weight, settings)
-            new = new.joined(self._at_own(seen, weight))
-            pool = pool.joined(with_past(new, past, pyramid, settings))
-        return pruned(pool, self._edge_m(seen), settings.hypotheses, APART)
+            new = new_pool(best_poses(seen, pyramid, count, APART), seen, weight, settings)
+            new = new.append(self._at_own(seen, weight))
+            pool = pool.append(with_past(new, past, pyramid, settings))
+        return prune(pool, self._edge_m(seen), settings.hypotheses, APART)
 
     def _at_own(self, seen: SeenImage, weight: float) -> Pool:
         """A hypothesis at the image's own best place."""
@@ -236,7 +236,7 @@ class FlightTracker:
         deviation = 0.01 * self._edge_m(seen)
         evidence = np.zeros((1, self.settings.window))
         alone = Pool(seen.own_state[None], np.array([[deviation**2, 1e-4, 1e-4]]), evidence)
-        return updated(alone, seen, self.localizer.pyramid, weight, self.settings)
+        return update(alone, seen, self.localizer.pyramid, weight, self.settings)
 
     @staticmethod
     def _edge_m(seen: SeenImage) -> float:
@@ -248,13 +248,13 @@ class FlightTracker:
         settings, found, is_lost = self.settings, Looked(link=link), False
         if self._held is not None and link is not None:
             expected = step_over(self._held, link, self._shared_m2, settings).predicted
-            measured = self._measured(image, expected)
+            measured = self._measure(image, expected)
             self._held = expected
             if measured is not None:
-                self._held = with_measurement(expected, softened(measured, expected), self._shared_m2)
+                self._held = with_measurement(expected, soften(measured, expected), self._shared_m2)
                 self._shared_m2 = shared_after(self._shared_m2, measured, settings)
             found = Looked(self._held, measured, link)
-            self._rival = self._contested(image, seen, link, self._held)
+            self._rival = self._rival_place(image, seen, link, self._held)
             risk, is_lost = self._risk_now(), self._is_lost(seen)
             if risk >= 1 - settings.allowed_risk or (is_lost and len(self._rival)):
                 # The past was wrong: the flight begins again with this image.
@@ -269,21 +269,21 @@ class FlightTracker:
             elif risk > settings.allowed_risk:
                 found = replace(found, estimate=None)
         if self._held is None and not is_lost:
-            risk = self._decided()
+            risk = self._best_risk()
             if risk <= settings.allowed_risk:
                 self.risk, self.track = risk, self.track + 1
                 found = replace(self._start(image, seen), link=link)
                 self._held = found.estimate
         self.looked = found
 
-    def _contested(self, image: FlightImage, seen: SeenImage, link: Link, held: Estimate) -> Pool:
+    def _rival_place(self, image: FlightImage, seen: SeenImage, link: Link, held: Estimate) -> Pool:
         """The place of own fixes that contradict the track, see ``rival_of``."""
         is_fix = image.own is not None and image.own.is_fix
         variances = np.diag(held.pose_covariance)[None, [0, 2, 3]]
         track = Pool(held.state[None], variances, np.zeros((1, self.settings.window)))
-        track = track.joined(self._pool.chosen(self._here(seen)[:1]))
+        track = track.append(self._pool.select(self._here(seen)[:1]))
         weight = self._weight(seen, link) if is_fix else 0.0
-        return rival_of(track, predicted(self._rival, link), seen, weight, self.settings)
+        return rival_of(track, predict(self._rival, link), seen, weight, self.settings)
 
     def _risk_now(self) -> float:
         """Risk of the track that is held. Where own fixes contest it, the past counts no more than one of them."""
@@ -292,7 +292,7 @@ class FlightTracker:
         odds = min(log_odds_of(self.risk), OWN_MOST)
         return max(self.risk, risk_of(odds - self.settings.risk_curve[1] * float(self._rival.totals[0])))
 
-    def _decided(self) -> float:
+    def _best_risk(self) -> float:
         """Risk of the best hypothesis, against the best other one and that of the mirrored flight."""
         if not len(self._pool):
             return 1.0
@@ -307,15 +307,15 @@ class FlightTracker:
         # A hypothesis is known to a pixel of the first look, however often that has looked.
         deviations = np.sqrt(look_noise(seen, state[None], self.settings.start_noise)[0][[0, 0, 1, 2]])
         bare = first_estimate(state, deviations, 0.0, drift)
-        measured = self._measured(image, bare)
+        measured = self._measure(image, bare)
         self._shared_m2 = 0.0 if measured is None else shared_variance([measured], self.settings)
         estimate = first_estimate(state, deviations, self._shared_m2, drift)
         if measured is not None:
             estimate = with_measurement(estimate, measured, self._shared_m2)
         return Looked(estimate, measured, None, is_new=True)
 
-    def _measured(self, image: FlightImage, expected: Estimate) -> Measurement | None:
-        return measured_near(image, self.localizer, expected.state, expected.pose_covariance, self.settings)
+    def _measure(self, image: FlightImage, expected: Estimate) -> Measurement | None:
+        return measure_near(image, self.localizer, expected.state, expected.pose_covariance, self.settings)
 
     def _here(self, seen: SeenImage) -> np.ndarray:
         """The hypotheses at the track that is held, best first."""
@@ -339,9 +339,9 @@ class FlightTracker:
             self.settings.allowed_risk
         )
 
-    def _told(self, image: FlightImage) -> FlightPose:
+    def _report(self, image: FlightImage) -> FlightPose:
         held, allowed = self._held, self.settings.allowed_risk
-        risk = self._decided() if held is None else self._risk_now()
+        risk = self._best_risk() if held is None else self._risk_now()
         if held is None or risk > allowed:
             reason = Sentence(
                 "The flight so far does not tell where it is: the best track is wrong with a probability of "

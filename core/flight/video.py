@@ -51,7 +51,7 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
             least=LEAST_STEP_S,
             most=MOST_STEP_S,
         )
-    capture = _opened(video)
+    capture = _open_video(video)
     if os.path.lexists(table):
         raise ParameterError("{path} is there already; choose another folder.", path=table)
     stem = stem_of(video)
@@ -81,7 +81,7 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     _write(table, _table(names, times, log).encode("utf-8"))
 
 
-def _opened(video: str) -> cv2.VideoCapture:
+def _open_video(video: str) -> cv2.VideoCapture:
     no_video = ParameterError(
         "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
     )
@@ -138,7 +138,7 @@ def subtitles_of(video: str) -> str | None:
     return next((stem + ending for ending in (".SRT", ".srt") if os.path.isfile(stem + ending)), None)
 
 
-def _say(text: str, where: TextIO | None = None) -> None:
+def _print_line(text: str, where: TextIO | None = None) -> None:
     """Prints a line; a name's bytes that are no text are escaped."""
     print(text.encode("utf-8", "backslashreplace").decode("utf-8"), file=where, flush=True)
 
@@ -154,9 +154,9 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         path = options.log or subtitles_of(options.video)
         for written, _ in write_frames(options.video, options.folder, options.every, read_log(path) if path else None):
-            _say(written)
+            _print_line(written)
     except SemRefError as error:
-        _say(str(error), sys.stderr)
+        _print_line(str(error), sys.stderr)
         return 1
     return 0
 

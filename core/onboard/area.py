@@ -34,7 +34,7 @@ def area_mask(rings: Sequence[np.ndarray], parameters: BuildParameters) -> np.nd
     return mask > 0
 
 
-def clipped(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
+def clip_database(database: ReferenceDatabase, mask: np.ndarray) -> ReferenceDatabase:
     """The landmarks in an area, the windows centered in it, the overview with nothing else on it.
 
     Args:

@@ -7,7 +7,7 @@ import os
 from dataclasses import dataclass
 
 from ..errors import ParameterError
-from ..flight.cameras import check_cameras, completed, known_camera, row_camera
+from ..flight.cameras import check_cameras, complete_camera, merge_camera, row_camera
 from ..flight.logs.files import read_log
 from ..flight.motion import Link
 from ..flight.table import stem_of
@@ -39,13 +39,13 @@ class Cameras:
         """The camera of an image."""
         name, photo = stem_of(path), photo_camera(path)
         row = None if self.table is None else self.table.of(name)
-        camera = photo if row is None else known_camera(row, photo, row.time_s is not None)
+        camera = photo if row is None else merge_camera(row, photo, row.time_s is not None)
         moment = name, self.time_s(path, camera)
         log = self._log(moment[1])
         if log is None:
             return camera
         told = log_cameras(log, *self._asked([moment]))[-1]
-        return completed(camera, told, with_attitude=True)
+        return complete_camera(camera, told, with_attitude=True)
 
     def time_s(self, path: str, camera: Camera) -> float | None:
         """When an image was taken: as its camera tells, else when it was written; None where nobody can tell."""
@@ -74,7 +74,7 @@ class Cameras:
         return ["", *(name for name, _ in images)], [self.first_s, *(time_s for _, time_s in images)]
 
 
-def opened_cameras(table: str | None, log: str | None, is_ended: bool, is_strict: bool) -> Cameras:
+def open_cameras(table: str | None, log: str | None, is_ended: bool, is_strict: bool) -> Cameras:
     """Cameras by what a command line names.
 
     Args:

@@ -25,16 +25,16 @@ from ..localizer.settings import LOCALIZER
 from ..pipeline import Pipeline
 from ..segmentation.devices import AUTO, KEYS
 from ..sentences import english
-from .cameras import opened_cameras
-from .flight import FlightFinding
+from .cameras import open_cameras
+from .flight import FlightFinder
 from .format import OnboardDatabase
-from .image_records import ERROR, FinderSettings, label_reader
+from .image_records import ERROR, ImageFinder, label_reader
 from .log import json_line, log_event, start_log
 from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
 from .read import read_onboard
 from .sinks import check_sink
 from .state_file import StateFile
-from .tables import opened_odometry
+from .tables import open_odometry
 from .watch import watch
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
@@ -290,7 +290,7 @@ def _date(onboard: OnboardDatabase) -> str:
 
 
 def _localize(options: argparse.Namespace) -> int:
-    find = _finding(options, read_onboard(options.database, key_file=options.require_signature))
+    find = _image_finder(options, read_onboard(options.database, key_file=options.require_signature))
     statuses = set()
     for path in image_files(options.images):
         found = find(path)
@@ -306,7 +306,7 @@ def exit_code(statuses: set[str]) -> int:
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
-def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> FinderSettings:
+def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase) -> ImageFinder:
     """How the options ask to localize; everything that can be refused is refused here."""
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
@@ -328,8 +328,8 @@ def _finding(options: argparse.Namespace, onboard: OnboardDatabase) -> FinderSet
     )
     # Watching may come before the end of writing; a restart in the air must not end for a table.
     is_ended = getattr(options, "once", True)
-    cameras = opened_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
-    return FinderSettings(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
+    cameras = open_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
+    return ImageFinder(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
 
 
 def _is_restart(options: argparse.Namespace) -> bool:
@@ -366,7 +366,7 @@ def _watch(options: argparse.Namespace) -> int:
         raise ParameterError("There is no folder {folder}; create it or watch another one.", folder=options.folder)
     onboard = read_onboard(options.database, key_file=options.require_signature)
     is_restart = _is_restart(options)
-    find: FinderSettings = _finding(options, onboard)
+    find: ImageFinder = _image_finder(options, onboard)
     after = None
     if options.flight:
         if not find.pipeline.localizer.has_overview:
@@ -375,9 +375,9 @@ def _watch(options: argparse.Namespace) -> int:
                 database=options.database,
             )
         settings = replace(FLIGHT, allowed_risk=options.risk)
-        odometry = opened_odometry(options.odometry, options.once, not is_restart)
+        odometry = open_odometry(options.odometry, options.once, not is_restart)
         state = StateFile.at(options.state, options.require_signature) if options.state else None
-        find = FlightFinding(**vars(find), state=state, settings=settings, odometry=odometry)
+        find = FlightFinder(**vars(find), state=state, settings=settings, odometry=odometry)
         after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError(

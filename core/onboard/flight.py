@@ -1,6 +1,6 @@
-"""``semref watch --flight``: each image gets what its flight so far says of it; the state outlives a restart.
+"""``semref watch --flight``: localize the images of a flight with all earlier ones, and continue after a restart.
 
-A state has the arrays of ``FlightTracker.state``, what the next image is linked by, and a header in JSON.
+A state contains the arrays of ``FlightTracker.state``, the features of the latest image, and a header in JSON.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import json
 import logging
 import math
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
@@ -28,7 +28,7 @@ from ..flight.tracker import FlightTracker
 from ..pipeline import ImageResult
 from ..values import checked, read_json
 from .format import export_date
-from .image_records import FinderSettings, time_of
+from .image_records import ImageFinder, time_of
 from .log import log_event
 from .state_file import StateFile
 from .tables import OdometryTable
@@ -40,47 +40,37 @@ Taken = tuple[int, str]
 
 
 @dataclass
-class _Memory:
-    """What a flight remembers.
+class FlightFinder(ImageFinder):
+    """Localizes the images of one flight in order; each fix uses all images up to it.
 
     Attributes:
-        tracker: That follows it; None before the start.
-        features: Of the latest image, for the link to the next one.
-        after: The latest image; None before the first.
-        taken_s: When that one was taken, on the cameras' clock; None where unknown.
-        newest: Latest export date of the onboard files that this flight and the ones before it in its state used.
-        is_kept: Whether the state could be written the last time.
-    """
-
-    tracker: FlightTracker | None = None
-    features: Features | None = None
-    after: Taken | None = None
-    taken_s: float | None = None
-    newest: datetime | None = None
-    is_kept: bool = True
-
-
-@dataclass(frozen=True)
-class FlightFinding(FinderSettings):
-    """Localizes the images of one flight, in order; what is said of each is the best estimate of all up to it.
-
-    Attributes:
-        state: File that keeps the flight; None for none.
+        state: File that stores the flight; None for none.
+        settings: Of the flight.
         odometry: Table of the motion from image to image; None without one.
+        tracker: Follows the flight; begins with the first image.
+        features: Of the latest image, to link the next one.
+        after: The latest image; None before the first.
+        taken_s: Time of that image on the cameras' clock; None if unknown.
+        newest: Latest export date of all onboard files that this flight has used.
+        is_stored: Whether the last state could be written.
     """
 
     state: StateFile | None = None
     settings: FlightSettings = FLIGHT
     odometry: OdometryTable | None = None
-    memory: _Memory = field(default_factory=_Memory)
+    tracker: FlightTracker | None = None
+    features: Features | None = None
+    after: Taken | None = None
+    taken_s: float | None = None
+    newest: datetime | None = None
+    is_stored: bool = True
 
     def start(self) -> Taken | None:
-        """Goes on where a state file left it, else begins; the image that was taken last, None for none.
+        """Continue the flight of the state file or begin one. Return the latest image of the state; None for none.
 
-        A file that can't be used is told in the log: an aircraft must not stay on the ground, or without a position,
-        for it.
+        A file that can't be used is logged and ignored: it must not keep an aircraft on the ground.
         """
-        self.memory.newest = self.onboard.exported
+        self.newest = self.onboard.exported
         if self.state is None or not os.path.exists(self.state.path):
             return None
         try:
@@ -88,61 +78,54 @@ class FlightFinding(FinderSettings):
             log_event(logging.INFO, "flight_resumed", state=self.state.path, track=tracker.track)
         except (ParameterError, OSError) as error:
             log_event(logging.ERROR, "flight_state_not_used", state=self.state.path, reason=str(error))
-        return self.memory.after
+        return self.after
 
-    def localized(self, path: str) -> dict[str, Any]:
-        """A record's columns for the next image of the flight. Raises SemRefError."""
+    def localize(self, path: str) -> dict[str, Any]:
+        """Return the columns of the record of the next image. Raises SemRefError."""
         camera = self.camera_of(path)
         result = self.pipeline.run(path, camera, with_pixels=True)
         taken_s = self.cameras.time_s(path, camera)
         link = self._link(path, taken_s, result)
         seen, moment_s = result.seen, time_of(path).timestamp()
         image = FlightImage(os.path.basename(path), seen.labels_hw, result.level, moment_s, result.prior, seen.biases)
+        self.tracker = self.tracker or FlightTracker(self.pipeline.localizer, self.settings)
         try:
-            pose = self._tracker.add(image, link)
+            pose = self.tracker.add(image, link)
         except Exception:
-            # What led to a fault must not lead to one with each image to come: the flight begins again.
-            self.memory.tracker = self.memory.features = None
+            # The same fault must not repeat with every image: the flight begins again.
+            self.tracker = self.features = None
             raise
-        found = self.told(result.as_taken(pose.localization()))
+        found = self.as_record(result.as_taken(pose.localization()))
         source = str(pose.source) if pose.is_fix else None
         found.update(source=source, track=pose.track or None, outvoted=pose.is_outvoted)
-        self.memory.after = os.stat(path).st_mtime_ns, os.path.basename(path)
-        self.memory.taken_s = taken_s
-        self._keep()
+        self.after = os.stat(path).st_mtime_ns, os.path.basename(path)
+        self.taken_s = taken_s
+        self._store(self.tracker)
         return found
 
-    @property
-    def _tracker(self) -> FlightTracker:
-        if self.memory.tracker is None:
-            self.memory.tracker = FlightTracker(self.pipeline.localizer, self.settings)
-        return self.memory.tracker
-
     def _link(self, path: str, taken_s: float | None, result: ImageResult) -> Link | None:
-        """From the image before to this one: by the odometry table, else by what both show, else by the log."""
-        memory = self.memory
+        """Return the motion from the previous image: from the odometry table, the pixels or the flight log."""
         features = features_of(result.seen.labels_hw, result.seen.pixels, result.leveling)
-        seen_before, memory.features = memory.features, features
-        if memory.after is None:
+        seen_before, self.features = self.features, features
+        if self.after is None:
             return None
-        before, now = stem_of(memory.after[1]), stem_of(path)
+        before, now = stem_of(self.after[1]), stem_of(path)
         link = None if self.odometry is None else self.odometry.link(before, now)
         if link is None and seen_before is not None:
             motion = motion_between(seen_before, features)
             link = motion.link
             if link is None:
                 log_event(logging.INFO, "no_link", reason=None if motion.reason is None else str(motion.reason))
-        return link or self.cameras.link((before, memory.taken_s), (now, taken_s))
+        return link or self.cameras.link((before, self.taken_s), (now, taken_s))
 
     # --- the state ---
 
-    def _keep(self) -> None:
-        """Write the state. A full disk is logged once, and the flight goes on."""
+    def _store(self, tracker: FlightTracker) -> None:
+        """Write the state. A full disk is logged once, and the flight continues."""
         if self.state is None:
             return
-        memory = self.memory
-        arrays = {f"tracker_{name}": value for name, value in self._tracker.state().items()}
-        features = memory.features
+        arrays = {f"tracker_{name}": value for name, value in tracker.state().items()}
+        features = self.features
         if features is not None:
             arrays.update(
                 features_picture=features.picture_hw,
@@ -156,25 +139,25 @@ class FlightFinding(FinderSettings):
             "format": FORMAT,
             "version": VERSION,
             "content_hash": self.onboard.content_hash,
-            "newest": None if memory.newest is None else memory.newest.isoformat(),
-            "after": memory.after,
-            "times_s": [self.cameras.first_s, memory.taken_s],
+            "newest": None if self.newest is None else self.newest.isoformat(),
+            "after": self.after,
+            "times_s": [self.cameras.first_s, self.taken_s],
         }
         text = json.dumps(header).encode("utf-8", "backslashreplace")
         try:
             self.state.write({"header": np.frombuffer(text, np.uint8), **arrays})
-            memory.is_kept = True
+            self.is_stored = True
         except OSError as error:
-            if memory.is_kept:
+            if self.is_stored:
                 log_event(logging.ERROR, "state_not_kept", state=self.state.path, reason=reason_of(error))
-            memory.is_kept = False
+            self.is_stored = False
 
     def _resume(self, state: StateFile) -> FlightTracker:
-        """Reads the state.
+        """Read the state file and restore the flight from it.
 
         Raises:
-            OSError: It can't be read.
-            ParameterError: It is none, or of another database.
+            OSError: The file can't be read.
+            ParameterError: The file is not a state, or belongs to another database.
         """
         arrays = state.read()
         try:
@@ -191,20 +174,20 @@ class FlightFinding(FinderSettings):
             raise state.not_ours()
         self._compare_dates(newest)
         if known_hash != self.onboard.content_hash:
-            raise ParameterError("{path} is the state of a flight in another database.", path=state.path)
+            raise ParameterError("{path} is the state of a flight with another database.", path=state.path)
         prefix = "tracker_"
         saved = {name[len(prefix) :]: value for name, value in arrays.items() if name.startswith(prefix)}
-        memory, tracker = self.memory, FlightTracker.from_state(self.pipeline.localizer, saved, self.settings)
-        memory.tracker, memory.features, memory.after = tracker, _features(arrays), after
-        self.cameras.first_s, memory.taken_s = first_s, taken_s
+        self.tracker = tracker = FlightTracker.from_state(self.pipeline.localizer, saved, self.settings)
+        self.features, self.after = _features(arrays), after
+        self.cameras.first_s, self.taken_s = first_s, taken_s
         return tracker
 
     def _compare_dates(self, newest: datetime | None) -> None:
-        """Warns where an onboard file that was exported later is known: somebody may have put an older one here."""
+        """Warn if the flight has used a newer onboard file before: somebody may have installed an older one."""
         used = self.onboard.exported
         if newest is None or (used is not None and used >= newest):
             return
-        self.memory.newest = newest
+        self.newest = newest
         log_event(
             logging.WARNING,
             "older_database",
@@ -215,7 +198,7 @@ class FlightFinding(FinderSettings):
 
 
 def _time(value: object) -> float | None:
-    """Seconds, or None; raises ValueError for what is neither."""
+    """Return seconds or None; raises ValueError for anything else."""
     if value is None:
         return None
     seconds = float(checked(value, (int, float), "a time"))
@@ -225,7 +208,7 @@ def _time(value: object) -> float | None:
 
 
 def _features(arrays: dict[str, np.ndarray]) -> Features | None:
-    """Of the image before; None where they are none: then the next image is not linked by pixels, no more."""
+    """Return the features of the latest image; None if they are invalid: then pixels do not link the next image."""
     try:
         picture = checked_array(arrays, "features_picture", None, None).astype(np.uint8)
         points = checked_array(arrays, "features_points", None, 2)

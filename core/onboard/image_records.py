@@ -56,8 +56,8 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
     return PhotoReader(model, table)
 
 
-@dataclass(frozen=True)
-class FinderSettings:
+@dataclass
+class ImageFinder:
     """How images are localized.
 
     Attributes:
@@ -74,11 +74,11 @@ class FinderSettings:
         camera = self.cameras.of(path)
         return camera.without_leveling() if self.pipeline.search.method == Method.TOPOLOGY_VECTOR else camera
 
-    def localized(self, path: str) -> dict[str, Any]:
+    def localize(self, path: str) -> dict[str, Any]:
         """A record's columns for an image by itself. Raises SemRefError."""
-        return self.told(self.pipeline.run(path, self.camera_of(path)).localization)
+        return self.as_record(self.pipeline.run(path, self.camera_of(path)).localization)
 
-    def told(self, result: Localization) -> dict[str, Any]:
+    def as_record(self, result: Localization) -> dict[str, Any]:
         """A result as a record, with longitude and latitude where they are known."""
         found = record(result)
         if result.position is not None and self.onboard.lon_lat is not None:
@@ -92,7 +92,7 @@ class FinderSettings:
         found: dict[str, Any] = {"image": path, "time": None}
         try:
             found["time"] = time_of(path).isoformat()
-            found.update(self.localized(path))
+            found.update(self.localize(path))
         except SemRefError as error:
             found.update(status=ERROR, reason=str(error))
         except Exception as error:

@@ -90,7 +90,7 @@ class MavlinkSink(Sink):
         super().__init__(options.where)
         self._options, self._lon_lat = options, lon_lat
         self._dialect = _dialect()
-        self._line = _opened(options.where)
+        self._line = _open_line(options.where)
         component = self._dialect.MAV_COMP_ID_VISUAL_INERTIAL_ODOMETRY
         self._mavlink = self._dialect.MAVLink(self._line, srcSystem=options.system, srcComponent=component)
         self._heard = -math.inf
@@ -119,7 +119,7 @@ class MavlinkSink(Sink):
         if found.get("longitude") is None or (found.get("heading") is None and not is_external):
             return
         taken = datetime.fromisoformat(found["time"]) if found.get("time") else datetime.now(timezone.utc)
-        place = _placed(found, self._lon_lat, self._origin, self._options.camera_yaw_deg)
+        place = _vehicle_pose(found, self._lon_lat, self._origin, self._options.camera_yaw_deg)
         if is_external:
             self._send_external(place, taken)
             return
@@ -130,7 +130,7 @@ class MavlinkSink(Sink):
             self._is_told = True
         (self._send_odometry if self._options.message == "odometry" else self._send_vision)(place, taken)
 
-    def _send_odometry(self, place: _Placed, taken: datetime) -> None:
+    def _send_odometry(self, place: _VehiclePose, taken: datetime) -> None:
         dialect, unknown = self._dialect, math.nan
         half = place.yaw / 2
         self._mavlink.odometry_send(
@@ -147,13 +147,13 @@ class MavlinkSink(Sink):
             place.quality,
         )
 
-    def _send_vision(self, place: _Placed, taken: datetime) -> None:
+    def _send_vision(self, place: _VehiclePose, taken: datetime) -> None:
         position, angles = (place.north, place.east, 0.0), (0.0, 0.0, place.yaw)
         self._mavlink.vision_position_estimate_send(
             _microseconds(taken), *position, *angles, place.covariance, place.resets
         )
 
-    def _send_external(self, place: _Placed, taken: datetime) -> None:
+    def _send_external(self, place: _VehiclePose, taken: datetime) -> None:
         dialect = self._dialect
         now = datetime.now(timezone.utc)
         # An image of another day was not worked on since then: its clock is not this computer's.
@@ -171,7 +171,7 @@ class MavlinkSink(Sink):
 
 
 @dataclass(frozen=True)
-class _Placed:
+class _VehiclePose:
     """A position as autopilots have it.
 
     Attributes:
@@ -197,9 +197,9 @@ class _Placed:
     quality: int
 
 
-def _placed(
+def _vehicle_pose(
     found: dict[str, Any], lon_lat: LonLatPolynomial, origin: tuple[float, float], camera_yaw_deg: float
-) -> _Placed:
+) -> _VehiclePose:
     """A record with a position, from the map's grid to true north and meters on the ellipsoid."""
     latitude, longitude = found["latitude"], found["longitude"]
     north, east = meters_from(origin, (latitude, longitude))
@@ -218,7 +218,7 @@ def _placed(
         full[0, 1] = full[1, 0] = true[0, 1]
         covariance = full[np.triu_indices(6)].tolist()
     confidence = found.get("confidence")
-    return _Placed(
+    return _VehiclePose(
         latitude,
         longitude,
         north,
@@ -266,7 +266,7 @@ def _split(where: str) -> tuple[str, str, int]:
     )
 
 
-def _opened(where: str) -> _Line:
+def _open_line(where: str) -> _Line:
     kind, name, number = _split(where)
     try:
         if kind == UDP:

@@ -63,7 +63,7 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
         )
     try:
         with zipfile.ZipFile(path) as archive:
-            files = _unpacked(archive, path)
+            files = _unpack(archive, path)
     except UNREADABLE as error:
         if isinstance(error, OSError) and error.errno is not None:
             raise DatabaseError("{path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
@@ -117,7 +117,7 @@ def _damaged(path: str, reason: BaseException) -> DatabaseError:
     )
 
 
-def _unpacked(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
+def _unpack(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
     """The .npy files by name, each unpacked only when its stated size is one it may have."""
     found: dict[str, bytes] = {}
     infos = {info.filename: info for info in archive.infolist()}

@@ -120,7 +120,7 @@ class _UdpPort(Sink):
         self._socket.close()
 
 
-def opened(where: str | None) -> Sink:
+def open_sink(where: str | None) -> Sink:
     """The sink of a place: None for nowhere, ``-`` for stdout, ``udp:PORT``, else a file that is appended to.
 
     Raises:

@@ -137,7 +137,7 @@ class OdometryTable:
         return None if not steps or any(step.is_break for step in steps) else link_over(0, 1, steps)
 
 
-def opened_odometry(path: str | None, is_ended: bool, is_strict: bool) -> OdometryTable | None:
+def open_odometry(path: str | None, is_ended: bool, is_strict: bool) -> OdometryTable | None:
     """The table of motion that a command line names; None without one.
 
     Args:

@@ -17,7 +17,7 @@ from ..errors import ParameterError, reason_of
 from ..labels.image_files import is_image_name
 from ..localizer.record import gga_sentence
 from .log import json_line, log_event
-from .sinks import opened
+from .sinks import open_sink
 
 if TYPE_CHECKING:
     from .mavlink import MavlinkSink
@@ -57,10 +57,10 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
     """
     statuses = set()
     with ExitStack() as stack:
-        fix_sink, gga_sink = (stack.enter_context(closing(opened(where))) for where in (fixes, gga))
+        fix_sink, gga_sink = (stack.enter_context(closing(open_sink(where))) for where in (fixes, gga))
         if mavlink is not None:
             stack.enter_context(closing(mavlink))
-        for path in arriving(folder, once, after):
+        for path in arriving_images(folder, once, after):
             found = find(path)
             # The autopilot first: it flies by it.
             if mavlink is not None:
@@ -76,7 +76,7 @@ def _gga(found: dict[str, Any]) -> str:
     return gga_sentence(taken, found.get("longitude"), found.get("latitude"), found.get("inliers") or 0)
 
 
-def arriving(folder: str, once: bool, after: tuple[int, str] | None = None) -> Iterator[str]:
+def arriving_images(folder: str, once: bool, after: tuple[int, str] | None = None) -> Iterator[str]:
     """Images of a folder, each when it is complete, in order of time and name; one that is written anew comes again.
 
     With ``after`` those that lie there at the first look, up to this time and name, are left out.

@@ -62,7 +62,7 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
             "The class table of {source} was changed after it was built; build it again.",
             source=database.source or Sentence("the database"),
         )
-    members, quantization = _quantized(database, precision)
+    members, quantization = _quantize(database, precision)
     header = {
         "format": FORMAT,
         "version": ONBOARD_VERSION,
@@ -91,7 +91,7 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
         np.savez_compressed(file, **{name: members[name] for name in KINDS if name in members})
 
 
-def _quantized(database: ReferenceDatabase, precision: float) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+def _quantize(database: ReferenceDatabase, precision: float) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
     """Arrays by name, and the numbers that the header needs to undo them."""
     windows, references = database.windows, database.references
     if not len(references):

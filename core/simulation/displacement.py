@@ -10,13 +10,13 @@ import numpy as np
 from ..landmarks.landmarks import class_mask
 from .fields import correlated_field, smooth_noise
 from .noise import JITTER_LENGTH_PX, LabelNoise
-from .regions import filled_from_around, regions_of
+from .regions import fill_from_around, regions_of
 
 FIELD_STEP_PX = 8
 """Displacements are computed at every eighth pixel: they hardly change from one to the next."""
 
 
-def displaced(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
+def displace(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
     """A label image whose boundaries jitter, whose ground is displaced, and whose classes are shifted.
 
     Args:
@@ -42,7 +42,7 @@ def displaced(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator
     moved = _read(labels_hw, columns, rows)
     values = [value for value, *_ in noise.class_shifts]
     lost = np.isin(moved, values)
-    moved = filled_from_around(moved, lost, ~lost)
+    moved = fill_from_around(moved, lost, ~lost)
     for value, right, down in noise.class_shifts:
         moved[_read(class_mask(labels_hw, value), columns - np.float32(right), rows - np.float32(down)) > 0] = value
     return moved
@@ -79,7 +79,7 @@ def with_leaning_roofs(
     leaning, lost = labels_hw.copy(), np.zeros(labels_hw.shape, bool)
     for region in regions:
         lost[region.box] |= region.mask
-    leaning = filled_from_around(leaning, lost, ~lost)
+    leaning = fill_from_around(leaning, lost, ~lost)
     for region, (first_row, first_column), (down, right) in zip(regions, firsts, moves):
         rows, columns = np.nonzero(region.mask)
         rows, columns = rows + first_row + down, columns + first_column + right

@@ -18,10 +18,10 @@ import numpy as np
 
 from ..labels.class_table import UNLABELED
 from ..landmarks.landmarks import class_mask
-from .displacement import displaced, with_leaning_roofs
+from .displacement import displace, with_leaning_roofs
 from .fields import smooth_noise
 from .noise import LabelNoise
-from .regions import ClassRegion, filled_from_around, nearest_zero, regions_of
+from .regions import ClassRegion, fill_from_around, nearest_zero, regions_of
 
 MERGED_LENGTH_PX = 100.0
 """Size of the parts of an image in which landmarks flow together, where they do so in a share of it."""
@@ -61,9 +61,9 @@ def spoil_labels(  # noqa: PLR0913 - an image, how it is spoiled, and what is kn
         labels = _with_changed_landmarks(labels, noise, rng, class_values, donor_hw, minimum_area_px)
     labels = with_leaning_roofs(labels, noise, rng, class_values, minimum_area_px)
     for value in class_values:
-        labels = _merged(labels, value, noise, rng)
+        labels = _merge(labels, value, noise, rng)
         labels = _split(labels, value, noise, rng)
-    labels = displaced(_without_thin_parts(labels, noise.thin), noise, rng)
+    labels = displace(_without_thin_parts(labels, noise.thin), noise, rng)
     labels = _with_mislabeled_background(labels, noise.background, rng, class_values, minimum_area_px)
     return _with_swapped_patches(labels, noise, rng)
 
@@ -80,7 +80,7 @@ def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
     regions = regions_of(labels_hw, class_values, minimum_area_px)
     missed = rng.random(len(regions)) < noise.missed
     missed &= np.array([region.area_px < noise.missed_below for region in regions], bool)
-    classes = mislabeled(np.array([r.value for r in regions]), np.unique(class_values), noise.mislabeled, rng)
+    classes = mislabel(np.array([r.value for r in regions]), np.unique(class_values), noise.mislabeled, rng)
     count = rng.binomial(len(regions), min(noise.spurious, 1.0))
     spoiled, lost = labels_hw.copy(), np.zeros(labels_hw.shape, bool)
     for region, is_missed, value in zip(regions, missed, classes):
@@ -88,7 +88,7 @@ def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
             lost[region.box] |= region.mask
         else:
             spoiled[region.box][region.mask] = value
-    spoiled = filled_from_around(spoiled, lost, ~np.isin(labels_hw, class_values))
+    spoiled = fill_from_around(spoiled, lost, ~np.isin(labels_hw, class_values))
     if donor_hw is not None:
         _draw_spurious(spoiled, regions_of(donor_hw, class_values, minimum_area_px), count, rng, class_values)
     return spoiled
@@ -127,14 +127,14 @@ def _with_mislabeled_background(
     if len(others) < 2:
         return labels_hw
     regions = regions_of(labels_hw, others.tolist(), minimum_area_px)
-    classes = mislabeled(np.array([region.value for region in regions]), others, share, rng)
+    classes = mislabel(np.array([region.value for region in regions]), others, share, rng)
     spoiled = labels_hw.copy()
     for region, value in zip(regions, classes):
         spoiled[region.box][region.mask] = value
     return spoiled
 
 
-def mislabeled(classes: np.ndarray, known: np.ndarray, share: float, rng: np.random.Generator) -> np.ndarray:
+def mislabel(classes: np.ndarray, known: np.ndarray, share: float, rng: np.random.Generator) -> np.ndarray:
     """Classes of which a share is changed to any other known class."""
     if len(known) < 2:
         return classes
@@ -143,7 +143,7 @@ def mislabeled(classes: np.ndarray, known: np.ndarray, share: float, rng: np.ran
     return np.where(rng.random(len(classes)) < share, other, classes).astype(np.uint8)
 
 
-def _merged(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
+def _merge(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
     """Gaps between regions of class ``value`` get that class, in a share of the image (morphological closing)."""
     kernel = _ellipse(noise.merge_gap)
     if kernel is None:
@@ -174,7 +174,7 @@ def _split(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.
         at = corners[longest] + edges[longest] * rng.uniform(1 / 3, 2 / 3)
         start, end = (tuple(int(v) for v in np.rint(point)) for point in (at, at + edges[(longest + 1) % 4]))
         cv2.line(cuts, start, end, 1, max(1, int(round(noise.split_gap))))
-    return filled_from_around(labels_hw, (cuts & mask) > 0, labels_hw != value)
+    return fill_from_around(labels_hw, (cuts & mask) > 0, labels_hw != value)
 
 
 def _without_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
@@ -186,7 +186,7 @@ def _without_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
     for value in np.unique(labels_hw):
         mask = (labels_hw == value).astype(np.uint8)
         kept |= cv2.morphologyEx(mask, cv2.MORPH_OPEN, kernel, borderType=cv2.BORDER_REPLICATE) > 0
-    return filled_from_around(labels_hw, ~kept, kept)
+    return fill_from_around(labels_hw, ~kept, kept)
 
 
 def _with_swapped_patches(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
@@ -206,7 +206,7 @@ def _with_swapped_patches(labels_hw: np.ndarray, noise: LabelNoise, rng: np.rand
     points = np.full((height, width), 255, np.uint8)
     points[rng.integers(0, height, count), rng.integers(0, width, count)] = 0
     wandering = LabelNoise(jitter=size_px / 10, jitter_length=0.3 * size_px)
-    cells = displaced(nearest_zero(points).astype(np.float32), wandering, rng).astype(int)
+    cells = displace(nearest_zero(points).astype(np.float32), wandering, rng).astype(int)
     areas = np.bincount(cells.ravel())
     order = rng.permutation(len(areas))
     taken = np.zeros(len(areas), bool)

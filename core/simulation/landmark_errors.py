@@ -9,7 +9,7 @@ import numpy as np
 from ..landmarks.landmarks import Landmarks
 from .displacement import leaning_shifts
 from .fields import correlated_shifts
-from .label_errors import mislabeled
+from .label_errors import mislabel
 from .noise import JITTER_LENGTH_PX, LabelNoise
 
 CENTER_SHARE, CENTER_LENGTHS = 0.66, 7.5
@@ -43,11 +43,11 @@ def spoil_landmarks(
     """
     kept = landmarks.select(rng.random(len(landmarks)) >= noise.missed)
     count = rng.binomial(len(landmarks), min(noise.spurious, 1.0)) if len(population) else 0
-    both = joined(kept, _spurious(population, count, rng, size_px))
+    both = concatenate(kept, _spurious(population, count, rng, size_px))
     centers = both.centers_xy + rng.normal(0, noise.center, both.centers_xy.shape)
     centers += _shared_shifts(both, noise, rng, size_px)
     areas = both.areas_px * np.exp(rng.normal(0, noise.log_area, len(both)))
-    classes = mislabeled(both.classes, np.unique(population.classes), noise.mislabeled, rng)
+    classes = mislabel(both.classes, np.unique(population.classes), noise.mislabeled, rng)
     return replace(both, centers_xy=centers, classes=classes, areas_px=areas)
 
 
@@ -77,7 +77,7 @@ def with_moved_boundaries(landmarks: Landmarks, noise: LabelNoise, rng: np.rando
     return replace(landmarks, centers_xy=centers, areas_px=areas)
 
 
-def joined(one: Landmarks, other: Landmarks) -> Landmarks:
+def concatenate(one: Landmarks, other: Landmarks) -> Landmarks:
     """Both, the first ones first."""
     names = (field.name for field in fields(Landmarks))
     return Landmarks(*(np.concatenate([getattr(one, name), getattr(other, name)]) for name in names))

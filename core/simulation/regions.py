@@ -46,7 +46,7 @@ def nearest_zero(image_hw: np.ndarray) -> np.ndarray:
     return index - 1
 
 
-def filled_from_around(labels_hw: np.ndarray, lost: np.ndarray, sources: np.ndarray) -> np.ndarray:
+def fill_from_around(labels_hw: np.ndarray, lost: np.ndarray, sources: np.ndarray) -> np.ndarray:
     """``labels_hw`` where ``lost`` pixels have the label of the nearest pixel of ``sources`` (both (H, W) bool)."""
     sources = sources & ~lost
     if not lost.any() or not sources.any():

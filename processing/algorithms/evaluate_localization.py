@@ -273,10 +273,10 @@ class EvaluateLocalization(SemRefAlgorithm):
 
     def _jobs(self, values: Values, evaluation: Evaluation, methods: list[Method], is_reported: bool) -> list[Job]:
         """What is tried with which methods; reports need more."""
-        from ...core.evaluation.job import planned
+        from ...core.evaluation.job import plan_trials
 
         mirrored = values.number(self.MIRRORED) / 100
-        return planned(evaluation, methods, values.integer(self.TRIALS), mirrored, is_reported)
+        return plan_trials(evaluation, methods, values.integer(self.TRIALS), mirrored, is_reported)
 
     def _methods(self, values: Values) -> dict[Method, str]:
         """Chosen methods with their titles, the one that the outputs are about first."""

@@ -166,13 +166,13 @@ class ExportOnboard(SemRefAlgorithm):
         feedback: QgsProcessingFeedback,
     ) -> ReferenceDatabase:
         """What lies in the area."""
-        from ...core.onboard.area import area_mask, clipped
+        from ...core.onboard.area import area_mask, clip_database
         from ..layers.areas import area_rings
 
         distance, extent = values.number(self.DISTANCE), database.parameters.extent
         arguments = self._area, distance, crs, extent, values.transform_context
         rings = cancelable(area_rings, *arguments, feedback=feedback)
-        part = clipped(database, area_mask(rings, database.parameters))
+        part = clip_database(database, area_mask(rings, database.parameters))
         feedback.pushInfo(
             tr("{kept} of {landmarks} landmarks and {windows} of {all_windows} windows lie in the area.").format(
                 kept=len(part.references),

@@ -77,7 +77,7 @@ def with_log(
     Raises:
         ParameterError: The log tells nothing of these images.
     """
-    from ...core.flight.cameras import completed
+    from ...core.flight.cameras import complete_camera
     from ...core.flight.table import stem_of
     from ...core.flight.telemetry import log_cameras, log_links
     from ...core.geometry.camera import Camera as NoCamera
@@ -92,7 +92,7 @@ def with_log(
             "taken; give the log of this flight, or a camera table with times.",
             image=os.path.basename(paths[0]),
         )
-    return [completed(camera, one, with_attitude) for camera, one in zip(cameras, told)]
+    return [complete_camera(camera, one, with_attitude) for camera, one in zip(cameras, told)]
 
 
 class FlightReader:

@@ -14,7 +14,7 @@ from osgeo import ogr
 from qgis.core import QgsProcessingException
 
 from semref.core.segmentation.onnx_file import read_metadata
-from semref.core.simulation.displacement import displaced
+from semref.core.simulation.displacement import displace
 from semref.core.simulation.noise import LabelNoise
 
 COMPARE = "semref:comparelabels"
@@ -168,7 +168,7 @@ def shifted(tmp_path):
     """(annotated map, predicted map whose buildings lie 2 pixels right and 1 down), pixels of half a meter."""
     rng = np.random.default_rng(5)
     true = scattered_objects(700, 1600, 900, seed=6)
-    moved = displaced(true, LabelNoise(class_shifts=((1, 2.0, 1.0),)), rng)
+    moved = displace(true, LabelNoise(class_shifts=((1, 2.0, 1.0),)), rng)
     half = (WEST, 0.5, 0, NORTH, 0, -0.5)
     annotated = write_raster(tmp_path / "annotated.tif", true, names=NAMES, transform=half)
     return annotated, write_raster(tmp_path / "predicted.tif", moved, names=NAMES, transform=half)

@@ -8,7 +8,7 @@ import pytest
 from semref.core.correlation.decision import (
     LEAST_CHANCE,
     decide,
-    exact_enough,
+    decide_accuracy,
     fisher_z,
     lead,
     position_error_95,
@@ -113,11 +113,11 @@ def test_the_error_radius_grows_as_image_and_map_agree_less():
 
 
 def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
-    assert exact_enough(CORRELATION.largest_error * 800, 800.0) == ("fix", None)
-    status, reason = exact_enough(21.26, 800.0)
+    assert decide_accuracy(CORRELATION.largest_error * 800, 800.0) == ("fix", None)
+    status, reason = decide_accuracy(21.26, 800.0)
     assert status == "ambiguous" and "within 21.3 m" in str(reason) and "needs 20 m" in str(reason)
-    assert "in all directions" in str(exact_enough(float("inf"), 800.0)[1])
-    status, reason = exact_enough(1.0, 800.0, is_held=True)
+    assert "in all directions" in str(decide_accuracy(float("inf"), 800.0)[1])
+    status, reason = decide_accuracy(1.0, 800.0, is_held=True)
     assert status == "ambiguous" and "beyond the map" in str(reason)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from semref.core.correlation.exactness import covariance_on_map, known_pose, shared_over
+from semref.core.correlation.exactness import covariance_on_map, full_pose_covariance, shared_over
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.view_effects import ViewEffect
 from semref.core.geometry.error_settings import SharedErrors
@@ -42,5 +42,5 @@ def test_a_displaced_map_turns_and_stretches_an_image_as_a_fit_to_its_places_doe
 
 def test_what_a_camera_may_have_done_is_added_and_told():
     effect = ViewEffect(np.zeros(4), np.diag([9.0, 9.0, 0.0, 0.0]))
-    known = known_pose(POSE, 1e-6 * SPREAD, 1280.0, 4.0, SharedErrors(0.0), effect)
+    known = full_pose_covariance(POSE, 1e-6 * SPREAD, 1280.0, 4.0, SharedErrors(0.0), effect)
     assert known.parts[0] == ("view", pytest.approx(CIRCLE_95 * 6.0)) and known.deviations[0] > 6.0

@@ -36,13 +36,13 @@ def away(pose):
 def test_a_tilted_camera_is_seen_and_the_place_put_right(patches, patch_pyramid, tilt_deg, direction_deg):
     image, level = seen(patches, patch_pyramid, tilt_deg=tilt_deg, tilt_direction_deg=direction_deg)
     found = view_effect(image, patch_pyramid, level, FACTOR, ERRORS)
-    assert away(level) > 3.0 and away(found.moved(level)) < 0.3 * away(level)
+    assert away(level) > 3.0 and away(found.correct(level)) < 0.3 * away(level)
 
 
 def test_a_lens_that_bends_makes_the_pixel_size_uncertain_or_right(patches, patch_pyramid):
     image, level = seen(patches, patch_pyramid, lens=0.03)
     found = view_effect(image, patch_pyramid, level, FACTOR, ERRORS)
-    moved = found.moved(level)
+    moved = found.correct(level)
     assert abs(level.pixel_size_m / PIXEL_M - 1) > 0.005
     assert abs(moved.pixel_size_m / PIXEL_M - 1) < 2 * np.sqrt(found.covariance[3, 3]) + 0.003
 

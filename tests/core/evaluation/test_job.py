@@ -4,7 +4,7 @@ import pytest
 
 from semref.core.evaluation import job
 from semref.core.evaluation.evaluation import TrialRanges
-from semref.core.evaluation.job import MOST_IN_A_CELL, planned
+from semref.core.evaluation.job import MOST_IN_A_CELL, plan_trials
 from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Method
 
@@ -35,7 +35,7 @@ class Planner:
 
 @pytest.mark.parametrize(("count", "share", "mirrored"), [(200, 0.25, 50), (1, 0.9, 0), (3, 0.9, 2), (10, 0.0, 0)])
 def test_so_many_are_mirrored_but_one_at_least_is_of_the_map(count, share, mirrored):
-    jobs = planned(Planner(), BOTH, count, share, False)
+    jobs = plan_trials(Planner(), BOTH, count, share, False)
     kinds = [query[0] for query, _ in jobs]
     assert kinds.count("mirrored") == mirrored and len(kinds) == count
     assert all(methods == BOTH for _, methods in jobs)
@@ -43,6 +43,6 @@ def test_so_many_are_mirrored_but_one_at_least_is_of_the_map(count, share, mirro
 
 @pytest.mark.parametrize(("count", "a_cell"), [(1, 2), (160, 10), (100_000, MOST_IN_A_CELL)])
 def test_a_report_has_more_images_and_its_grid_of_noise_the_first_method(count, a_cell):
-    jobs = planned(Planner(), BOTH, count, 0.25, True)[count:]
+    jobs = plan_trials(Planner(), BOTH, count, 0.25, True)[count:]
     assert [query[0] for query, _ in jobs] == ["noise"] * a_cell + ["offset"] * a_cell + ["scaling"]
     assert all(methods == (BOTH[:1] if query[0] == "noise" else BOTH) for query, methods in jobs)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from semref.core.errors import ParameterError
-from semref.core.flight.cameras import completed, known_camera, read_cameras
+from semref.core.flight.cameras import complete_camera, merge_camera, read_cameras
 from semref.core.geometry.camera import Camera, Lens, above_ground, above_takeoff
 from semref.core.geometry.leveling import Attitude
 
@@ -25,18 +25,18 @@ def table(tmp_path):
 
 def test_a_row_counts_before_the_photo_and_the_photo_where_it_is_silent():
     row = Camera(Attitude(5, 6), Lens("focal_length_px", 800), "cameras.csv", 3.0, None, above_ground(100), 0.0)
-    assert known_camera(row, PHOTO, is_timed=True) == row
-    assert known_camera(Camera(), PHOTO, is_timed=False) == PHOTO
-    assert known_camera(Camera(heading_deg=0.0), PHOTO, is_timed=True).heading_deg == 0.0
-    assert known_camera(Camera(), PHOTO, is_timed=True).time_s is None
+    assert merge_camera(row, PHOTO, is_timed=True) == row
+    assert merge_camera(Camera(), PHOTO, is_timed=False) == PHOTO
+    assert merge_camera(Camera(heading_deg=0.0), PHOTO, is_timed=True).heading_deg == 0.0
+    assert merge_camera(Camera(), PHOTO, is_timed=True).time_s is None
 
 
 def test_a_log_tells_what_neither_tells():
     log = Camera(Attitude(8, 9), height=above_takeoff(70), heading_deg=33.0)
-    assert completed(PHOTO, log, with_attitude=True) == PHOTO
-    found = completed(Camera(lens=PHOTO.lens), log, with_attitude=True)
+    assert complete_camera(PHOTO, log, with_attitude=True) == PHOTO
+    found = complete_camera(Camera(lens=PHOTO.lens), log, with_attitude=True)
     assert found == Camera(log.attitude, PHOTO.lens, height=log.height, heading_deg=33.0)
-    assert completed(Camera(), log, with_attitude=False).attitude is None
+    assert complete_camera(Camera(), log, with_attitude=False).attitude is None
 
 
 def test_a_table_is_read_by_names_without_folders_and_extensions(table):

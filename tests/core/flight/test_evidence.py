@@ -11,7 +11,7 @@ from semref.core.correlation import places
 from semref.core.correlation.class_pyramid import MapPyramid
 from semref.core.correlation.refine import ScoredPose
 from semref.core.correlation.settings import CORRELATION
-from semref.core.flight.evidence import best_of, random_poses, scored, seen_image, worth
+from semref.core.flight.evidence import best_poses, log_ratios, prepare_image, random_poses, score_poses
 
 sys.path.insert(0, str(Path(__file__).parent))
 from conftest import FEW, FRAME
@@ -24,7 +24,7 @@ sys.path.pop(0)
 @pytest.fixture(scope="module")
 def seen(flown, localizer):
     image = flown.images[2]
-    return seen_image(image.labels_hw, localizer.pyramid, image.prior, None, FEW)
+    return prepare_image(image.labels_hw, localizer.pyramid, image.prior, None, FEW)
 
 
 @pytest.fixture(scope="module")
@@ -36,16 +36,16 @@ def truth(flown):
 
 def test_an_image_agrees_at_its_place_and_not_at_random_ones(seen, truth, localizer):
     beside = ScoredPose(truth.x + 12, truth.y - 9, truth.heading_deg + 3, truth.pixel_size_m)
-    (here,) = scored(seen, localizer.pyramid, [beside])
-    others = scored(seen, localizer.pyramid, random_poses(localizer.pyramid, seen.prior, 50))
+    (here,) = score_poses(seen, localizer.pyramid, [beside])
+    others = score_poses(seen, localizer.pyramid, random_poses(localizer.pyramid, seen.prior, 50))
     assert np.hypot(here.x - truth.x, here.y - truth.y) < 12
-    worths = worth(np.array([here.score, *(pose.score for pose in others)]), seen, FEW)
+    worths = log_ratios(np.array([here.score, *(pose.score for pose in others)]), seen, FEW)
     assert worths[0] > 2 and np.median(worths[1:]) < -1
     assert worths.max() <= FEW.evidence_curve[3] and worths.min() >= FEW.evidence_curve[2]
 
 
 def test_the_best_places_have_the_right_one_among_them_and_are_apart(seen, truth, localizer):
-    found = best_of(seen, localizer.pyramid, 20, APART)
+    found = best_poses(seen, localizer.pyramid, 20, APART)
     away = [np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in found]
     assert min(away) < 25
     points = np.array([(pose.x, pose.y) for pose in found])
@@ -59,7 +59,7 @@ def test_on_a_large_map_the_best_places_are_chosen_at_larger_pixels_first(seen, 
     chosen = []
     choose = places._wide_peaks
     monkeypatch.setattr(places, "_wide_peaks", lambda *asked: chosen.append(asked) or choose(*asked))
-    found = best_of(seen, large, 20, APART)
+    found = best_poses(seen, large, 20, APART)
     assert len(chosen) == 1
     assert min(np.hypot(pose.x - truth.x, pose.y - truth.y) for pose in found) < 25
 
@@ -67,10 +67,10 @@ def test_on_a_large_map_the_best_places_are_chosen_at_larger_pixels_first(seen, 
 def test_on_a_map_that_is_too_large_for_an_image_there_are_no_best_places(seen, localizer):
     whole = localizer.pyramid
     large = MapPyramid(whole.labels, whole.frame, replace(CORRELATION, most_at_once=0, most_comparisons=1))
-    assert best_of(seen, large, 20, APART) == []
+    assert best_poses(seen, large, 20, APART) == []
 
 
 def test_an_image_of_one_class_says_nothing(localizer, flown):
-    flat = seen_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
+    flat = prepare_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
     assert flat.evidence is None
-    assert best_of(flat, localizer.pyramid, 20, APART) == []
+    assert best_poses(flat, localizer.pyramid, 20, APART) == []

@@ -98,6 +98,6 @@ def test_only_what_is_new_is_read(path, monkeypatch):
     assert len(images(growing)) == 2000
     append(path, "z,,,\n")
     taken = []
-    monkeypatch.setattr(growing, "_taken", lambda line: taken.append(line) or iter(()))
+    monkeypatch.setattr(growing, "_rows_of_line", lambda line: taken.append(line) or iter(()))
     list(growing.new_rows())
     assert taken == [b"z,,,\n"] and os.path.getsize(path) > 10_000

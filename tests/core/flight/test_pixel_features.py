@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from semref.core.errors import ImageError
-from semref.core.flight.pixel_features import CORNERS, WORKING_EDGE, evened, label_features, photo_features
+from semref.core.flight.pixel_features import CORNERS, WORKING_EDGE, even_contrast, label_features, photo_features
 
 
 def speckled(shape, seed=0):
@@ -29,7 +29,7 @@ def test_corners_are_told_from_the_center():
 
 def test_exposure_leaves_the_even_picture_as_it_is():
     picture = speckled((80, 80)) // 3 + 40
-    assert np.abs(evened(picture).astype(int) - evened(2 * picture - 30)).mean() < 6
+    assert np.abs(even_contrast(picture).astype(int) - even_contrast(2 * picture - 30)).mean() < 6
 
 
 def test_corners_lie_where_the_image_shows_something():

@@ -5,7 +5,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from semref.core.flight.pixel_fit import FLOOR, fitted, homography, pose_of, similarity
+from semref.core.flight.pixel_fit import FLOOR, fit_mapping, homography, pose_of, similarity
 
 TRUE = np.array([0.9, 0.3, 40.0, -25.0])
 
@@ -16,7 +16,7 @@ def places(count, seed=0):
 
 def test_exact_places_give_the_similarity():
     second = places(40)
-    found = fitted(second, similarity(TRUE, second), 2.5)
+    found = fit_mapping(second, similarity(TRUE, second), 2.5)
     assert found.model is similarity
     assert found.parameters == pytest.approx(TRUE)
     assert found.pose()[0] == pytest.approx([40, -25, np.arctan2(0.3, 0.9), np.log(np.hypot(0.9, 0.3))])
@@ -26,7 +26,7 @@ def test_places_that_are_wrong_are_left_out():
     second = places(60)
     first = similarity(TRUE, second)
     first[:20] += places(20, 1) / 2
-    found = fitted(second, first, 2.5)
+    found = fit_mapping(second, first, 2.5)
     assert found.parameters == pytest.approx(TRUE, abs=1e-2)
     assert found.is_used[20:].all() and found.is_used[:20].sum() <= 2
 
@@ -34,7 +34,7 @@ def test_places_that_are_wrong_are_left_out():
 def test_a_tilt_is_seen():
     second = places(60)
     parameters = np.array([1.0, 0.05, 10.0, -0.02, 0.99, 5.0, 0.02, -0.015])
-    found = fitted(second, homography(parameters, second), 2.5)
+    found = fit_mapping(second, homography(parameters, second), 2.5)
     assert found.model is homography
     assert found.parameters == pytest.approx(parameters, abs=1e-6)
 
@@ -43,7 +43,7 @@ def test_noise_is_not_taken_for_tilt():
     rng = np.random.default_rng(2)
     for _ in range(20):
         second = rng.uniform(-250, 250, (60, 2))
-        assert fitted(second, similarity(TRUE, second) + rng.normal(0, 0.5, (60, 2)), 2.5).model is similarity
+        assert fit_mapping(second, similarity(TRUE, second) + rng.normal(0, 0.5, (60, 2)), 2.5).model is similarity
 
 
 def test_the_stated_spread_is_that_of_independent_errors():
@@ -51,7 +51,7 @@ def test_the_stated_spread_is_that_of_independent_errors():
     offs, variances = [], []
     for _ in range(100):
         second = rng.uniform(-250, 0, (50, 2))
-        found = fitted(second, similarity(TRUE, second) + rng.normal(0, 0.8, (50, 2)), 4.0)
+        found = fit_mapping(second, similarity(TRUE, second) + rng.normal(0, 0.8, (50, 2)), 4.0)
         pose, covariance = found.pose()
         offs.append(pose - pose_of(partial(similarity, TRUE)))
         variances.append(np.diag(covariance))
@@ -66,16 +66,16 @@ def test_errors_that_neighbors_share_widen_the_spread():
     blocks = np.unique(np.floor(second / 120), axis=0, return_inverse=True)[1].ravel()
     for _ in range(30):
         errors = rng.normal(0, 0.5, (len(second), 2))
-        single.append(fitted(second, second + errors, 2.5).covariance[2, 2])
-        shared.append(fitted(second, second + errors[blocks], 2.5).covariance[2, 2])
+        single.append(fit_mapping(second, second + errors, 2.5).covariance[2, 2])
+        shared.append(fit_mapping(second, second + errors[blocks], 2.5).covariance[2, 2])
     assert np.median(shared) > 2.5 * np.median(single)
 
 
 def test_no_link_is_better_than_the_floor():
     second = places(40)
-    covariance = fitted(second, second, 2.5).pose()[1]
+    covariance = fit_mapping(second, second, 2.5).pose()[1]
     assert (np.sqrt(np.diag(covariance)) >= FLOOR).all()
 
 
 def test_places_that_agree_on_nothing_fit_nothing():
-    assert fitted(places(8), places(8, 9), 2.5) is None
+    assert fit_mapping(places(8), places(8, 9), 2.5) is None

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from semref.core.flight.pixel_features import label_features, photo_features
-from semref.core.flight.pixel_fit import fitted
-from semref.core.flight.pixel_motion import CHANCE, LEAST_EVIDENCE, evidence, motion_between, unseen
+from semref.core.flight.pixel_fit import fit_mapping
+from semref.core.flight.pixel_motion import CHANCE, LEAST_EVIDENCE, evidence, motion_between, unmeasured_covariance
 from semref.core.simulation.views import View, image_coordinates, map_coordinates
 
 EDGE = 320
@@ -175,10 +175,10 @@ def test_the_spread_covers_tilted_views(direction):
     at_first = np.array(np.meshgrid(np.arange(16.0, 512, 32), np.arange(16.0, 512, 32))).reshape(2, -1).T
     at_second = image_coordinates(level, np.column_stack(map_coordinates(tilted, *at_first.T)))
     is_shared = ((at_second > 0) & (at_second < 512)).all(axis=1)
-    pose, _ = fitted(at_second[is_shared] - 256, at_first[is_shared] - 256, 2.5).pose()
+    pose, _ = fit_mapping(at_second[is_shared] - 256, at_first[is_shared] - 256, 2.5).pose()
     apart = complex(180, 100) * np.exp(1j * np.radians(20))
     off = pose - [apart.real, -apart.imag, np.radians(30), np.log(1.05)]
-    spread = unseen(np.array([apart.real, -apart.imag]), 512, 1.0) + np.diag([0.2, 0.2, 1e-3, 1e-3]) ** 2
+    spread = unmeasured_covariance(np.array([apart.real, -apart.imag]), 512, 1.0) + np.diag([0.2, 0.2, 1e-3, 1e-3]) ** 2
     assert off @ np.linalg.solve(spread, off) < 16
 
 

@@ -13,8 +13,8 @@ from semref.core.flight.smoothing import (
     Estimate,
     drift_of,
     first_estimate,
-    smoothed,
-    softened,
+    smooth,
+    soften,
     step_over,
     with_measurement,
     without_measurement,
@@ -46,7 +46,7 @@ def track(count, measured, rng, shared_m2=SHARED_M2):
             state = np.array([0.0, number * STEP_M, 0.0, 0.0]) + rng.normal(0, 1, 4) * (2, 2, 0.01, 0.01)
             state[:2] += displacement
             estimates[-1] = with_measurement(estimates[-1], Measurement(state, covariance), shared_m2)
-    return smoothed(estimates, steps)
+    return smooth(estimates, steps)
 
 
 def deviation(estimate):
@@ -92,7 +92,7 @@ def track_of(count=6):
                 estimates.append(steps[-1].predicted)
             if one is not None:
                 estimates[-1] = with_measurement(estimates[-1], one, 4.0)
-        return smoothed(estimates, steps)
+        return smooth(estimates, steps)
 
     return estimated, measured
 
@@ -111,8 +111,8 @@ def test_a_measurement_taken_out_of_the_track_leaves_what_all_others_tell(left_o
 def test_a_measurement_far_from_what_is_expected_pulls_less():
     expected = Estimate(np.zeros(8), np.eye(8))
     near = Measurement(np.array([1.0, 0.0, 0.0, 0.0]), np.eye(4))
-    assert softened(near, expected) is near
-    far = softened(replace(near, state=np.array([10.0, 0.0, 0.0, 0.0])), expected)
+    assert soften(near, expected) is near
+    far = soften(replace(near, state=np.array([10.0, 0.0, 0.0, 0.0])), expected)
     assert far.covariance == pytest.approx(np.eye(4) * (4 + 50) / 8)
 
 

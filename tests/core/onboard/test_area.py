@@ -10,7 +10,7 @@ from semref.core.errors import DatabaseError
 from semref.core.geometry.frame import MapFrame
 from semref.core.labels.class_table import ClassTable, LandCoverClass
 from semref.core.labels.sources import ArrayLabels
-from semref.core.onboard.area import area_mask, clipped
+from semref.core.onboard.area import area_mask, clip_database
 
 FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 2.0, 0.0, 5200000.0, 0.0, -2.0))
 OVERVIEW_PIXEL = 8.0
@@ -47,7 +47,7 @@ def test_a_ring_within_another_is_a_hole(database):
 
 
 def test_what_lies_in_the_area_is_kept_and_nothing_else(database):
-    part = clipped(database, area_mask([RING], database.parameters))
+    part = clip_database(database, area_mask([RING], database.parameters))
     assert (
         within(part.references.positions, OVERVIEW_PIXEL).all() and within(part.windows.centers, OVERVIEW_PIXEL).all()
     )
@@ -59,4 +59,4 @@ def test_what_lies_in_the_area_is_kept_and_nothing_else(database):
 
 def test_an_area_without_landmarks_is_refused(database):
     with pytest.raises(DatabaseError, match="No landmark lies in the area"):
-        clipped(database, np.zeros(database.overview.shape, bool))
+        clip_database(database, np.zeros(database.overview.shape, bool))

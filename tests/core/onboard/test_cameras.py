@@ -11,7 +11,7 @@ from semref.core.flight.cameras import read_cameras
 from semref.core.flight.motion import LinkSource
 from semref.core.onboard import cameras as module
 from semref.core.onboard import tables
-from semref.core.onboard.cameras import opened_cameras
+from semref.core.onboard.cameras import open_cameras
 
 SRT = """1
 00:00:0{0},000 --> 00:00:0{0},900
@@ -47,7 +47,7 @@ def put(tmp_path, name, seconds):
 
 
 def test_a_growing_camera_table_tells_what_qgis_reads(tmp_path, table):
-    cameras = opened_cameras(str(table), None, is_ended=False, is_strict=True)
+    cameras = open_cameras(str(table), None, is_ended=False, is_strict=True)
     with open(table, "a", encoding="utf-8") as file:
         file.write("b.png,1,2,60,90,400\n")
     images = [put(tmp_path, name, 5) for name in ("a.png", "b.png", "c.png")]
@@ -56,24 +56,24 @@ def test_a_growing_camera_table_tells_what_qgis_reads(tmp_path, table):
 
 
 def test_a_log_tells_heading_height_and_attitude_where_the_table_is_silent(tmp_path, table, srt):
-    cameras = opened_cameras(str(table), str(srt), is_ended=True, is_strict=True)
+    cameras = open_cameras(str(table), str(srt), is_ended=True, is_strict=True)
     known, logged = (cameras.of(put(tmp_path, name, 2)) for name in ("a.png", "b.png"))
     assert (known.attitude.roll_deg, known.height.meters, known.heading_deg) == (3, 120, 30)
     assert (logged.attitude.pitch_deg, logged.height.meters, logged.heading_deg) == pytest.approx((5, 102, 20))
 
 
 def test_what_a_log_does_not_cover_is_unknown(tmp_path, srt):
-    cameras = opened_cameras(None, str(srt), is_ended=True, is_strict=True)
+    cameras = open_cameras(None, str(srt), is_ended=True, is_strict=True)
     assert cameras.of(put(tmp_path, "a.png", 50)).height is None
 
 
 def test_bad_tables_and_logs_are_refused_at_the_start_and_done_without_in_the_air(tmp_path, table):
     table.write_text("image,roll,pitch\na.png,3,\n", encoding="utf-8")
     with pytest.raises(ParameterError, match="line 2"):
-        opened_cameras(str(table), None, is_ended=True, is_strict=True)
+        open_cameras(str(table), None, is_ended=True, is_strict=True)
     with pytest.raises(ParameterError, match="no flight log"):
-        opened_cameras(None, str(table), is_ended=True, is_strict=True)
-    lenient = opened_cameras(str(table), str(table), is_ended=True, is_strict=False)
+        open_cameras(None, str(table), is_ended=True, is_strict=True)
+    lenient = open_cameras(str(table), str(table), is_ended=True, is_strict=False)
     assert lenient.log is None and lenient.of(put(tmp_path, "a.png", 1)).attitude is None
 
 

@@ -160,7 +160,9 @@ def test_a_restart_goes_on_where_the_flight_was(watch, folder, tmp_path):
 
 def test_a_state_without_a_flight_is_refused(database, folder, tmp_path, capsys):
     state = tmp_path / "flight.npz"
-    assert main(["watch", str(folder), "--database", database, "--once", "--state", str(state)]) == REFUSED
+    with pytest.raises(SystemExit) as ended:
+        main(["watch", str(folder), "--database", database, "--once", "--state", str(state)])
+    assert ended.value.code == WRONG_USAGE
     assert "--flight" in capsys.readouterr().err and not state.exists()
 
 
@@ -527,9 +529,11 @@ def test_bad_tables_are_one_sentence_before_the_start(watch, folder, database, t
         assert watch("--odometry", str(table)) == (REFUSED, [])
         assert message in capsys.readouterr().err
     assert watch("--odometry", str(tmp_path / "nowhere.csv"))[0] == REFUSED
-    assert main(["watch", str(folder), "--database", database, "--once", "--odometry", str(table)]) == REFUSED
-    assert "--flight" in capsys.readouterr().err
-    assert watch("--odometry", str(table), "--state", str(table))[0] == WRONG_USAGE
+    for wrong in (["--odometry", str(table)], ["--flight", "--odometry", str(table), "--state", str(table)]):
+        with pytest.raises(SystemExit) as ended:
+            main(["watch", str(folder), "--database", database, "--once", *wrong])
+        assert ended.value.code == WRONG_USAGE
+    assert "is an input of this command" in capsys.readouterr().err
 
 
 def test_a_tilted_camera_of_a_table_is_leveled(watch, folder, tmp_path, monkeypatch):

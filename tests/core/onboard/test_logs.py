@@ -12,7 +12,7 @@ import pytest
 
 from semref.core.flight.logs.mavlink import checksum
 from semref.core.onboard import logs
-from semref.core.onboard.cameras import opened_cameras
+from semref.core.onboard.cameras import open_cameras
 from semref.core.onboard.logs import GrowingLog
 
 LONG_S = 30.0
@@ -108,7 +108,7 @@ def test_a_log_that_vanishes_ends_nothing(path, start_s):
 
 
 def test_a_growing_log_gives_headings_of_images(path, start_s, tmp_path):
-    cameras = opened_cameras(None, str(path), is_ended=False, is_strict=True)
+    cameras = open_cameras(None, str(path), is_ended=False, is_strict=True)
     image = tmp_path / "a.png"
     image.write_bytes(b"")
     append(path, attitude(start_s + 2, 30))

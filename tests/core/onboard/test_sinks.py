@@ -9,7 +9,7 @@ import pytest
 
 from semref.core.errors import ParameterError
 from semref.core.onboard.log import start_log
-from semref.core.onboard.sinks import opened
+from semref.core.onboard.sinks import open_sink
 
 
 class FullAfter:
@@ -34,7 +34,7 @@ class FullAfter:
 
 def test_a_disk_that_fills_within_a_line_keeps_whole_lines_alone(tmp_path, capsys):
     start_log("warning")
-    sink = opened(str(tmp_path / "lines"))
+    sink = open_sink(str(tmp_path / "lines"))
     sink.send("first\n")
     sink._file = FullAfter(sink._file, room=3)
     sink.send("second\n")
@@ -52,23 +52,23 @@ def test_a_disk_that_fills_within_a_line_keeps_whole_lines_alone(tmp_path, capsy
 @pytest.mark.parametrize("where", ["udp:0", "udp:65536", "udp:", "udp:-1", "udp:" + "9" * 5000])
 def test_a_port_that_is_none_is_refused(where):
     with pytest.raises(ParameterError, match="no UDP port"):
-        opened(where)
+        open_sink(where)
 
 
 def test_a_place_that_cannot_be_opened_is_refused(tmp_path):
     for where in (str(tmp_path), str(tmp_path / "no" / "file"), "a\0b"):
         with pytest.raises(ParameterError, match="can't be written"):
-            opened(where)
+            open_sink(where)
 
 
 def test_a_line_that_a_power_cut_left_half_is_not_continued(tmp_path):
     path = tmp_path / "fixes"
     path.write_bytes(b'{"image": "1.png"}\n{"image": "2.p')
-    sink = opened(str(path))
+    sink = open_sink(str(path))
     sink.send('{"image": "3.png"}\n')
     sink.send('{"image": "4.png"}\n')
     sink.close()
     assert path.read_bytes().split(b"\n")[1:] == [b'{"image": "2.p', b'{"image": "3.png"}', b'{"image": "4.png"}', b""]
-    sink = opened(str(path))
+    sink = open_sink(str(path))
     sink.close()
     assert path.read_bytes().endswith(b'"4.png"}\n')

@@ -12,7 +12,7 @@ from semref.core.flight.motion import LinkSource
 from semref.core.flight.odometry import odometry_links, read_odometry
 from semref.core.onboard import tables
 from semref.core.onboard.log import start_log
-from semref.core.onboard.tables import OdometryTable, opened_odometry
+from semref.core.onboard.tables import OdometryTable, open_odometry
 
 HEADER = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
 
@@ -104,8 +104,8 @@ def test_a_bad_line_is_told_and_nothing_is_linked_across_it(path, capsys):
 def test_a_bad_table_is_refused_before_the_start_and_told_after_a_restart(path, lines, message):
     begun(path, *lines)
     with pytest.raises(ParameterError, match=message):
-        opened_odometry(str(path), is_ended=False, is_strict=True)
-    assert opened_odometry(str(path), is_ended=False, is_strict=False).link("a", "b") is None
+        open_odometry(str(path), is_ended=False, is_strict=True)
+    assert open_odometry(str(path), is_ended=False, is_strict=False).link("a", "b") is None
 
 
 def test_a_table_that_is_gone_is_told_once_and_heard_again_when_it_is_back(path, capsys):

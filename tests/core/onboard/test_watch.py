@@ -99,7 +99,7 @@ def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
     )
     monkeypatch.setattr(watch, "_images_in", lambda folder: next(looks))
     monkeypatch.setattr(watch.time, "sleep", lambda seconds: None)
-    arriving = watch.arriving("folder", once=False)
+    arriving = watch.arriving_images("folder", once=False)
     assert [next(arriving), next(arriving), next(arriving)] == ["b", "a", "b"]
 
 
@@ -197,7 +197,7 @@ def test_a_closed_stdout_ends_neither_the_sentences_nor_the_watching(watching, f
 def test_what_was_removed_from_the_folder_is_forgotten(folder):
     """A watch of weeks must not grow."""
     put(folder, "a.png")
-    arriving = watch.arriving(str(folder), once=False)
+    arriving = watch.arriving_images(str(folder), once=False)
     assert next(arriving) == str(folder / "a.png")
     (folder / "a.png").unlink()
     put(folder, "b.png")
@@ -218,9 +218,9 @@ def test_a_folder_that_comes_back_is_told_once_and_its_images_are_new(monkeypatc
 
     said = []
     monkeypatch.setattr(watch, "_images_in", look)
-    monkeypatch.setattr(watch, "say", lambda level, code, **values: said.append(code))
+    monkeypatch.setattr(watch, "log_event", lambda level, code, **values: said.append(code))
     monkeypatch.setattr(watch.time, "sleep", lambda seconds: None)
-    arriving = watch.arriving("folder", once=False)
+    arriving = watch.arriving_images("folder", once=False)
     assert [next(arriving), next(arriving)] == ["a", "b"]
     assert said == ["folder_gone", "folder_back"]
 
@@ -229,6 +229,6 @@ def test_images_of_one_look_come_oldest_first_and_empty_ones_wait(monkeypatch):
     look = {"late": (9, 1), "b": (3, 1), "a": (3, 1), "empty": (1, 0)}
     monkeypatch.setattr(watch, "_images_in", lambda folder: look)
     monkeypatch.setattr(watch.time, "sleep", lambda seconds: None)
-    arriving = watch.arriving("folder", once=False)
+    arriving = watch.arriving_images("folder", once=False)
     assert [next(arriving) for _ in range(3)] == ["a", "b", "late"]
-    assert list(watch.arriving("folder", once=True)) == ["empty", "a", "b", "late"]
+    assert list(watch.arriving_images("folder", once=True)) == ["empty", "a", "b", "late"]
