@@ -73,7 +73,7 @@ def test_photos_are_found_where_they_were_taken(walk):
     assert max(walk["off_m"]) < FARTHEST_M
 
 
-def test_the_walk_is_told_as_a_table(walk, tool):
-    told = tool.told(walk, MINUTES)
-    assert told.count("\n|") == len(tool.STEPS) + 2
-    assert f"{walk['fixes']} of 12 photos were found" in told
+def test_the_walk_becomes_a_table(walk, tool):
+    table = tool.walk_table(walk, MINUTES)
+    assert table.count("\n|") == len(tool.STEPS) + 2
+    assert f"{walk['fixes']} of 12 photos have a position" in table

@@ -1,4 +1,4 @@
-"""The walk of docs/how-to/train_a_network.md, timed: orthophoto and polygons to the first fix, in desktop QGIS.
+"""Time the walk of docs/how-to/train_a_network.md: from orthophoto and polygons to a position, in desktop QGIS.
 
     .venv/bin/python tools/docs/time_walk.py --python PYTHON_WITH_TORCH [--minutes 5] [--processor-time] [--write]
                                              [--place banepa [--data FOLDER]]
@@ -44,12 +44,12 @@ SAMPLE = {
 SAMPLE_MARKER = "sample.json"
 REAL_PICTURE = "own_network_real_place"
 STEPS = {
-    "options": "Options: name the Python that trains",
-    "layers": "Drop orthophoto and polygons on the map, open the dock",
-    "train": "Train: time limit ({minutes:g} minutes{whose}) and file",
-    "database": "Make the database: {fields}, file",
-    "localize": "Drop {photos} photos, press *Localize*",
-    "look": "Select the first fix",
+    "options": "Options: choose the Python of the training environment",
+    "layers": "Add orthophoto and polygons to the map, open the dock",
+    "train": "Train: time limit ({minutes:g} minutes{details}) and file name",
+    "database": "Build the database: {fields}, file name",
+    "localize": "Add {photos} photos, press *Localize*",
+    "look": "Select the first result",
 }
 
 
@@ -90,7 +90,7 @@ def main() -> None:
     command += f" --place {arguments.place}" if place else ""
     is_sample = ground is None or (ground / SAMPLE_MARKER).exists()
     about = f"{place.name}. {place.credit}" if place else "The sample area." if is_sample else "Ground of one's own."
-    table = told(seen, arguments.minutes, arguments.processor_time, place)
+    table = walk_table(seen, arguments.minutes, arguments.processor_time, place)
     body = f"{table}\n\n*{about}* {results.footer(command)}"
     print(body)
     if arguments.write:
@@ -159,20 +159,20 @@ os.execv({python!r}, [{python!r}, *sys.argv[1:]])
 """
 
 
-def told(seen: dict, minutes: float, by_processor: bool = False, place: RealPlace | None = None) -> str:
-    """Markdown: each step's clicks and seconds, and what came of it."""
-    whose = " of one processor" if by_processor else ""
-    whose += ", other ground" if place else ""
-    fields = "window, stride, smallest landmark"
-    fields = f"pixel size, {fields}, classes, other ground" if place else fields
-    names = {"minutes": minutes, "whose": whose, "photos": seen["photos"], "fields": fields}
+def walk_table(seen: dict, minutes: float, by_processor: bool = False, place: RealPlace | None = None) -> str:
+    """Return the clicks and seconds of each step, and the result, as Markdown."""
+    details = " of one processor" if by_processor else ""
+    details += ", class “other”" if place else ""
+    fields = "window size, stride, minimum area"
+    fields = f"pixel size, {fields}, classes, class “other”" if place else fields
+    names = {"minutes": minutes, "details": details, "photos": seen["photos"], "fields": fields}
     rows = [[STEPS[name].format(**names), clicks, f"{seconds:.0f}"] for name, clicks, seconds in seen["steps"]]
     clicks, seconds = (sum(step[place] for step in seen["steps"]) for place in (1, 2))
     rows.append(["together", clicks, f"{seconds:.0f}"])
     table = results.markdown(["step", "clicks", "seconds"], rows)
     outcome = (
-        f"{seen['fixes']} of {seen['photos']} photos were found, {seen['within_radius']} of these within the radius "
-        f"that the dock shows; mean IoU of the network {seen['mean_iou']:.0%}."
+        f"{seen['fixes']} of {seen['photos']} photos have a position, {seen['within_radius']} of them within the "
+        f"95 % radius of the true position. Mean IoU of the network: {seen['mean_iou']:.0%}."
     )
     return f"{table}\n\n{outcome}"
 
