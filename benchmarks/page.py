@@ -18,7 +18,7 @@ HEAD = """\
 
 Written from `benchmarks/results/*.json` by `python -m benchmarks page`; do not edit it. Each file has all rows of a
 study, its command, date, commit and machine. `python -m benchmarks run NAME` measures a scenario again
-([how to](development.md#run-benchmarks)). Times are ratios within one run; machines were shared with other work. Shares
+([how to](development.md#benchmarks)). Times are ratios within one run; machines were shared with other work. Shares
 have their 95 % interval in parentheses.
 """
 
