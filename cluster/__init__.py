@@ -1,1 +1,1 @@
-"""Tasks on many processes or machines, by Dask: a process beside QGIS and workers, all free of QGIS."""
+"""Run tasks on several processes or machines with Dask. No process here needs QGIS."""

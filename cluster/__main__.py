@@ -1,7 +1,7 @@
-"""The process beside QGIS that has Dask do SemRef's tasks, see ``service.py``: ``PYTHON …/semref/cluster ORDER``.
+"""Start the process that runs SemRef's tasks with Dask: ``PYTHON …/semref/cluster ORDER``, see ``service.py``.
 
-The plugin's folder may be called anything, and its rooms must not come before packages of the same names: so this file
-makes it the package ``semref`` and takes its own folder off Python's path.
+The plugin's folder may have any name, and its rooms must not hide packages of the same names. This file therefore
+loads the folder as the package ``semref`` and removes it from Python's path.
 """
 
 import importlib

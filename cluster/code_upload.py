@@ -1,8 +1,7 @@
-"""What is sent to the workers as it stands: SemRef's own code, so that they need a Python with the packages and nothing
-of SemRef, and always run what the one who asks runs.
+"""Send SemRef's code to the workers, which need only Python and the packages, and always run the same version.
 
-All here is pickled whole – the scheduler, too, takes it apart and has nothing of SemRef – so it imports what it needs
-itself and names nothing else of this package.
+Code in this file is pickled by value, because the scheduler unpickles it without SemRef. Functions therefore import
+what they need, and use nothing else of this package.
 """
 
 from __future__ import annotations
@@ -11,19 +10,20 @@ from distributed.diagnostics.plugin import WorkerPlugin
 
 
 class Code(WorkerPlugin):
-    """Makes SemRef's rooms importable in a worker, under a name that tells their content."""
+    """Makes SemRef's rooms importable in a worker, under a name with the hash of their content."""
 
     def __init__(self, package: str, archive: bytes) -> None:
-        """Keeps what is sent.
+        """Store the code to send.
 
         Args:
-            archive: A zip whose one folder has that name.
+            package: Name of the package.
+            archive: A zip file with one folder of that name.
         """
         self.name = package
         self.archive = archive
 
     def setup(self, worker: object) -> None:
-        """Called in each worker, also in those that come later."""
+        """Install the package in a worker. Dask calls this in each worker, also in later ones."""
         import os
         import sys
 
@@ -34,17 +34,17 @@ class Code(WorkerPlugin):
 
 
 def call(package: str, task: str, path: str, shared: tuple, arguments: tuple) -> tuple:
-    """``tasks.do`` of the code that was sent."""
+    """Call ``tasks.do`` of the installed package."""
     import importlib
 
     return importlib.import_module(f"{package}.cluster.tasks").do(task, path, shared, arguments)
 
 
-def held(values: tuple) -> tuple:
-    """Arguments that many tasks share: sent to a worker once, and made again where a worker died with them."""
+def share(values: tuple) -> tuple:
+    """Return arguments that many tasks share. Because this is a task, Dask sends them to each worker once."""
     return values
 
 
-for _function in (call, held):
-    # Functions are pickled by their names but for those of the main program.
+for _function in (call, share):
+    # Only functions of the main program are pickled by value.
     _function.__module__ = "__main__"

@@ -1,4 +1,4 @@
-"""Whether a scheduler answers: Dask alone asks a closed port for long, and waits for a mute one for ever."""
+"""Check that a scheduler answers. Dask itself retries a closed port for long and waits forever for a silent one."""
 
 from __future__ import annotations
 
@@ -16,36 +16,32 @@ from ..core.errors import SemRefError, reason_of
 CONNECTED_WITHIN_S = 15
 
 _REFUSED_FOR_S = 3.0
-"""How long a scheduler, or a tunnel to it, that is just being started may refuse."""
+"""How long to retry while a scheduler, or a tunnel to it, starts and refuses connections."""
 
 _ASKED_AGAIN_AFTER_S = 0.2
 
 
 def require_scheduler(address: str) -> None:
-    """Raises SemRefError where no scheduler answers.
-
-    Args:
-        address: As the user gives it.
-    """
+    """Raise SemRefError if no scheduler answers at an address."""
     try:
         _require_listening(address)
-        asyncio.run(_greeted(address))
+        asyncio.run(_greet(address))
     except asyncio.TimeoutError:
         reason = f"no answer within {CONNECTED_WITHIN_S} s"
         raise no_scheduler(address, reason) from None
     except (OSError, ValueError) as error:
         raise no_scheduler(address, reason_of(error)) from None
     except (MemoryError, RuntimeError, TypeError, KeyError, AttributeError):
-        # What others say is read as numbers of bytes, or as anything else.
+        # Answers of other programs are misread as message sizes and types.
         raise SemRefError(
-            "What answers at {address} is no scheduler of Dask, or one of another version; give the address that the "
-            "scheduler prints, not its dashboard's.",
+            "The program at {address} is not a Dask scheduler, or has another version. Enter the address that the "
+            "scheduler prints, not the address of its dashboard.",
             address=address,
         ) from None
 
 
 def no_scheduler(address: str, reason: str) -> SemRefError:
-    """The error for an address where no scheduler answers."""
+    """Return the error for an address without a scheduler."""
     return SemRefError(
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
         address=address,
@@ -68,8 +64,8 @@ def _require_listening(address: str) -> None:
         time.sleep(_ASKED_AGAIN_AFTER_S)
 
 
-async def _greeted(address: str) -> None:
-    """Changes greetings, as the client will."""
+async def _greet(address: str) -> None:
+    """Connect as the client will, and close."""
     given = Security().get_connection_args("client")
     comm = await asyncio.wait_for(connect(address, timeout=CONNECTED_WITHIN_S, **given), CONNECTED_WITHIN_S)
     await comm.close()

@@ -1,4 +1,4 @@
-"""Dask: workers here or elsewhere, SemRef's code on them, and tasks in any order, those of dead workers once more."""
+"""Run tasks with Dask on local or remote workers, and repeat the tasks of workers that died."""
 
 from __future__ import annotations
 
@@ -37,39 +37,37 @@ ROOT = Path(__file__).resolve().parents[1]
 SENT_ROOMS = ("core", "storage", "cluster")
 
 _TASKS_A_THREAD = 3
-"""Given to the scheduler at a time: one that is done, one that waits, one whose result is fetched."""
+"""Tasks per thread at the scheduler: one runs, one waits, and the result of one is fetched."""
 
-_LOOKED_EVERY_S = 1.0
-_DIED_AT_MOST = 3
-"""Workers that may die over one task before it is given up: Dask's own number."""
+_CHECK_EVERY_S = 1.0
+_REPEATS = 3
+"""How often a task is repeated after its worker died; Dask's default."""
 
 _NO_PAGES = {"distributed.scheduler.http.routes": [], "distributed.worker.http.routes": []}
-"""Dask starts a server of web pages with each scheduler and worker in any case."""
+"""Disables the web pages that Dask serves from each scheduler and worker."""
 
 _LEFT_OPEN: list[contextlib.ExitStack] = []
-"""What is not closed when the user interrupts: closing waits for workers."""
-
-_Tell = Callable[[str], None]
+"""Contexts that are not closed when the user cancels, because closing waits for workers."""
 
 
 @contextlib.contextmanager
-def connected(scheduler: str | None, local: int | None, tell: _Tell) -> Iterator[Client]:
-    """A client of workers that have SemRef's code.
+def connect(scheduler: str | None, local: int | None, report: Callable[[str], None]) -> Iterator[Client]:
+    """Connect to workers and install SemRef's code on them.
 
-    Who reaches a scheduler or a worker runs code there. Those that are started here therefore listen on this machine
-    alone, to those who have the certificate of this run; no dashboard is started.
+    Any program that can connect to a scheduler or worker can run code there. Local ones therefore listen on this
+    machine only and require the certificate of this run. No dashboard is started.
 
     Args:
-        scheduler: Its address; None to start workers here.
-        local: How many to start here.
-        tell: Takes lines for the user.
+        scheduler: Address of a scheduler; None to start local workers.
+        local: Number of local workers.
+        report: Function for lines of text for the user.
 
     Raises:
         SemRefError: There is no scheduler, or workers can't be started.
     """
     warnings.filterwarnings("ignore", module="distributed")
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
-    settings = {"distributed.scheduler.allowed-failures": _DIED_AT_MOST, "distributed.worker.daemon": True}
+    settings = {"distributed.scheduler.allowed-failures": _REPEATS, "distributed.worker.daemon": True}
     with dask.config.set(settings), contextlib.ExitStack() as stack:
         folder = ""
         if scheduler is None:
@@ -81,20 +79,20 @@ def connected(scheduler: str | None, local: int | None, tell: _Tell) -> Iterator
         else:
             client = stack.enter_context(_remote(scheduler))
             if client.dashboard_link:
-                tell(f"Dashboard: {client.dashboard_link}")
-        _wait_for_workers(client, tell)
+                report(f"Dashboard: {client.dashboard_link}")
+        _wait_for_workers(client, report)
         client.register_plugin(_code())
         try:
             yield client
         except KeyboardInterrupt:
-            # Who asked waits no longer: workers end with the process, which __main__.py ends at once.
+            # Workers end with this process, which __main__.py ends at once.
             _LEFT_OPEN.append(stack.pop_all())
             shutil.rmtree(folder, ignore_errors=True)
             raise
 
 
 def _local(count: int) -> LocalCluster:
-    # Python's tracker clears up what an interrupted process left, and would say so to the user.
+    # Hides a warning of Python's resource tracker after a canceled run.
     others = filter(None, [os.environ.get("PYTHONWARNINGS")])
     os.environ["PYTHONWARNINGS"] = ",".join([*others, "ignore::UserWarning:multiprocessing.resource_tracker"])
     try:
@@ -120,19 +118,17 @@ def _remote(address: str) -> Client:
         raise no_scheduler(address, reason_of(error)) from None
 
 
-def _wait_for_workers(client: Client, tell: _Tell) -> None:
-    """Until there is one: queues of clusters may take hours."""
-    told = False
+def _wait_for_workers(client: Client, report: Callable[[str], None]) -> None:
+    """Wait for the first worker; in the queue of a cluster this may take hours."""
+    if not client.scheduler_info().get("workers"):
+        report("Waiting for workers")
     while not client.scheduler_info().get("workers"):
-        if not told:
-            tell("Waiting for workers")
-            told = True
-        time.sleep(_LOOKED_EVERY_S)
+        time.sleep(_CHECK_EVERY_S)
 
 
 @lru_cache(1)
 def _code() -> code_upload.Code:
-    """SemRef's rooms that workers need, as a plugin of theirs."""
+    """Return the worker plugin with the rooms that workers need."""
     files = {"__init__.py": b""}
     for room in SENT_ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
@@ -147,34 +143,34 @@ def _code() -> code_upload.Code:
 
 
 class DaskRunner:
-    """Has the tasks of a build done by workers, see ``core.database.tasks.Runner``."""
+    """A ``core.database.tasks.Runner`` that executes tasks on workers."""
 
     def __init__(self, client: Client, path: str) -> None:
-        """Keeps what all tasks need.
+        """Store what all tasks need.
 
         Args:
-            client: As ``connected`` gives it.
-            path: The label map, as workers see it.
+            client: Result of ``connect``.
+            path: Path of the label map on the workers.
         """
         self._client = client
         self._path = path
         self._package = _code().name
-        self._threads, self._looked = 1, -_LOOKED_EVERY_S
+        self._threads, self._checked = 1, -_CHECK_EVERY_S
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yields the number of a call and what it gave, as they are done.
+        """Yield (number of the call, result) in the order of completion.
 
         Raises:
-            SemRefError: A task says so, or workers died over it.
+            SemRefError: A task failed, or workers died while executing it.
         """
         numbers: dict[str, int] = {}
         waiting, finished = enumerate(calls), as_completed()
         try:
-            kept = self._client.submit(code_upload.held, shared, pure=False)
+            kept = self._client.submit(code_upload.share, shared, pure=False)
             self._submit(task, waiting, kept, numbers, finished)
             for future in finished:
                 number = numbers.pop(future.key)
-                result = _taken(future)
+                result = _result_of(future)
                 future.release()
                 self._submit(task, waiting, kept, numbers, finished)
                 yield number, result
@@ -182,68 +178,69 @@ class DaskRunner:
             raise _lost(error) from None
 
     def in_order(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[Any]:
-        """Yields what calls gave, in their order; what is done before its turn waits with the workers.
+        """Yield results in the order of the calls; early results wait on the workers.
 
         Raises:
-            SemRefError: As for ``__call__``.
+            SemRefError: A task failed, or workers died while executing it.
         """
         waiting, ahead = iter(calls), deque[Any]()
         try:
-            kept = self._client.submit(code_upload.held, shared, pure=False)
+            kept = self._client.submit(code_upload.share, shared, pure=False)
             while True:
-                more = max(self._room() - len(ahead), 0)  # Workers may have gone since.
-                ahead += (self._given(task, kept, call) for call in islice(waiting, more))
+                more = max(self._room() - len(ahead), 0)  # the number of workers may have decreased
+                ahead += (self._start(task, kept, call) for call in islice(waiting, more))
                 if not ahead:
                     return
                 future = ahead.popleft()
-                result = _taken(future)
+                result = _result_of(future)
                 future.release()
                 yield result
         except (OSError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
             raise _lost(error) from None
 
-    def _given(self, task: str, kept: Any, arguments: tuple) -> Any:
+    def _start(self, task: str, kept: Any, arguments: tuple) -> Any:
         return self._client.submit(code_upload.call, self._package, task, self._path, kept, arguments, pure=False)
 
     def _submit(self, task: str, waiting: Iterator, kept: Any, numbers: dict[str, int], finished: as_completed) -> None:
-        """Fills up what the scheduler has to give out."""
+        """Submit calls until the scheduler has enough of them."""
         while len(numbers) < self._room():
             found = next(waiting, None)
             if found is None:
                 return
             number, arguments = found
-            future = self._given(task, kept, arguments)
+            future = self._start(task, kept, arguments)
             numbers[future.key] = number
             finished.add(future)
 
     def _room(self) -> int:
-        """How many tasks are given out at a time; workers come and go."""
-        if time.monotonic() > self._looked + _LOOKED_EVERY_S:
+        """Return how many tasks to submit at a time; the number of workers may change."""
+        if time.monotonic() > self._checked + _CHECK_EVERY_S:
             self._threads = max(sum(self._client.nthreads().values()), 1)
-            self._looked = time.monotonic()
+            self._checked = time.monotonic()
         return _TASKS_A_THREAD * self._threads
 
 
 def _lost(error: BaseException) -> SemRefError:
     return SemRefError(
-        "The scheduler can't be reached any more ({reason}); see its log and start again.", reason=reason_of(error)
+        "The connection to the scheduler was lost ({reason}). See the log of the scheduler, then start again.",
+        reason=reason_of(error),
     )
 
 
-def _taken(future: Any) -> Any:
-    """What a task gave; raises SemRefError."""
+def _result_of(future: Any) -> Any:
+    """Return the result of a task. Raises SemRefError."""
     try:
         state, result = future.result()
     except KilledWorker:
         raise SemRefError(
-            "{count} workers died over one piece of the work; give workers more memory, or see their logs for the "
-            "reason.",
-            count=_DIED_AT_MOST + 1,
+            "{count} workers stopped while executing the same task. Give workers more memory, or see their logs for "
+            "the reason.",
+            count=_REPEATS + 1,
         ) from None
     except (OSError, concurrent.futures.CancelledError):
         raise
     except Exception as error:
-        raise SemRefError("A worker could not do its part ({reason}).", reason=reason_of(error)) from None
+        raise SemRefError("A worker could not execute its task ({reason}).", reason=reason_of(error)) from None
     if state == "failed":
         kind, template, values = result
         raise getattr(errors, kind)(Sentence(template, **dict(values)))

@@ -1,4 +1,4 @@
-"""What workers do of a job of many images: open what is the same for all once, and answer piece by piece."""
+"""Execute parts of jobs with many images on a worker, which opens shared data once."""
 
 from __future__ import annotations
 
@@ -21,32 +21,32 @@ from ..core.localizer.settings import LOCALIZER
 from ..core.pipeline import localize_labels
 from ..storage.database.reader import read_database, read_overview
 from ..storage.file_states import fingerprint
-from ..storage.label_images import LabelImageReader, opened_photo
+from ..storage.label_images import LabelImageReader, open_photo
 from ..storage.label_maps import GdalLabels
 from ..storage.serialization import from_bytes, to_bytes
 from .task_names import ASSESS, CORRELATE, EVALUATE, IMAGES
 
 
 def do(task: str, job: bytes, pieces: bytes) -> bytes:
-    """Answer some pieces of a job.
+    """Execute some parts of a job.
 
     Args:
-        task: One of ``TASKS``.
+        task: Key of ``TASKS``.
         job: The job and the fingerprint of its database, serialized.
-        pieces: A serialized list of them.
+        pieces: List of the parts, serialized.
 
     Returns:
-        The serialized list of what was found.
+        List of the results, serialized.
 
     Raises:
-        SemRefError: The job can't be done.
+        SemRefError: The job can't be executed.
     """
     answer = TASKS[task]
     return to_bytes([answer(job, piece) for piece in from_bytes(pieces)])
 
 
 def _image(content: bytes, asked: AskedImage) -> FoundImage:
-    """One bad image must not stop the others."""
+    """Localize an image. Its error becomes part of the result, so that other images continue."""
     opened = _images(content)
     try:
         found = localize_labels(opened.localizer, opened.job.search, opened.read(asked), asked.camera)
@@ -63,28 +63,25 @@ class _Images(NamedTuple):
 
 @lru_cache(1)
 def _images(content: bytes) -> _Images:
-    job, known = _opened(content)
-    database = _as_planned(read_database(job.database, with_overview=job.has_overview), known)
+    job, known = from_bytes(content)
+    database = _require_planned(read_database(job.database, with_overview=job.has_overview), known)
     localizer = Localizer(database, replace(LOCALIZER, allowed_risk=job.risk), job.sun_deg)
-    read = _photos(job.model, database.class_table) if job.model else _label_images(database.class_table)
-    return _Images(job, localizer, read)
+    if job.model:
+        return _Images(job, localizer, _photo_reader(job.model, database.class_table))
+    reader = LabelImageReader(database.class_table)
+    return _Images(job, localizer, lambda asked: reader(asked.path))
 
 
-def _label_images(table: ClassTable) -> Callable[[AskedImage], SeenLabels]:
-    reader = LabelImageReader(table)
-    return lambda asked: reader(asked.path)
-
-
-def _photos(path: str, table: ClassTable) -> Callable[[AskedImage], SeenLabels]:
-    # onnxruntime is needed for photos only.
+def _photo_reader(path: str, table: ClassTable) -> Callable[[AskedImage], SeenLabels]:
+    # Only photos need onnxruntime.
     from ..core.segmentation.model import SegmentationModel
     from ..core.segmentation.photo_labels import PhotoReader
 
-    # One thread on the processor: all workers give the same.
+    # One CPU thread: all workers give equal results.
     reader = PhotoReader(SegmentationModel(path, 1, device="cpu"), table)
 
     def read(asked: AskedImage) -> SeenLabels:
-        return reader.read(asked.path, Photo(opened_photo(asked.path), asked.pixel_size_m), asked.camera)
+        return reader.read(asked.path, Photo(open_photo(asked.path), asked.pixel_size_m), asked.camera)
 
     return read
 
@@ -96,8 +93,8 @@ def _trials(content: bytes, piece: tuple) -> list[Any]:
 
 @lru_cache(1)
 def _evaluation(content: bytes) -> Evaluation:
-    job, known = _opened(content)
-    database = _as_planned(read_database(job.database, with_overview=True), known)
+    job, known = from_bytes(content)
+    database = _require_planned(read_database(job.database, with_overview=True), known)
     return job.evaluation(database, GdalLabels(job.labels))
 
 
@@ -113,8 +110,8 @@ def _correlated(content: bytes, piece: tuple) -> Any:
 
 @lru_cache(1)
 def _assessed(content: bytes) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
-    job, known = _opened(content)
-    database = _as_planned(read_database(job.database, with_bounds=True), known)
+    job, known = from_bytes(content)
+    database = _require_planned(read_database(job.database, with_bounds=True), known)
     if job.has_overview:
         database = replace(database, overview=read_overview(job.database, database.parameters))
     return job, database, Localizer(database)
@@ -126,16 +123,11 @@ def _assessment(content: bytes, footprint: float) -> Assessment:
     return job.assessment(database, localizer, footprint)
 
 
-def _opened(content: bytes) -> tuple[Any, str]:
-    """A job, and the fingerprint of its database."""
-    return from_bytes(content)
-
-
-def _as_planned(database: ReferenceDatabase, known: str) -> ReferenceDatabase:
-    """The same; raises DatabaseError for another one than pieces were planned by."""
+def _require_planned(database: ReferenceDatabase, known: str) -> ReferenceDatabase:
+    """Return the database. Raises DatabaseError if its fingerprint is not ``known``."""
     if fingerprint(database) != known:
         raise DatabaseError(
-            "{path} was changed while it was read; start again when it stays as it is.", path=database.source
+            "{path} was changed while it was read. Start again when no program writes to it.", path=database.source
         )
     return database
 

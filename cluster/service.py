@@ -1,8 +1,9 @@
-"""Have workers do the tasks that QGIS asks for, and report what comes of them as a line of JSON each.
+"""Execute the tasks of QGIS on workers, and report results as lines of JSON.
 
-QGIS writes lines to this process: a task (``task``, ``in_order``, and ``shared``, the file of what all its calls
-share), and then, whenever it reads “next”, the file of a call's arguments or null for the end. Result number N
-goes into the file ``result_N`` of the order's folder. All files are of ``storage.serialization``.
+QGIS writes lines to this process. The first line of a task has ``task``, ``in_order``, and ``shared``, the file with
+the arguments that all calls share. After each “next”, QGIS writes the file with the arguments of a call, or null at the
+end. Result N is written to the file ``result_N`` in the folder of the order. All files are in the format of
+``storage.serialization``.
 """
 
 from __future__ import annotations
@@ -18,20 +19,20 @@ from typing import Any
 
 from ..core.errors import SemRefError
 from ..storage.serialization import read, write
-from .engine import DaskRunner, connected
+from .engine import DaskRunner, connect
 
 DONE, REFUSED, INTERRUPTED = 0, 3, 130
 """Exit codes."""
 
 
 def main(path: str) -> int:
-    """Serve until the input ends; ``path``: a JSON with ``scheduler`` or ``local``, ``labels`` and ``folder``."""
-    # QGIS ends it so.
+    """Serve until the input ends; ``path``: JSON file with ``scheduler`` or ``local``, ``labels`` and ``folder``."""
+    # QGIS ends this process with a signal.
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, _interrupted)
     try:
         order = json.loads(Path(path).read_text(encoding="utf-8"))
-        with connected(order["scheduler"], order["local"], lambda text: _report("info", text=text)) as client:
+        with connect(order["scheduler"], order["local"], lambda text: _report("info", text=text)) as client:
             runner = DaskRunner(client, order["labels"])
             _report("ready")
             while (asked := _line()) is not None:
@@ -50,7 +51,7 @@ def main(path: str) -> int:
 
 
 def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
-    """Have all calls of a task done."""
+    """Execute all calls of a task."""
     shared = read(asked["shared"])
     found = (
         enumerate(runner.in_order(asked["task"], _calls(), shared))
@@ -64,7 +65,7 @@ def _do(asked: dict[str, Any], runner: DaskRunner, folder: Path) -> None:
 
 
 def _calls() -> Iterator[tuple]:
-    """Arguments, asked for when there is room for another task."""
+    """Yield the arguments of calls, requested when another task can be submitted."""
     while True:
         _report("next")
         file = _line()
@@ -76,9 +77,9 @@ def _calls() -> Iterator[tuple]:
 
 
 def _line() -> Any:
-    """What QGIS writes next; None at the end. Raises KeyboardInterrupt when it was asked to end."""
+    """Return the next line of QGIS; None at the end. Raises KeyboardInterrupt after a signal."""
     if _asked_to_end:
-        # Once more: one that meets Python while it clears up an object is lost.
+        # Raise again: Python drops an exception that a signal raises inside a destructor.
         raise KeyboardInterrupt
     line = sys.stdin.readline()
     return json.loads(line) if line else None
@@ -93,13 +94,13 @@ def _interrupted(*_: object) -> None:
 
 
 def _report(event: str, **values: object) -> None:
-    # A closed output must not change what is done.
+    # A closed output must not stop the work.
     with contextlib.suppress(OSError):
         print(json.dumps({"event": event, **values}), flush=True)
 
 
 def _plain(value: object) -> object:
-    """A value of a sentence as JSON has it."""
+    """Return a value of a sentence for JSON."""
     if isinstance(value, (tuple, list)):
         return [_plain(part) for part in value]
     return value if isinstance(value, (int, float)) or value is None else str(value)

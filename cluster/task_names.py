@@ -1,7 +1,7 @@
-"""Tasks that workers know beside those of ``core.database.tasks``."""
+"""Names of the workers' tasks, in addition to those of ``core.database.tasks``."""
 
 SEGMENT, BURN = "segment", "burn"
-"""A block of a photo's tiles; a strip of polygons."""
+"""Segment a block of a photo's tiles; rasterize a strip of polygons."""
 
 IMAGES, EVALUATE, ASSESS, CORRELATE = "images", "evaluate", "assess", "correlate"
-"""Pieces of a job: an image to localize, a trial of an evaluation, a simulated image, map correlation of one."""
+"""Localize an image; run a trial of an evaluation; localize a simulated image; correlate it with the map."""

@@ -1,4 +1,4 @@
-"""Outputs of one run: written into private folders beside their targets, and renamed when all of them are complete.
+"""Write the outputs of a run into private folders beside their targets, and rename them when all are complete.
 
 See docs/decisions/outputs.md.
 """
@@ -26,19 +26,20 @@ from .replaceable import (
 )
 
 _OLDER = ".older"
-"""Folder in a workplace for companions of the older output while the new ones are renamed."""
+"""Folder in a workplace for the older output and its companions while the new files are renamed."""
 
 
 @dataclass
 class _Staged:
-    """One output until it is renamed.
+    """An output that is not renamed yet.
 
     Attributes:
-        workplace: The private folder beside the target in which it is written.
-        require_free: Raises ParameterError when the target may not be replaced.
-        is_folder: Whether it is a folder.
+        final: Target path.
+        workplace: Private folder beside the target for writing.
+        require_free: Function that raises ParameterError if the target may not be replaced.
+        is_folder: Whether the output is a folder.
         replaces_folder: Whether an older folder is replaced.
-        identity: Of the workplace when it was made.
+        identity: State of the new workplace.
     """
 
     final: Path
@@ -56,17 +57,17 @@ class _Staged:
         return self.workplace / self.final.name
 
     def is_ours(self) -> bool:
-        """Whether the workplace is still the folder that this run made."""
+        """Whether the workplace is still the folder of this run."""
         with contextlib.suppress(OSError):
             return os.path.samestat(self.identity, os.lstat(self.workplace))
         return False
 
 
 class Batch:
-    """The outputs of one run: nothing of them is seen before ``commit``.
+    """The outputs of one run, which appear at their targets on ``commit``.
 
-    An error or a cancel before that (any exception that leaves the block) leaves older outputs untouched. Only what the
-    run itself made is deleted.
+    If an exception leaves the block before that (an error or a cancel), older outputs are unchanged. Only files of this
+    run are deleted.
 
     >>> with Batch() as batch:
     ...     path = batch.file("positions.gpkg")  # write to path
@@ -83,14 +84,14 @@ class Batch:
         self.close()
 
     def file(self, target: str, suffix: str = "", tables: Collection[str] | None = ()) -> str:
-        """Return a path to write ``target`` to. Files that are written beside it move along.
+        """Return a path to write ``target`` to. Files beside this path are renamed as well.
 
         Args:
             suffix: See ``require_replaceable``.
             tables: See ``require_replaceable``.
 
         Raises:
-            ParameterError: The folder is missing or can't be written to, or ``target`` may not be replaced.
+            ParameterError: The folder is missing or read-only, or ``target`` may not be replaced.
         """
         final = Path(target)
         if not final.parent.is_dir():
@@ -105,11 +106,11 @@ class Batch:
         """Return a new folder to fill.
 
         Args:
-            target: Its final path, where nothing or an empty folder may be.
-            replaces: Whether an older folder is replaced: for folders that nobody but SemRef writes to.
+            target: Its final path, which must be free or an empty folder.
+            replaces: Whether to replace an older folder; only for folders that only SemRef writes to.
 
         Raises:
-            ParameterError: For any other ``target`` that exists, and when nothing can be written beside it.
+            ParameterError: ``target`` exists, or the folder around it is read-only.
         """
         final = Path(target)
         if not replaces:
@@ -124,11 +125,11 @@ class Batch:
         """Flush all outputs to the disk and rename them, one after the other.
 
         Args:
-            *checks: Called before anything is renamed. What one raises leaves all older outputs as they were.
+            *checks: Called before renaming. If one raises an error, all older outputs are unchanged.
 
         Raises:
-            ParameterError: An older file can't be replaced. Outputs that were renamed before stay.
-            OSError: The disk can't take what was written.
+            ParameterError: An older file can't be replaced. Outputs that were renamed before remain.
+            OSError: The disk is full.
         """
         for staged in self._staged:
             if not staged.is_ours():
@@ -152,7 +153,7 @@ class Batch:
             _flush_folder(staged.final.parent)
 
     def close(self) -> None:
-        """Remove the private folders with all that was not renamed."""
+        """Remove the private folders with all files that were not renamed."""
         for staged in self._staged:
             if staged.is_ours():
                 shutil.rmtree(staged.workplace, ignore_errors=True)
@@ -161,7 +162,7 @@ class Batch:
     def _stage(self, final: Path, require_free: Callable[[], None]) -> _Staged:
         require_free()
         try:
-            # Nothing random follows a dot: QGIS takes “.x.gz…” for an archive.
+            # No random letters after a dot: QGIS treats “.x.gz…” as an archive.
             workplace = tempfile.mkdtemp(prefix=".semref-", suffix=".part", dir=final.parent)
         except PermissionError:
             raise ParameterError(
@@ -179,7 +180,7 @@ class Batch:
 
 @contextlib.contextmanager
 def written_beside(target: str, suffix: str = "", tables: Collection[str] = ()) -> Iterator[str]:
-    """Yield a path to write one file to, which is renamed to ``target`` when the block ends without an error."""
+    """Yield a path for one file, which is renamed to ``target`` if the block ends without an error."""
     with Batch() as batch:
         yield batch.file(target, suffix, tables)
         batch.commit()
@@ -187,14 +188,14 @@ def written_beside(target: str, suffix: str = "", tables: Collection[str] = ()) 
 
 @contextlib.contextmanager
 def folder_written_beside(target: str, replaces: bool = False) -> Iterator[str]:
-    """Yield a new folder to fill, which is renamed to ``target`` when the block ends without an error."""
+    """Yield a new folder, which is renamed to ``target`` if the block ends without an error."""
     with Batch() as batch:
         yield batch.folder(target, replaces)
         batch.commit()
 
 
 def require_empty(folder: Path) -> None:
-    """Raise ParameterError for what is neither missing nor an empty folder. A link to a folder is not followed."""
+    """Raise ParameterError unless a path is free or an empty folder. A link to a folder is refused."""
     if os.path.islink(folder) or (os.path.exists(folder) and not os.path.isdir(folder)):
         raise ParameterError("{path} is a file or a link; choose a folder.", path=folder)
     if os.path.isdir(folder) and os.listdir(folder):
@@ -208,7 +209,7 @@ def _rename_folder(staged: _Staged) -> None:
     if staged.replaces_folder and os.path.lexists(final):
         os.replace(final, older)
     elif final.is_dir():
-        # Refused by the system where others have filled it meanwhile, as is renaming onto a folder that is not empty.
+        # The system refuses this if the folder is no longer empty, and refuses to rename onto such a folder.
         final.rmdir()
     try:
         os.replace(staged.made, final)
@@ -219,7 +220,7 @@ def _rename_folder(staged: _Staged) -> None:
 
 
 def _rename_files(staged: _Staged) -> None:
-    """Rename a file and its companions. When one can't be renamed, those of this output go back."""
+    """Rename a file and its companions. If this fails for one of them, rename all back."""
     final, workplace = staged.final, staged.workplace
     written = sorted(path.name for path in workplace.iterdir() if path != staged.made)
     written = [name for name in written if not is_foreign_note(final.with_name(name))]
@@ -227,13 +228,13 @@ def _rename_files(staged: _Staged) -> None:
         name for name in dict.fromkeys((*written, *derived_files(final))) if os.path.lexists(final.with_name(name))
     ]
     for path in map(final.with_name, older):
-        # A folder, or a part of another file, belongs to somebody else.
+        # A folder, or a part of another file, is not ours.
         if (path.is_dir() and not path.is_symlink()) or not (os.path.lexists(final) or is_note(path)):
             raise stranger_beside(final, path)
     (workplace / _OLDER).mkdir()
     aside, renamed = [], []
     made = [final.name] if staged.made.exists() else []
-    # An older file is replaced last. A new one comes first: companions alone would be taken for somebody else's.
+    # Replace an older file last. Rename a new file first: companions without it would look like foreign files.
     names = [*written, *made] if os.path.lexists(final) else [*made, *written]
     try:
         for name in older:
@@ -251,7 +252,7 @@ def _rename_files(staged: _Staged) -> None:
 
 
 def _flush(folder: Path) -> None:
-    """Have what was written reach the disk, so that a full disk is reported before anything is renamed."""
+    """Flush all files to the disk, so that a full disk is reported before renaming."""
     for path in folder.rglob("*"):
         if path.is_file():
             # Windows flushes only files that are open for writing.
@@ -260,7 +261,7 @@ def _flush(folder: Path) -> None:
 
 
 def _flush_folder(folder: Path) -> None:
-    """Have new names reach the disk, where the system can."""
+    """Flush new names to the disk, if the system can."""
     with contextlib.suppress(OSError):
         number = os.open(folder, os.O_RDONLY)
         try:

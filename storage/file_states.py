@@ -1,4 +1,4 @@
-"""By what a file that is read by several processes is known to be the same."""
+"""Detect changes of files that several processes read."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..core.errors import ParameterError
 
 
 def state(path: str) -> tuple[int, float]:
-    """(bytes, time of the last change) of a file; zeros for what is no file. Names of GDAL's are asked of GDAL."""
+    """Return (bytes, time of the last change) of a file or GDAL name; zeros if there is no file."""
     if os.path.exists(path):
         found = os.stat(path)
         return found.st_size, found.st_mtime
@@ -24,14 +24,16 @@ def state(path: str) -> tuple[int, float]:
 
 
 def require_unchanged(before: Mapping[str, tuple[int, float]]) -> None:
-    """Raises ParameterError where a file is another one than when ``state`` reported that of it."""
+    """Raise ParameterError if a file changed since its ``state`` in ``before``."""
     for path, then in before.items():
         if state(path) != then:
-            raise ParameterError("{path} was changed while it was read; start again when it stays as it is.", path=path)
+            raise ParameterError(
+                "{path} was changed while it was read. Start again when no program writes to it.", path=path
+            )
 
 
 def fingerprint(database: ReferenceDatabase) -> str:
-    """SHA-256 of what is localized by: parameters, classes, landmarks and windows, wherever the file lies."""
+    """Return SHA-256 of parameters, classes, landmarks and windows; equal for copies of a database."""
     windows, landmarks = database.windows, database.references
     sha = hashlib.sha256(repr(astuple(database.parameters)).encode())
     sha.update(database.class_table.to_csv().encode())

@@ -1,22 +1,23 @@
-"""What GDAL fails at, whether it raises or returns None, as the user has set it."""
+"""Errors of GDAL, which raises them or returns None as the user has set it."""
 
 from __future__ import annotations
 
 import contextlib
 import re
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Callable, TypeVar
 
 from osgeo import gdal
 
-from ..core.errors import SemRefError
+from ..core.errors import SemRefError, UnwritableError
 from ..core.sentences import Sentence
 
 _Read = TypeVar("_Read")
 
 
 def gdal_failure(error: object = None) -> str | Sentence:
-    """What GDAL said last, whether it raised or not, as a value of a sentence."""
+    """Return GDAL's last error, or ``error``, as a value of a sentence."""
     text = (str(error) if error else "") or gdal.GetLastErrorMsg()
     if not text:
         return Sentence("unknown reason")
@@ -27,14 +28,17 @@ def gdal_failure(error: object = None) -> str | Sentence:
 def read_by_gdal(
     kind: type[SemRefError], path: str, read: Callable[..., _Read], *arguments: object, **keywords: object
 ) -> _Read:
-    """Return what GDAL reads; it may raise or return None, as the user set it.
+    """Call a reading method of GDAL and return its result.
 
     Args:
-        kind: Of the error that a damaged file is.
-        path: Of the file, for the error.
-        read: A method of GDAL.
-        arguments: Of ``read``.
-        keywords: Of ``read``.
+        kind: Class of the error to raise.
+        path: File name for the error.
+        read: The method.
+        arguments: Arguments of ``read``.
+        keywords: Keyword arguments of ``read``.
+
+    Raises:
+        kind: GDAL raises an error or returns None.
     """
     error: object = None
     try:
@@ -48,9 +52,9 @@ def read_by_gdal(
 
 @contextlib.contextmanager
 def gdal_failures() -> Iterator[list[str]]:
-    """Collects what GDAL fails at in the block and this thread, whether GDAL raises or not.
+    """Collect the errors of GDAL in the block and this thread, whether GDAL raises them or not.
 
-    Its last error alone would not do: warnings and later calls replace it.
+    GDAL's last error is not enough: warnings and later calls replace it.
     """
     failures: list[str] = []
 
@@ -67,18 +71,27 @@ def gdal_failures() -> Iterator[list[str]]:
         gdal.PopErrorHandler()
 
 
-def close(dataset: gdal.Dataset | None) -> None:
-    """Closes a dataset, which may still write, so that ``gdal_failures`` around it hears of what fails then.
+@contextlib.contextmanager
+def require_written(path: str | Path) -> Iterator[None]:
+    """Raise UnwritableError for ``path`` if GDAL reports an error in the block."""
+    with gdal_failures() as failures:
+        yield
+    if failures:
+        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=gdal_failure(failures[0]))
 
-    GDAL before 3.8 does so when the last reference goes: drop it within that block, too. Where GDAL raises, what fails
-    in a destructor is lost.
+
+def close(dataset: gdal.Dataset | None) -> None:
+    """Close a dataset, which may still write, so that ``gdal_failures`` around it gets the errors.
+
+    GDAL before 3.8 closes a dataset when its last reference is deleted: delete it within that block as well. An error
+    that GDAL raises in a destructor is lost.
     """
     if dataset is None or not hasattr(dataset, "Close"):
         return
     try:
         dataset.Close()
     except RuntimeError:
-        # GDAL 3.8 to 3.10 leave the reference in place when closing raises: Python would close what is gone once more.
+        # GDAL 3.8 to 3.10 keep the reference when closing raises, so that Python would close the dataset twice.
         if dataset.this is not None:
             dataset.thisown = False
             dataset.this = None

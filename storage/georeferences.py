@@ -1,4 +1,4 @@
-"""An image's place on the map for other programs, beside a copy of it: a world file, or the Georeferencer's points."""
+"""Write a world file or the Georeferencer's control points beside a copy of an image."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .rasters import open_raster
 
 
 def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarray) -> None:
-    """Copies an image and writes its world file beside it, and the CRS, which world files can't tell, as ``.aux.xml``.
+    """Copy an image, write its world file beside it, and write the CRS to ``.aux.xml``.
 
     Args:
         target: The copy.
@@ -27,44 +27,44 @@ def write_world_file(image: str, target: str, crs_wkt: str, corners_xy: np.ndarr
         corners_xy: (4, 2) map coordinates of the image's upper left, upper right, lower right and lower left corner.
 
     Raises:
-        LabelMapError: The image can't be read, or was tilted: a world file tells a parallelogram only.
+        LabelMapError: The image can't be read, or was tilted: a world file can only describe a parallelogram.
     """
     source = open_raster(image)
     if not is_parallelogram(np.asarray(corners_xy, np.float64)):
         raise LabelMapError(
-            "{image} was tilted, which a world file can’t tell; write GeoTIFFs or control points instead.",
+            "{image} was tilted, which a world file can’t describe; write GeoTIFFs or control points instead.",
             image=os.path.basename(image),
         )
     transform = geotransform(corners_xy, source)
     x0, across_x, down_x, y0, across_y, down_y = transform
-    # A world file tells the center of the first pixel.
+    # A world file has the center of the first pixel.
     first = x0 + (across_x + down_x) / 2, y0 + (across_y + down_y) / 2
     lines = [f"{value:.12g}" if abs(value) < 1 else f"{value:.6f}" for value in (across_x, across_y, down_x, down_y)]
     lines += [f"{value:.6f}" for value in first]
     shutil.copyfile(image, target)
     _write_text(f"{os.path.splitext(target)[0]}{world_file_suffix(target)}", "\n".join(lines) + "\n")
     numbers = ", ".join(f"{value:.17g}" for value in transform)
-    # GDAL believes it more than what a TIFF may have inside.
+    # For GDAL it has priority over a georeference inside a TIFF.
     inside = f"  <SRS>{escape(crs_wkt, quote=False)}</SRS>\n  <GeoTransform>{numbers}</GeoTransform>\n"
     _write_text(f"{target}.aux.xml", f"<PAMDataset>\n{inside}</PAMDataset>\n")
 
 
 def world_file_suffix(image: str) -> str:
-    """Suffix of an image's world file: ``.jgw`` of ``.jpg``, ``.tfw`` of ``.tif``."""
+    """Return the suffix of an image's world file: ``.jgw`` for ``.jpg``, ``.tfw`` for ``.tif``."""
     suffix = os.path.splitext(image)[1]
     return f".{suffix[1]}{suffix[-1]}w" if len(suffix) > 2 else ".wld"
 
 
 @dataclass(frozen=True)
 class ControlPoint:
-    """A point of an image with the ground it shows.
+    """A pixel of an image and its map coordinates.
 
     Attributes:
         column: Pixel coordinate.
         row: Pixel coordinate, downwards.
         x: Map coordinate.
         y: Map coordinate.
-        off_px: (right, down) by which the fix puts it off, pixels.
+        off_px: (right, down) residual of the position, pixels.
     """
 
     column: float
@@ -75,7 +75,7 @@ class ControlPoint:
 
 
 def corner_points(image: str, corners_xy: np.ndarray) -> list[ControlPoint]:
-    """The image's corners and the middles of its edges and of itself. Raises LabelMapError."""
+    """Return nine points: the corners, the middles of the edges and the center. Raises LabelMapError."""
     source = open_raster(image)
     height, width = source.RasterYSize, source.RasterXSize
     columns, rows = np.meshgrid((0.0, width / 2, width), (0.0, height / 2, height))
@@ -85,7 +85,7 @@ def corner_points(image: str, corners_xy: np.ndarray) -> list[ControlPoint]:
 
 
 def write_points(image: str, target: str, crs_wkt: str, points: Sequence[ControlPoint]) -> None:
-    """Copies an image and writes the ``.points`` beside it that QGIS's Georeferencer opens along with it.
+    """Copy an image and write its ``.points`` file, which QGIS's Georeferencer loads with the image.
 
     Args:
         target: The copy.
@@ -101,7 +101,7 @@ def write_points(image: str, target: str, crs_wkt: str, points: Sequence[Control
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("mapX", "mapY", "sourceX", "sourceY", "enable", "dX", "dY", "residual"))
     for point in points:
-        # Rows count downwards; the Georeferencer's y upwards.
+        # Rows increase downward; the Georeferencer's y increases upward.
         right, down = point.off_px
         values = point.x, point.y, point.column, -point.row, 1, right, down, float(np.hypot(right, down))
         writer.writerow([f"{value:.12g}" for value in values])

@@ -1,4 +1,4 @@
-"""Photos and orthophotos as networks see them: red, green and blue of 8 bits."""
+"""Read photos and orthophotos as networks need them: red, green and blue with 8 bits each."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from .gdal_errors import read_by_gdal
 from .rasters import open_raster
 
 WAVELENGTHS_UM = (0.665, 0.560, 0.490)
-"""Middle of red, green and blue light, for bands that state their wavelength."""
+"""Center wavelengths of red, green and blue, for bands that state their wavelength."""
 
 STRETCHED = 2, 98
-"""Percentiles of a band that become 0 and 255 when it has more than 8 bits: what QGIS shows by default."""
+"""Percentiles of a band with more than 8 bits that become 0 and 255: QGIS's default stretch."""
 
 _SAMPLES, _SAMPLE_EDGE = 8, 128
-"""Percentiles are taken from this many squares of this edge along each axis, spread over the image."""
+"""Number of sampled squares per axis, and their edge in pixels, for the percentiles."""
 
 Window = tuple[int, int, int, int]
 """(first column, first row, width, height) in pixels."""
 
 
 class GdalImage:
-    """An ImageSource on disk.
+    """An ImageSource in a file.
 
     Attributes:
-        bands: Numbers of the bands taken as red, green and blue, counted from 1.
+        bands: Numbers of the bands for red, green and blue, counted from 1.
         stretch: (3, 2) lowest and highest value of each, which become 0 and 255; None for 8 bits.
 
     Raises:
@@ -34,10 +34,10 @@ class GdalImage:
     """
 
     def __init__(self, path: str, size_wh: tuple[int, int] | None = None) -> None:
-        """Opens the image.
+        """Open the image.
 
         Args:
-            size_wh: (width, height) to which it is reduced, by means of its pixels; None for its own.
+            size_wh: (width, height) to reduce it to by averaging; None for its own size.
         """
         self._path = path
         try:
@@ -53,7 +53,7 @@ class GdalImage:
         self.bands = color_bands(self._view)
         kinds = {self._view.GetRasterBand(number).DataType for number in self.bands}
         if any(gdal.DataTypeIsComplex(kind) for kind in kinds):
-            raise ImageError("{path} holds complex numbers; a network takes photos.", path=path)
+            raise ImageError("{path} has complex numbers. Choose a photo or an orthophoto.", path=path)
         self.stretch = None if kinds == {gdal.GDT_Byte} else self._percentiles()
         self._row = 0
 
@@ -68,9 +68,9 @@ class GdalImage:
         return self._view.GetGeoTransform(can_return_null=True)
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """Pixels (height, width, 3) uint8, and where there is data (height, width) bool, as ImageSource says."""
+        """Return (height, width, 3) uint8 pixels and (height, width) bool of valid data, see ImageSource."""
         if row != self._row:
-            # Tiles come row by row: what lies above would only fill GDAL's cache.
+            # Tiles are read row by row: earlier rows would only fill GDAL's cache.
             self._view.FlushCache()
             self._file.FlushCache()
             self._row = row
@@ -82,7 +82,7 @@ class GdalImage:
         return pixels, has_data
 
     def _has_data(self, window: Window) -> np.ndarray | None:
-        """(height, width) bool: a pixel has data unless all its bands have none; None where all pixels have."""
+        """Return (height, width) bool of pixels with data in at least one band; None if all have data."""
         found = None
         for number in sorted(set(self.bands)):
             band = self._view.GetRasterBand(number)
@@ -95,7 +95,7 @@ class GdalImage:
         return None if found.all() else found
 
     def _bytes(self, window: Window) -> np.ndarray:
-        """(height, width, 3) uint8 as they lie in the file, all bands in one go."""
+        """Return (height, width, 3) uint8 pixels as stored, all bands in one call."""
         *_, width, height = window
         pixels = np.empty((height, width, 3), np.uint8)
         sizes, bands = (width, height, gdal.GDT_Byte), list(self.bands)
@@ -105,7 +105,7 @@ class GdalImage:
         return pixels
 
     def _stretched(self, window: Window) -> np.ndarray:
-        """(height, width, 3) uint8, the values between the limits of ``stretch``."""
+        """Return (height, width, 3) uint8 pixels, stretched between the limits of ``stretch``."""
         read = {number: self._values(self._view.GetRasterBand(number), window) for number in set(self.bands)}
         limited = zip(self.bands, self.stretch)
         return np.stack([_stretched(read[number], *limits) for number, limits in limited], axis=2)
@@ -143,9 +143,9 @@ def _stretched(values: np.ndarray, least: float, most: float) -> np.ndarray:
 
 
 def color_bands(dataset: gdal.Dataset) -> tuple[int, int, int]:
-    """Numbers of the red, green and blue band; one grey band stands for all three.
+    """Return the numbers of the red, green and blue band, three times the first one for one or two bands.
 
-    By color interpretation, else by the wavelengths that the bands state, else the first three.
+    The color interpretation decides, then the stated wavelengths, then the order of the bands.
     """
     bands = [dataset.GetRasterBand(number) for number in range(1, dataset.RasterCount + 1)]
     meanings = [band.GetColorInterpretation() for band in bands]
@@ -162,7 +162,7 @@ def color_bands(dataset: gdal.Dataset) -> tuple[int, int, int]:
 
 
 def _wavelength_um(band: gdal.Band) -> float | None:
-    """Micrometers, as ENVI's headers or (from GDAL 3.10 on) the domain IMAGERY tell them; None for none."""
+    """Return the wavelength in micrometers from ENVI's header or, from GDAL 3.10 on, the domain IMAGERY; or None."""
     text = band.GetMetadataItem("wavelength") or band.GetMetadataItem("CENTRAL_WAVELENGTH_UM", "IMAGERY") or ""
     try:
         length = float(text)
@@ -173,7 +173,7 @@ def _wavelength_um(band: gdal.Band) -> float | None:
 
 
 def _in_colors(dataset: gdal.Dataset) -> gdal.Dataset:
-    """A paletted image as red, green and blue; others as they are."""
+    """Expand a paletted image to red, green and blue; return other images unchanged."""
     if dataset.GetRasterBand(1).GetRasterColorTable() is None or dataset.RasterCount > 1:
         return dataset
     return gdal.Translate("", dataset, format="VRT", rgbExpand="rgb")

@@ -1,4 +1,4 @@
-"""Two label maps on one grid, and their disagreements as polygons."""
+"""Compare two label maps on one grid, and make polygons of their disagreements."""
 
 from __future__ import annotations
 
@@ -11,33 +11,33 @@ import numpy as np
 from osgeo import gdal, ogr
 
 from ..core.errors import LabelMapError, UnwritableError
-from .gdal_errors import gdal_failure, gdal_failures
+from .gdal_errors import gdal_failure, gdal_failures, require_written
 from .label_maps import GdalLabels
 
 PIXEL_TRANSFORM = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""Maps without georeference: pixels, rows downwards."""
+"""GDAL's six numbers for maps without georeference: x is the column, y the negative row."""
 
 _PIXELS_AT_ONCE = 8_000_000
 
 
 class LabelMapPair:
-    """An annotated and a predicted label map, read on the grid of the annotated one where both have ground.
+    """An annotated and a predicted label map, read on the grid of the annotated map where both overlap.
 
-    A pixel takes the predicted label at its center.
+    Each pixel gets the predicted label at its center.
 
     Attributes:
-        geotransform: GDAL's six numbers of what they share.
+        geotransform: GDAL's six numbers of the overlap.
     """
 
     def __init__(self, reference: str, predicted: str) -> None:
-        """Opens the two files, whose CRS must be the same.
+        """Open the two files, which must have the same CRS.
 
         Args:
             reference: The annotated label map.
             predicted: The predicted one.
 
         Raises:
-            LabelMapError: The maps don't lie on each other.
+            LabelMapError: The maps don't overlap or can't be compared.
         """
         self.reference, self.predicted = GdalLabels(reference), GdalLabels(predicted)
         grids = [labels.dataset.GetGeoTransform(can_return_null=True) for labels in (self.reference, self.predicted)]
@@ -54,7 +54,7 @@ class LabelMapPair:
         grid, other = (transform or PIXEL_TRANSFORM for transform in grids)
         if grid != other and any(transform[2] or transform[4] for transform in (grid, other)):
             raise LabelMapError("One of the maps is rotated against the other; warp both to a north-up grid first.")
-        # Of each pixel of REFERENCE along an axis, the pixel of PREDICTED at its center.
+        # For each pixel of REFERENCE along an axis: the pixel of PREDICTED at its center.
         columns = _pixels_at(grid[0], grid[1], width, other[0], other[1])
         rows = _pixels_at(grid[3], grid[5], height, other[3], other[5])
         self._first_column, self._columns = _inside(columns, other_width)
@@ -67,11 +67,11 @@ class LabelMapPair:
 
     @property
     def shape_hw(self) -> tuple[int, int]:
-        """(height, width) in pixels of what the maps share."""
+        """(height, width) of the overlap in pixels."""
         return len(self._rows), len(self._columns)
 
     def blocks(self) -> Iterator[tuple[int, np.ndarray, np.ndarray]]:
-        """(first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
+        """Yield (first row, annotated labels, predicted labels) from top to bottom, (rows, W) uint8 each."""
         height, width = self.shape_hw
         at_once = max(1, _PIXELS_AT_ONCE // width)
         for first in range(0, height, at_once):
@@ -79,7 +79,7 @@ class LabelMapPair:
             yield first, *self._read(0, first, width, len(rows))
 
     def pieces(self, edge: int) -> Iterator[tuple[float, np.ndarray, np.ndarray]]:
-        """(share done, annotated labels, predicted labels) of squares, smaller ones at the end, (h, w) uint8 each."""
+        """Yield (share done, annotated labels, predicted labels) of squares, (h, w) uint8 each, cut at the edges."""
         height, width = self.shape_hw
         for first in range(0, height, edge):
             for left in range(0, width, edge):
@@ -95,21 +95,18 @@ class LabelMapPair:
 
 def _pixels_at(origin: float, step: float, count: int, other_origin: float, other_step: float) -> np.ndarray:
     centers = origin + (np.arange(count) + 0.5) * step
-    # A center on the edge between two pixels must not fall to either side by rounding.
+    # Rounding must not decide for a center on the border of two pixels.
     return np.floor((centers - other_origin) / other_step + 1e-6).astype(np.int64)
 
 
 def _inside(pixels: np.ndarray, size: int) -> tuple[int, np.ndarray]:
-    """(first place, the places) that lie on a map of ``size`` pixels."""
+    """Return (index of the first pixel, pixels) inside a map of ``size`` pixels."""
     found = np.flatnonzero((pixels >= 0) & (pixels < size))
     return (int(found[0]), pixels[found]) if len(found) else (0, pixels[:0])
 
 
 class DisagreementMap:
-    """A raster of codes that becomes polygons.
-
-    A context manager: its files lie in a folder of the system's for temporary ones and are gone when it is left.
-    """
+    """A raster of codes to polygonize. A context manager: its files are in a temporary folder, deleted at the end."""
 
     def __init__(self, pair: LabelMapPair) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="semref-compare-")
@@ -127,25 +124,23 @@ class DisagreementMap:
         return self
 
     def __exit__(self, *error: object) -> None:
-        # The last references close the files, which must happen before their folder is removed.
+        # Close the files before their folder is removed.
         self._raster = self._layer = self._database = None
         self._folder.cleanup()
 
     def write_rows(self, first_row: int, codes_hw: np.ndarray) -> None:
-        """Writes (rows, W) uint16 codes, 0 where nothing is; raises LabelMapError where there is no room for them."""
-        with gdal_failures() as failures:
+        """Write (rows, W) uint16 codes, 0 for no disagreement. Raises UnwritableError when the disk is full."""
+        with require_written(self._path):
             self._raster.GetRasterBand(1).WriteArray(codes_hw, 0, first_row)
-        if failures:
-            raise UnwritableError("{path} can't be written: {reason}.", path=self._path, reason=failures[0])
 
     def outline(self, proceed: Callable[[float], bool]) -> None:
-        """Makes the polygons.
+        """Make the polygons.
 
         Args:
-            proceed: Is told the share done (0…1) and says whether to go on.
+            proceed: Gets the share done, 0…1, and returns whether to continue.
 
         Raises:
-            LabelMapError: GDAL could not make them, or there is no room for all of them.
+            LabelMapError: GDAL could not make the polygons, or the disk is full.
         """
         stopped: list[bool] = []
 
@@ -153,7 +148,7 @@ class DisagreementMap:
             stopped.extend([] if proceed(share) else [True])
             return int(not stopped)
 
-        # A commit that finds the disk full takes back all polygons, and says so to nobody who does not listen.
+        # On a full disk the commit drops all polygons and reports it to the error handler only.
         with gdal_failures() as failures:
             self._raster.FlushCache()
             self._make_layer()
@@ -164,7 +159,7 @@ class DisagreementMap:
             raise LabelMapError("The polygons can’t be made: {reason}.", reason=failures[0])
 
     def _make_layer(self) -> None:
-        """Begins to write polygons; raises RuntimeError where GDAL can't."""
+        """Create the layer of polygons. Raises RuntimeError if GDAL can't."""
         self._database = ogr.GetDriverByName("GPKG").CreateDataSource(self._polygons)
         if self._database is not None:
             self._layer = self._database.CreateLayer("polygons", geom_type=ogr.wkbPolygon, options=["SPATIAL_INDEX=NO"])
@@ -174,7 +169,7 @@ class DisagreementMap:
         self._database.StartTransaction()
 
     def ranked(self, minimum_area: float) -> list[tuple[int, float]]:
-        """(number of the polygon, area in square map units), the largest first, of equal ones the first."""
+        """Return (number, area in square map units) of the polygons, largest first, equal areas by number."""
         found = []
         for feature in self._layer:
             area = feature.GetGeometryRef().GetArea()
@@ -183,6 +178,6 @@ class DisagreementMap:
         return sorted(found, key=lambda item: (-item[1], item[0]))
 
     def polygon(self, number: int) -> tuple[int, bytes]:
-        """(code, outline as WKB) of a polygon."""
+        """Return (code, WKB) of a polygon."""
         feature = self._layer.GetFeature(number)
         return feature.GetField("code"), bytes(feature.GetGeometryRef().ExportToWkb())

@@ -1,4 +1,4 @@
-"""Images that are localized: label images with how they are shifted, and photos that are not too large."""
+"""Open the images to localize: label images with their class offsets, and photos of bounded size."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from .label_maps import GdalLabels
 from .rasters import open_raster
 
 _SAMPLED_PX, _MOST_LABEL_COLORS = 128, 256
-"""Edge of the square whose colors are counted, and colors that a label image has at most, blurred borders included."""
+"""Edge of the sampled square in pixels, and largest number of colors of a label image, with blurred borders."""
 
 
 class LabelImageReader:
-    """Reads label images in the classes of a table, as ``pipeline.LabelReader``."""
+    """A ``pipeline.LabelReader`` of label images in the classes of a table."""
 
     stated_biases = ""
     pace = None
@@ -32,25 +32,25 @@ class LabelImageReader:
         self._table = table
 
     def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
-        """Labels of an image, shifted as the network says that made it, if one did; there are no other pixels."""
+        """Return the labels of an image and the class offsets that it states; ``with_pixels`` has no effect."""
         labels_hw, stated = read_label_image(path, self._table), stated_biases(path)
         if stated is None:
             return SeenLabels(labels_hw)
         return SeenLabels(labels_hw, biases=known_biases(read_class_bias({KEY: stated}, None, path), self._table))
 
 
-def opened_photo(path: str) -> GdalImage:
-    """A photo; raises ImageError for one that is too large."""
+def open_photo(path: str) -> GdalImage:
+    """Open a photo. Raises ImageError if it is too large."""
     photo = GdalImage(path)
     require_size(photo.shape_hw, None, path, ImageError)
     return photo
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
-    """A query image's labels (H, W) uint8: single-band values, or three and more bands decoded by color.
+    """Return (H, W) uint8 labels: the values of one band, or the decoded colors of three and more bands.
 
-    Colors are decoded by the table's HSV ranges if it has any, else by nearest color. What a mask in the file leaves
-    out has no label. Raises LabelMapError.
+    The table's HSV ranges decode colors; without ranges, the nearest color does. Pixels outside a mask in the file are
+    unlabeled. Raises LabelMapError.
     """
     dataset = open_raster(path)
     width, height = dataset.RasterXSize, dataset.RasterYSize
@@ -64,7 +64,10 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
 
 
 def has_photo_colors(path: str) -> bool:
-    """Whether an image of three or more bands has more colors in its middle than a label image; False if unreadable."""
+    """Whether the center of an image with three or more bands has too many colors for a label image.
+
+    Returns False for an unreadable image.
+    """
     try:
         dataset = open_raster(path)
         if dataset.RasterCount < 3:
@@ -78,7 +81,7 @@ def has_photo_colors(path: str) -> bool:
 
 
 def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
-    """(H, W) bool: what a mask in the file keeps; None without one. Raises LabelMapError."""
+    """Return (H, W) bool of the pixels that a mask in the file includes; None without mask. Raises LabelMapError."""
     band = dataset.GetRasterBand(1)
     if read_by_gdal(LabelMapError, path, band.GetMaskFlags) != gdal.GMF_PER_DATASET:
         return None
@@ -86,12 +89,12 @@ def _own_mask(dataset: gdal.Dataset, path: str) -> np.ndarray | None:
 
 
 def stated_biases(path: str) -> str | None:
-    """The class_bias that a label map states of the network that made it; None where none did."""
+    """Return the text of the class offsets in a label map; None if no network made it."""
     return open_raster(path).GetMetadataItem(CLASS_BIAS_ITEM)
 
 
 def read_bgr(dataset: gdal.Dataset, path: str, first_row: int, rows: int) -> np.ndarray:
-    """Rows of an RGB(A) or paletted image as (rows, W, 3) uint8, blue first; raises LabelMapError for other kinds."""
+    """Return rows of an RGB(A) or paletted image as (rows, W, 3) uint8, blue first. Raises LabelMapError for others."""
     palette = dataset.GetRasterBand(1).GetRasterColorTable()
     if dataset.RasterCount == 1 and palette is not None:
         colors = np.zeros((256, 3), np.uint8)

@@ -1,4 +1,4 @@
-"""Label maps as files: GeoTIFF with the class table, colors and names inside."""
+"""Write label maps as GeoTIFF with class table, colors and names inside."""
 
 from __future__ import annotations
 
@@ -7,25 +7,24 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import UnwritableError
 from ..core.labels.class_table import ClassTable
-from .gdal_errors import close, gdal_failure, gdal_failures
+from .gdal_errors import close, require_written
 from .raster_writer import WrittenRaster
 
 CLASS_TABLE_ITEM = "SEMREF_CLASS_TABLE"
-"""Metadata item of a label map that holds its class table as CSV."""
+"""Metadata item of a label map with its class table as CSV."""
 
 CLASS_BIAS_ITEM = "SEMREF_CLASS_BIAS"
-"""Metadata item of a label map that a network made: its metadata's class_bias, “{}” where it states none."""
+"""Metadata item of a label map that a network made: class_bias of its metadata, “{}” if it has no class offsets."""
 
 _PASTED_ROWS = 1024
 
 TILE_ROWS = 256
-"""Rows of a GeoTIFF tile: writing whole tiles compresses none twice."""
+"""Rows of a GeoTIFF tile. Writing whole tiles compresses each tile once."""
 
 
 class LabelMapFile(WrittenRaster):
-    """A label map being written: GeoTIFF, uint8, tiled, DEFLATE, with classes and colors inside."""
+    """Writer of a label map: GeoTIFF, uint8, tiled, DEFLATE, with classes and colors inside."""
 
     def __init__(  # noqa: PLR0913 - what a label map is made of; not every one has a MapFrame
         self,
@@ -37,46 +36,47 @@ class LabelMapFile(WrittenRaster):
         table: ClassTable,
         class_bias: str = "",
     ) -> None:
-        """Creates the file.
+        """Create the file.
 
         Args:
-            path: Of the new file.
-            width: Pixels.
-            height: Pixels.
+            path: The new file.
+            width: In pixels.
+            height: In pixels.
             geotransform: GDAL's six numbers; None without a georeference.
-            crs_wkt: WKT of the CRS; empty for none.
-            class_bias: Of the network that made the labels, as its metadata state it; empty where none did.
+            crs_wkt: WKT of the CRS; empty without one.
+            table: The classes.
+            class_bias: Text of the network's class offsets; empty if no network made the labels.
 
         Raises:
-            LabelMapError: GDAL can't write there.
+            UnwritableError: GDAL can't write the file.
         """
         super().__init__(path, (height, width), 1, geotransform, crs_wkt)
         self._dataset.SetMetadataItem(CLASS_TABLE_ITEM, table.to_csv())
         if class_bias:
             self._dataset.SetMetadataItem(CLASS_BIAS_ITEM, class_bias)
-        # Palettes of TIFF know no transparency: without it what is unlabeled would be black.
+        # TIFF palettes have no transparency: without a no-data value unlabeled pixels would be black.
         self._dataset.GetRasterBand(1).SetNoDataValue(0)
         set_class_colors(self._dataset.GetRasterBand(1), table)
         set_attribute_table(self._dataset.GetRasterBand(1), table)
 
     def write_rows(self, first_row: int, labels_hw: np.ndarray) -> None:
-        """Writes whole rows through to the file; may run in another thread, one call at a time."""
-        with gdal_failures() as failures:
+        """Write (rows, W) uint8 labels and flush them; may run in another thread, one call at a time."""
+        with require_written(self._path):
             self._write(1, 0, first_row, labels_hw)
             self._dataset.FlushCache()
-        self._raise(failures)
 
 
 def paste_labels(path: str, part: str) -> None:
-    """Write a part of a label map over the place in the whole where it is.
+    """Overwrite the extent of ``part`` in a label map.
 
     Args:
-        part: On the same grid of pixels, inside the whole.
+        path: The label map.
+        part: A label map on the same pixel grid, inside the extent of the first.
 
     Raises:
-        UnwritableError: GDAL can't read the part, or write the whole.
+        UnwritableError: GDAL can't read the part or write the label map.
     """
-    with gdal_failures() as failures:
+    with require_written(path):
         whole, piece = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_UPDATE), gdal.OpenEx(part, gdal.OF_RASTER)
         if whole is not None and piece is not None:
             (left, size, _, top, *_), (part_left, _, _, part_top, *_) = whole.GetGeoTransform(), piece.GetGeoTransform()
@@ -87,12 +87,10 @@ def paste_labels(path: str, part: str) -> None:
                 whole.GetRasterBand(1).WriteArray(labels, column, row + first)
         close(whole)
         del whole
-    if failures:
-        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=gdal_failure(failures[0]))
 
 
 def whole_tile_rows(pieces: Iterable[tuple[int, np.ndarray]]) -> Iterator[tuple[int, np.ndarray]]:
-    """(first row, (…, rows, W) values) in pieces that end with a row of the GeoTIFF's tiles, all but the last."""
+    """Yield (first row, (…, rows, W) values) in pieces that end at a row of GeoTIFF tiles, except the last piece."""
     held = []
     first = 0
     for start, values in pieces:
@@ -109,7 +107,7 @@ def whole_tile_rows(pieces: Iterable[tuple[int, np.ndarray]]) -> Iterator[tuple[
 
 
 def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
-    """Color table (0 transparent) and category names; GDAL keeps the names of a GeoTIFF in its .aux.xml."""
+    """Set the color table (0 is transparent) and the category names; for a GeoTIFF GDAL writes names to .aux.xml."""
     colors = gdal.ColorTable()
     last = max([c.value for c in table], default=0)
     names = [""] * (last + 1)
@@ -126,7 +124,7 @@ def set_class_colors(band: gdal.Band, table: ClassTable) -> None:
 
 
 def set_attribute_table(band: gdal.Band, table: ClassTable) -> None:
-    """GDAL's raster attribute table: value, name, color and role of each class, in the .aux.xml of a GeoTIFF."""
+    """Set GDAL's raster attribute table: value, name, color and role of each class; for a GeoTIFF in .aux.xml."""
     attributes = gdal.RasterAttributeTable()
     columns = (
         ("Value", gdal.GFT_Integer, gdal.GFU_MinMax),

@@ -23,27 +23,28 @@ from .label_map_file import CLASS_TABLE_ITEM
 from .rasters import open_raster
 
 HELD_PIXELS = 400_000_000
-"""A label map up to this size is held in memory while a database is built; a larger one is read piece by piece."""
+"""Largest label map that is kept in memory while a database is built; larger maps are read piece by piece."""
 
 _COUNTED_AT_ONCE = 8_000_000
 
 _INTEGER_NAMES = ("Byte", "Int8", "UInt16", "Int16", "UInt32", "Int32", "UInt64", "Int64")
 _INTEGER_TYPES = {getattr(gdal, f"GDT_{name}") for name in _INTEGER_NAMES if hasattr(gdal, f"GDT_{name}")}
-"""Integer types that this GDAL has; it got 64 bits with 3.5 and Int8 with 3.7."""
+"""Integer types of this GDAL; 64-bit types exist from 3.5 on, Int8 from 3.7 on."""
 
 
 class GdalLabels:
-    """A LabelSource on disk: one band of whole numbers 0–255."""
+    """A LabelSource in a file: one band of integers 0–255."""
 
     def __init__(self, path: str, keeps_blocks: bool = False) -> None:
-        """Opens the map.
+        """Open the map.
 
         Args:
-            keeps_blocks: For work that returns to the same places: GDAL's cache keeps the blocks of pieces; those of
-                whole rows are still let go, as they are read once and in order.
+            path: The label map.
+            keeps_blocks: Whether GDAL's cache keeps the blocks of parts, for work that reads the same places again.
+                Blocks of whole rows are always dropped, since rows are read once and in order.
 
         Raises:
-            LabelMapError: The file is anything else.
+            LabelMapError: The file is not a label map.
         """
         self._path = path
         self._keeps_blocks = keeps_blocks
@@ -73,13 +74,13 @@ class GdalLabels:
         return self._dataset
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) uint8 labels, 0 where the file says that nothing is.
+        """Return (height, width) uint8 labels, 0 for no data.
 
         Raises:
-            LabelMapError: The file is damaged, or a value is no label.
+            LabelMapError: The file is damaged, or a value is not in 0…255.
         """
         block = read_by_gdal(LabelMapError, self._path, self._band.ReadAsArray, column, row, width, height)
-        # Blocks that are read once and in order would only fill GDAL's cache.
+        # Blocks that are not read again would only fill GDAL's cache.
         if not self._keeps_blocks or width == self._dataset.RasterXSize:
             self._dataset.FlushCache()
         if self._nodata is not None and self._nodata != 0:
@@ -97,9 +98,9 @@ class GdalLabels:
 
 
 class HeldLabels:
-    """A label map read into memory, which saves decoding it twice; iterate ``steps()``, then take ``source``.
+    """A label map in memory, so that it is decoded once. Iterate ``steps()`` to the end, then take ``source``.
 
-    Maps of more than HELD_PIXELS stay on disk: ``source`` is then the label map itself.
+    For maps of more than HELD_PIXELS, ``source`` is the label map on disk.
     """
 
     def __init__(self, labels: GdalLabels) -> None:
@@ -107,7 +108,7 @@ class HeldLabels:
         self.source: LabelSource = labels
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1)."""
+        """Yield (current step, share done 0…1)."""
         height, width = self._labels.shape_hw
         if height * width > HELD_PIXELS:
             return
@@ -122,13 +123,13 @@ class HeldLabels:
 
 @dataclass(frozen=True)
 class RasterFile:
-    """What a raster file cannot tell GDAL itself: what QGIS knows of its layer.
+    """A raster file with the properties of its QGIS layer that GDAL does not have.
 
     Attributes:
-        path: GDAL's source.
-        crs_wkt: The CRS as GDAL takes it; empty for none.
+        path: Source for GDAL.
+        crs_wkt: WKT of the layer's CRS; empty without one.
         is_metric: Whether that CRS is projected with meters as unit.
-        styled_classes: Classes of the layer's style, if it has any.
+        styled_classes: Classes of the layer's style, if any.
     """
 
     path: str
@@ -138,13 +139,13 @@ class RasterFile:
 
 
 def stored_class_table(dataset: gdal.Dataset, path: str) -> ClassTable | None:
-    """The class table that a label map made by SemRef carries."""
+    """Return the class table inside a label map that SemRef made; None without one."""
     text = dataset.GetMetadataItem(CLASS_TABLE_ITEM)
     return class_table_from_csv(text, f"the class table inside {path}") if text else None
 
 
 def named_classes(dataset: gdal.Dataset) -> tuple[LandCoverClass, ...]:
-    """Classes from GDAL's category names and color table."""
+    """Return classes from GDAL's category names and color table; none if names repeat."""
     band = dataset.GetRasterBand(1)
     colors = band.GetRasterColorTable()
     named = [(v, name) for v, name in enumerate(band.GetRasterCategoryNames() or []) if 0 < v <= 255 and name]
@@ -158,7 +159,7 @@ def named_classes(dataset: gdal.Dataset) -> tuple[LandCoverClass, ...]:
 
 
 def class_table_of_map(labels: GdalLabels, file: RasterFile) -> ClassTable | None:
-    """The map's own table, else that of its category names, else of its layer's style; None when it has none."""
+    """Return the class table inside the map, or one of its category names, or of its layer's style, or None."""
     stored = stored_class_table(labels.dataset, file.path)
     if stored is not None:
         return stored
@@ -167,7 +168,7 @@ def class_table_of_map(labels: GdalLabels, file: RasterFile) -> ClassTable | Non
 
 
 def count_values(labels: GdalLabels, canceled: Callable[[], bool]) -> np.ndarray:
-    """(256,) pixels of each value of the whole map; zeros when canceled."""
+    """Return (256,) pixels per value of the whole map; zeros if canceled."""
     height, width = labels.shape_hw
     rows = max(1, _COUNTED_AT_ONCE // width)
     counts = np.zeros(256, np.int64)
@@ -179,16 +180,16 @@ def count_values(labels: GdalLabels, canceled: Callable[[], bool]) -> np.ndarray
 
 
 def class_table_of_values(counts: np.ndarray) -> ClassTable:
-    """Table of the label values that occur; ``counts``: (256,) pixels a value."""
+    """Return a class table of the values that occur; ``counts``: (256,) pixels per value."""
     return class_table_from_values(int(v) for v in np.flatnonzero(counts) if v)
 
 
 def require_map_grid(transform: Sequence[float] | None, path: str) -> None:
-    """Raises LabelMapError for a georeference that is none, or of no north-up grid of square pixels.
+    """Raise LabelMapError unless a georeference is a north-up grid of square pixels.
 
     Args:
-        transform: GDAL's six numbers.
-        path: What the raster is called in what is said.
+        transform: GDAL's six numbers; None without a georeference.
+        path: Name of the raster for the message.
     """
     if transform is None:
         raise LabelMapError("{path} has no georeference, so its windows would have no place on the map.", path=path)
@@ -205,10 +206,12 @@ def require_map_grid(transform: Sequence[float] | None, path: str) -> None:
 
 
 def require_classes_of(labels: GdalLabels, table: ClassTable, path: str) -> None:
-    """Raises LabelMapError for a label map that calls a class otherwise than the database does.
+    """Raise LabelMapError if a label map and a database have different names for a class value.
 
     Args:
-        path: What the map is called in what is said.
+        labels: The label map.
+        table: Classes of the database.
+        path: Name of the label map for the message.
     """
     for found in stored_class_table(labels.dataset, path) or named_classes(labels.dataset):
         known = table.by_value(found.value)

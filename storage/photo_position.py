@@ -1,4 +1,4 @@
-"""Where a photo says it was taken: what satellites told its camera (EXIF), which localization does not ask."""
+"""Read the satellite position in a photo's EXIF data. Localization does not use it."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from ..core.labels.photo_camera import PHOTO_EXTENSIONS
 from .rasters import open_raster
 
 _AXES = (("Longitude", "EW", 180.0), ("Latitude", "NS", 90.0))
-"""EXIF's name of each, its letters for positive and negative degrees, and the most of them."""
+"""EXIF's name, the letters for positive and negative degrees, and the largest value."""
 
 _VOID = "V"
-"""Status of a receiver that had no position."""
+"""Status of a receiver without a position."""
 
 
 def photo_lon_lat(path: str) -> tuple[float, float] | None:
-    """(longitude, latitude) in degrees that a photo states, or the photo of an image's name beside it.
+    """Return (longitude, latitude) in degrees from a photo, or from the photo beside an image with the same stem.
 
-    None where nothing is stated, nothing that can be, or 0, 0: what cameras write that know none.
+    Returns None without a valid position, and for 0, 0, which cameras write without a position.
     """
     stem = os.path.splitext(path)[0]
     beside = [stem + extension for extension in PHOTO_EXTENSIONS]
@@ -36,7 +36,7 @@ def _stated(path: str) -> tuple[float, float] | None:
         file = open_raster(path)
     except LabelMapError:
         return None
-    # JPEGs have EXIF among their own metadata, TIFFs in a domain.
+    # A JPEG has EXIF data among its own metadata, a TIFF in a domain.
     tags = {**file.GetMetadata(), **(file.GetMetadata("EXIF") or {})}
     if tags.get("EXIF_GPSStatus", "").strip() == _VOID:
         return None
@@ -50,7 +50,7 @@ def _stated(path: str) -> tuple[float, float] | None:
 
 
 def _degrees(text: str, letter: str, letters: str, most: float) -> float | None:
-    """Of “(degrees) (minutes) (seconds)” with a letter for the side; None for anything else."""
+    """Parse “(degrees) (minutes) (seconds)” and the letter of the hemisphere. Returns None for other texts."""
     side = letter.strip()[:1].upper()
     parts = re.findall(r"\(([^()]*)\)", text)
     if len(parts) != 3 or not side or side not in letters:

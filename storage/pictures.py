@@ -1,16 +1,17 @@
-"""Arrays to picture files: PNG, JPEG, GeoTIFF."""
+"""Write arrays as PNG, JPEG or GeoTIFF."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
 
-from ..core.errors import UnwritableError
 from ..core.geometry.frame import MapFrame
 from ..core.labels.image_source import PixelMask
-from .gdal_errors import close, gdal_failures
+from ..core.segmentation.certainty import NO_DATA
+from .gdal_errors import close, require_written
 from .raster_writer import TILED, WrittenRaster
 from .rasters import open_raster
 
@@ -19,43 +20,43 @@ _ROWS_AT_ONCE = 256
 
 
 def write_png(path: Path, bands: np.ndarray) -> None:
-    """(1 or 3, H, W) uint8 as a grey or RGB PNG, without a palette and without files beside it."""
+    """Write (1 or 3, H, W) uint8 as a gray or RGB PNG, without palette or side-car files."""
     _write(path, bands, gdal.GDT_Byte, "PNG", [])
 
 
 def write_tiff(path: Path, bands: np.ndarray, kind: int) -> None:
-    """(bands, H, W) as a GeoTIFF with interleaved bands."""
+    """Write (bands, H, W) as a GeoTIFF with interleaved bands; ``kind``: GDAL's data type."""
     _write(path, bands, kind, "GTiff", ["COMPRESS=DEFLATE", "INTERLEAVE=PIXEL", "PHOTOMETRIC=MINISBLACK"])
 
 
 def write_jpeg(path: Path, bands: np.ndarray) -> None:
-    """(1 or 3, H, W) uint8 as a grey or RGB JPEG."""
+    """Write (1 or 3, H, W) uint8 as a gray or RGB JPEG."""
     _write(path, bands, gdal.GDT_Byte, "JPEG", [f"QUALITY={JPEG_QUALITY}"])
 
 
 def copy_part(source: str, target: str, window: tuple[int, int, int, int]) -> None:
-    """Copies a piece of a raster, (first column, first row, width, height), to a GeoTIFF. Raises UnwritableError."""
+    """Copy a part of a raster to a GeoTIFF; ``window``: (first column, first row, width, height) in pixels.
+
+    Raises:
+        UnwritableError: The GeoTIFF can't be written.
+    """
     options = {"format": "GTiff", "srcWin": list(window), "creationOptions": list(TILED)}
-    with gdal_failures() as failures:
+    with require_written(target):
         close(gdal.Translate(target, open_raster(source), **options))
-    if failures:
-        raise UnwritableError("{path} can't be written: {reason}.", path=target, reason=failures[0])
 
 
 def keep_only(path: str, wanted: PixelMask) -> None:
-    """Leaves a GeoTIFF no data outside a mask, as a mask of its own; what had none before still has none.
+    """Mark pixels of a GeoTIFF outside ``wanted`` as no data, in an internal mask; earlier no data remains no data.
 
     Raises:
-        UnwritableError: It can't be written.
+        UnwritableError: The GeoTIFF can't be written.
     """
-    with gdal_failures() as failures:
+    with require_written(path):
         gdal.SetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES")
         try:
             _write_mask(gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_UPDATE), wanted)
         finally:
             gdal.SetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", None)
-    if failures:
-        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=failures[0])
 
 
 def _write_mask(dataset: gdal.Dataset | None, wanted: PixelMask) -> None:
@@ -76,27 +77,63 @@ def _write_mask(dataset: gdal.Dataset | None, wanted: PixelMask) -> None:
 
 
 class ColorPicture(WrittenRaster):
-    """A georeferenced GeoTIFF with red, green, blue and opacity, being written tile by tile."""
+    """Writer of a georeferenced GeoTIFF with red, green, blue and opacity."""
 
     def __init__(self, path: str, frame: MapFrame) -> None:
-        """Creates the file where ``frame`` lies, all of it transparent. Raises UnwritableError."""
+        """Create a transparent picture of the extent of ``frame``. Raises UnwritableError."""
         options = (*TILED, "PHOTOMETRIC=RGB", "ALPHA=YES")
         super().__init__(path, frame.shape_hw, 4, frame.geotransform, frame.crs, options)
 
     def write(self, column: int, row: int, pixels_hw4: np.ndarray) -> None:
-        """Writes (height, width, 4) uint8, red first, whose first pixel comes to ``column``, ``row``."""
-        with gdal_failures() as failures:
+        """Write (height, width, 4) uint8 pixels, red first, from ``column``, ``row`` on."""
+        with require_written(self._path):
             for band in range(4):
                 self._write(band + 1, column, row, pixels_hw4[:, :, band])
-        self._raise(failures)
+
+
+class PercentRaster(WrittenRaster):
+    """Writer of a GeoTIFF of probabilities, one band for each name: 0…100 %, 255 is no data."""
+
+    def __init__(
+        self,
+        path: str,
+        shape_hw: tuple[int, int],
+        geotransform: Sequence[float] | None,
+        crs_wkt: str,
+        names: Sequence[str],
+    ) -> None:
+        """Create the file.
+
+        Args:
+            path: The new file.
+            shape_hw: (height, width) in pixels.
+            geotransform: GDAL's six numbers; None without a georeference.
+            crs_wkt: WKT of the CRS; empty without one.
+            names: Band names.
+
+        Raises:
+            UnwritableError: GDAL can't write the file.
+        """
+        # Gray: otherwise programs would show three bands as red, green and blue.
+        options = (*TILED, "INTERLEAVE=BAND", "PHOTOMETRIC=MINISBLACK")
+        super().__init__(path, shape_hw, len(names), geotransform, crs_wkt, options)
+        for number, name in enumerate(names, start=1):
+            band = self._dataset.GetRasterBand(number)
+            band.SetDescription(name)
+            band.SetUnitType("%")
+            band.SetNoDataValue(NO_DATA)
+
+    def write_rows(self, first_row: int, percents_chw: np.ndarray) -> None:
+        """Write whole rows of all bands, (bands, rows, W) uint8, and flush them."""
+        with require_written(self._path):
+            for number, percent_hw in enumerate(percents_chw, start=1):
+                self._write(number, 0, first_row, percent_hw)
+            self._dataset.FlushCache()
 
 
 def _write(path: Path, bands: np.ndarray, kind: int, driver: str, options: list[str]) -> None:
     memory = gdal.GetDriverByName("MEM").Create("", bands.shape[2], bands.shape[1], len(bands), kind)
     for number, band in enumerate(bands, start=1):
         memory.GetRasterBand(number).WriteArray(band)
-    with gdal_failures() as failures:
-        # It may still write when it is closed.
+    with require_written(path):
         close(gdal.GetDriverByName(driver).CreateCopy(str(path), memory, options=options))
-    if failures:
-        raise UnwritableError("{path} can't be written: {reason}.", path=path, reason=failures[0])

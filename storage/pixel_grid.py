@@ -1,4 +1,4 @@
-"""The whole pixels that a label map of polygons has."""
+"""Compute the pixel grid of a label map of polygons."""
 
 from __future__ import annotations
 
@@ -17,16 +17,19 @@ Bounds = tuple[float, float, float, float]
 
 
 def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
-    """The frame of the whole pixels around ``bounds``, aligned to multiples of the pixel size.
+    """Return the smallest grid around ``bounds`` that is aligned to multiples of the pixel size.
 
-    Maps of one pixel size then share their pixel corners, whatever their extents. Raises ParameterError.
+    Maps of the same pixel size thus share their pixel corners.
+
+    Raises:
+        ParameterError: The pixel size is not positive, or the grid is too large.
     """
-    # Not at the top: it loads numpy, and QGIS starts without.
+    # QGIS must start without loading numpy.
     from ..core.geometry.frame import MapFrame
 
     if not pixel_size > 0 or not math.isfinite(pixel_size):
         raise ParameterError("The pixel size is {pixel_size:g} m; it must be more than 0.", pixel_size=pixel_size)
-    # A bound that is a multiple but for rounding must not add a row of pixels.
+    # Rounding errors of a bound must not add a row of pixels.
     slack = 1e-6
     left, bottom = (math.floor(v / pixel_size + slack) for v in bounds[:2])
     right, top = (math.ceil(v / pixel_size - slack) for v in bounds[2:])
@@ -41,6 +44,6 @@ def pixel_grid(bounds: Bounds, pixel_size: float, crs_wkt: str) -> MapFrame:
 
 
 def union_of_bounds(bounds: Iterable[Bounds]) -> Bounds:
-    """(left, bottom, right, top) around all of such bounds."""
+    """Return (left, bottom, right, top) around several bounds."""
     lefts, bottoms, rights, tops = zip(*bounds)
     return min(lefts), min(bottoms), max(rights), max(tops)

@@ -1,4 +1,4 @@
-"""A label map as polygons: small regions merged, shared borders simplified alike on both sides."""
+"""Polygonize a label map: merge small regions, and simplify shared borders equally on both sides."""
 
 from __future__ import annotations
 
@@ -16,38 +16,38 @@ from .gdal_errors import gdal_failures
 from .rasters import open_raster
 
 WITHOUT_GEOREFERENCE = (0.0, 1.0, 0.0, 0.0, 0.0, -1.0)
-"""GDAL's six numbers of pixels with y up, as the other algorithms give places on such images."""
+"""GDAL's six numbers for an image without georeference: x is the column, y the negative row."""
 
 
 class LabelPolygons:
-    """Makes the polygons of a label map; iterate ``steps()`` to the end, then ``classes`` and ``polygons`` are there.
+    """Polygons of a label map. Iterate ``steps()`` to the end; ``classes`` and ``polygons`` are then complete.
 
     Attributes:
-        classes: (n,) class value of each.
-        polygons: (n,) shapely polygons in map coordinates; 4-connected regions, together they cover what is labeled.
+        classes: (n,) class values.
+        polygons: (n,) shapely polygons of 4-connected regions in map coordinates, which cover all labeled ground.
     """
 
     def __init__(self, path: str, minimum_area: float, tolerance: float) -> None:
-        """Nothing is read yet.
+        """Prepare without reading the map.
 
         Args:
-            path: Of the label map.
-            minimum_area: Square map units; smaller regions go to their largest neighbor. 0 keeps all.
-            tolerance: Map units; lines are straightened where they then enclose less than a triangle of that edge and
-                height (``shapely.coverage_simplify``), all borders alike on both sides. 0 keeps the pixels' edges.
+            path: The label map.
+            minimum_area: Square map units; smaller regions become part of their largest neighbor. 0 keeps all.
+            tolerance: Map units; see ``shapely.coverage_simplify``, which removes a vertex if its triangle is smaller
+                than one with this edge and height. 0 keeps the pixel edges.
         """
         self._path, self._minimum_area, self._tolerance = path, minimum_area, tolerance
         self.classes = np.empty(0, np.uint8)
         self.polygons = np.empty(0, object)
 
     def steps(self, proceed: Callable[[], bool] = lambda: True) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1).
+        """Yield (current step, share done 0…1).
 
         Args:
-            proceed: Asked now and then; once False the work ends, with a LabelMapError or without polygons.
+            proceed: Called repeatedly; False ends the work, with a LabelMapError or without polygons.
 
         Raises:
-            LabelMapError: GDAL can't read the map, or was told to stop.
+            LabelMapError: GDAL can't read the map, or ``proceed`` returned False.
         """
         with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
             yield "Merging small regions", 0.0
@@ -60,12 +60,12 @@ class LabelPolygons:
             if self._tolerance > 0 and can_simplify() and len(outlines):
                 outlines = simplified(outlines, self._tolerance / np.sqrt(_pixel_area(transform)))
             self.classes, self.polygons = values, on_map(outlines, transform)
-            # The last reference, before its folder is removed.
+            # Close the file before its folder is removed.
             del raster
         yield "Simplifying borders", 1.0
 
     def _sieved(self, path: str, proceed: Callable[[], bool]) -> gdal.Dataset:
-        """The label map without its smallest regions."""
+        """Return the label map without small regions."""
         source = open_raster(self._path)
         transform = _transform(source)
         pixels = int(np.ceil(self._minimum_area / _pixel_area(transform)))
@@ -85,7 +85,7 @@ class LabelPolygons:
 
 
 def _rows(band: gdal.Band) -> Callable[[int, int], np.ndarray]:
-    """Reads rows of labels, from the first to the one before the last."""
+    """Return a function that reads rows [first, last) of labels."""
 
     def read(first: int, last: int) -> np.ndarray:
         found = None

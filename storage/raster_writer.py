@@ -1,4 +1,4 @@
-"""A GeoTIFF of bytes while it is written, piece by piece."""
+"""Write a GeoTIFF of bytes piece by piece."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from osgeo import gdal
 
 from ..core.errors import UnwritableError
-from .gdal_errors import close, gdal_failure, gdal_failures
+from .gdal_errors import close, require_written
 
 TILED = ("TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER")
 
@@ -17,7 +17,7 @@ _Own = TypeVar("_Own", bound="WrittenRaster")
 
 
 class WrittenRaster:
-    """A context manager: leaving it closes the file, and raises LabelMapError when GDAL could not write (disk full)."""
+    """A context manager that closes the file at the end, and raises UnwritableError if the disk is full."""
 
     def __init__(  # noqa: PLR0913 - what a GeoTIFF is made of; not every one has a MapFrame
         self,
@@ -28,47 +28,41 @@ class WrittenRaster:
         crs_wkt: str,
         options: Sequence[str] = TILED,
     ) -> None:
-        """Creates the file.
+        """Create the file.
 
         Args:
-            path: Of the new file.
+            path: The new file.
             shape_hw: (height, width) in pixels.
-            bands: How many.
+            bands: Number of bands.
             geotransform: GDAL's six numbers; None without a georeference.
-            crs_wkt: WKT of the CRS; empty for none.
+            crs_wkt: WKT of the CRS; empty without one.
             options: GDAL's creation options.
 
         Raises:
-            UnwritableError: GDAL can't write there.
+            UnwritableError: GDAL can't write the file.
         """
         self._path = path
         height, width = shape_hw
-        with gdal_failures() as failures:
+        with require_written(path):
             driver = gdal.GetDriverByName("GTiff")
             self._dataset = driver.Create(path, width, height, bands, gdal.GDT_Byte, list(options))
             if self._dataset is not None and geotransform is not None:
                 self._dataset.SetGeoTransform(geotransform)
             if self._dataset is not None and crs_wkt:
                 self._dataset.SetProjection(crs_wkt)
-        self._raise(failures)
 
     def __enter__(self: _Own) -> _Own:
         return self
 
     def __exit__(self, kind: object, error: object, traceback: object) -> None:
-        # Closing may still write: before the file's folder is removed, and heeding errors.
         dataset, self._dataset = self._dataset, None
-        with gdal_failures() as failures:
-            close(dataset)
-            del dataset
-        if error is None:
-            self._raise(failures)
+        try:
+            with require_written(self._path):
+                close(dataset)
+                del dataset
+        except UnwritableError:
+            if error is None:
+                raise
 
     def _write(self, band: int, column: int, row: int, values_hw: np.ndarray) -> None:
         self._dataset.GetRasterBand(band).WriteArray(values_hw, column, row)
-
-    def _raise(self, failures: Sequence[str]) -> None:
-        if failures:
-            raise UnwritableError(
-                "{path} can't be written: {reason}.", path=self._path, reason=gdal_failure(failures[0])
-            )

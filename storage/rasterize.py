@@ -1,31 +1,37 @@
-"""Burning polygons with GDAL into a label map, strip by strip."""
+"""Rasterize polygons with GDAL into a label map, strip by strip."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from osgeo import gdal, ogr, osr
 
+from ..core.annotation.raster_losses import RegionRuns, join_runs, runs_of_strip
 from ..core.geometry.frame import MapFrame
 from ..core.labels.class_table import ClassTable
 from ..core.labels.sources import count_labels
 from .label_map_file import TILE_ROWS, LabelMapFile
 
+if TYPE_CHECKING:
+    from ..core.annotation.check import DrawnRegion
+
 STRIP_PIXELS = 16_000_000
-"""Pixels burnt and written at a time."""
+"""Pixels per strip."""
 
 
 @dataclass(frozen=True)
 class BurnPolygon:
-    """One polygon to burn.
+    """A polygon to rasterize.
 
     Attributes:
-        wkb: Its outline in the target CRS.
-        priority: Higher ones lie on top.
-        bounds: (x_min, y_min, x_max, y_max).
+        wkb: Outline in the target CRS.
+        value: Class value.
+        priority: Polygons of higher priority cover others.
+        bounds: (x_min, y_min, x_max, y_max) in the target CRS.
     """
 
     wkb: bytes
@@ -35,7 +41,7 @@ class BurnPolygon:
 
 
 class LabelMapBurning:
-    """Writes a label map; iterate ``steps()`` to the end, then ``counts`` has the (256,) pixels of each value."""
+    """Writer of a label map. Iterate ``steps()`` to the end; ``counts`` then has the (256,) pixels per value."""
 
     def __init__(
         self,
@@ -45,14 +51,15 @@ class LabelMapBurning:
         polygons: list[BurnPolygon],
         burn: Callable[[Iterable[tuple]], Iterator[np.ndarray]] | None = None,
     ) -> None:
-        """Nothing is burnt yet.
+        """Prepare the label map without writing it.
 
         Args:
-            path: Of the new file.
-            frame: Its pixels.
-            polygons: In any order of priorities.
-            burn: Takes what ``strip_polygons`` gives and gives the (H, W) labels of each strip, from elsewhere; None to
-                burn them here.
+            path: The new file.
+            frame: Its pixel grid.
+            table: Its classes.
+            polygons: In any order.
+            burn: Function from the results of ``strip_polygons`` to the (H, W) labels of each strip, which workers
+                execute; None to rasterize in this process.
         """
         self._path = path
         self._frame = frame
@@ -62,12 +69,12 @@ class LabelMapBurning:
         self.counts = np.zeros(256, np.int64)
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share of the map written 0…1)."""
+        """Yield (current step, share of the map written 0…1)."""
         height, width = self._frame.shape_hw
         file = LabelMapFile(self._path, width, height, self._frame.geotransform, self._frame.crs, self._table)
-        # One thread compresses a strip while this one burns the next.
+        # One thread compresses a strip while this one rasterizes the next.
         with file as label_map, ThreadPoolExecutor(1) as writer:
-            yield "Burning polygons", 0.0
+            yield "Rasterizing polygons", 0.0
             writing: Future[None] | None = None
             found = self._burn(strip_polygons(self._frame, self._polygons))
             for (first, _), labels in zip(strips_of(self._frame), found):
@@ -75,7 +82,7 @@ class LabelMapBurning:
                 if writing is not None:
                     writing.result()
                 writing = writer.submit(label_map.write_rows, first, labels)
-                yield "Burning polygons", (first + len(labels)) / height
+                yield "Rasterizing polygons", (first + len(labels)) / height
             if writing is not None:
                 writing.result()
 
@@ -84,19 +91,19 @@ class LabelMapBurning:
         return (layer.burnt(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame))
 
 
-def strips_of(frame: MapFrame) -> Iterator[tuple[int, MapFrame]]:
-    """(first row, frame) of what is burnt and written at a time, from top to bottom."""
+def strips_of(frame: MapFrame, pixels: int = STRIP_PIXELS) -> Iterator[tuple[int, MapFrame]]:
+    """Yield (first row, frame) of strips with about ``pixels`` pixels, from top to bottom."""
     height, width = frame.shape_hw
-    rows = max(TILE_ROWS, STRIP_PIXELS // width // TILE_ROWS * TILE_ROWS)
+    rows = max(TILE_ROWS, pixels // width // TILE_ROWS * TILE_ROWS)
     for first in range(0, height, rows):
         yield first, frame.part(0, first, (min(rows, height - first), width))
 
 
 def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tuple]:
-    """Yields of each strip geotransform, shape, and (N,) values, (N,) ends and WKB outlines of what may reach into it.
+    """Yield each strip with the polygons that may overlap it, as ``burnt_strip`` takes them.
 
-    Args:
-        polygons: In any order of priorities.
+    Yields:
+        Geotransform, shape (H, W), (N,) values, (N,) end offsets, and the bytes of N concatenated WKB outlines.
     """
     ordered = bottom_first(polygons)
     bounds = np.array([polygon.bounds for polygon in ordered], np.float64).reshape(-1, 4)
@@ -112,7 +119,7 @@ def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tup
 
 
 def burnt_strip(strip: MapFrame, values: np.ndarray, ends: np.ndarray, outlines: np.ndarray) -> np.ndarray:
-    """(H, W) uint8 labels of a strip, of what ``strip_polygons`` gave for it."""
+    """Return (H, W) uint8 labels of a strip from the arrays of ``strip_polygons``."""
     whole, begins = outlines.tobytes(), [0, *ends.tolist()[:-1]]
     polygons = [
         BurnPolygon(whole[begin:end], value, 0.0, strip.extent)
@@ -122,12 +129,12 @@ def burnt_strip(strip: MapFrame, values: np.ndarray, ends: np.ndarray, outlines:
 
 
 def bottom_first(polygons: list[BurnPolygon]) -> list[BurnPolygon]:
-    """As they are burnt; of one priority in their order."""
+    """Sort polygons by priority, which is the order of rasterizing; equal priorities keep their order."""
     return sorted(polygons, key=lambda polygon: polygon.priority)
 
 
 class BurnLayer:
-    """Polygons in memory, bottom first, to be burnt strip by strip with GDAL."""
+    """Polygons in a GDAL layer in memory, lowest priority first."""
 
     def __init__(self, polygons: list[BurnPolygon], crs_wkt: str) -> None:
         driver = gdal.GetDriverByName("Memory") or gdal.GetDriverByName("MEM")
@@ -142,10 +149,10 @@ class BurnLayer:
             self._layer.CreateFeature(feature)
 
     def burnt(self, frame: MapFrame, kind: int) -> np.ndarray:
-        """(H, W) values burnt into pixels, 0 where no polygon lies.
+        """Return (H, W) polygon values, 0 outside all polygons.
 
         Args:
-            frame: Where the pixels lie.
+            frame: The pixel grid.
             kind: GDAL's data type of the values.
         """
         height, width = frame.shape_hw
@@ -157,17 +164,41 @@ class BurnLayer:
         return strip.ReadAsArray()
 
 
+class RegionBurning:
+    """Rasterizes regions that don't overlap, as a label map is. Iterate ``steps()`` to the end, then take ``runs``.
+
+    Region n of the list has the number n + 1.
+    """
+
+    def __init__(self, regions: Sequence[DrawnRegion], frame: MapFrame) -> None:
+        polygons = [BurnPolygon(region.wkb, n, 0.0, region.bounds) for n, region in enumerate(regions, start=1)]
+        self._layer = BurnLayer(polygons, frame.crs)
+        self._frame = frame
+        self._strips: list[RegionRuns] = []
+
+    @property
+    def runs(self) -> RegionRuns:
+        """The runs of all regions rasterized so far."""
+        return join_runs(self._strips)
+
+    def steps(self) -> Iterator[tuple[str, float]]:
+        """Yield (current step, share done 0…1)."""
+        for first, strip in strips_of(self._frame, STRIP_PIXELS // 4):
+            self._strips.append(runs_of_strip(self._layer.burnt(strip, gdal.GDT_Int32), first))
+            yield "Rasterizing landmarks", (first + strip.shape_hw[0]) / self._frame.shape_hw[0]
+
+
 _PIXELS = MapFrame("", (0.0, 1.0, 0.0, 0.0, 0.0, -1.0))
-"""An image's pixels as a map: x is the column, y the row, negative."""
+"""Pixel coordinates of an image as a map: x is the column, y the negative row."""
 
 
 class AreaMask:
-    """The pixels of an image whose centers lie in polygons: a PixelMask."""
+    """A PixelMask: the pixels of an image with their center in a polygon."""
 
     def __init__(self, polygons: Sequence[bytes]) -> None:
-        """Takes WKB of polygons, x the column and y the negative row of the image."""
+        """Take WKB polygons; x is the column and y the negative row of the image."""
         self._layer = BurnLayer([BurnPolygon(wkb, 1, 0.0, (0.0, 0.0, 0.0, 0.0)) for wkb in polygons], "")
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) bool: which pixels of a piece of the image lie in the polygons."""
+        """Return (height, width) bool of the pixels inside the polygons, for a part of the image."""
         return self._layer.burnt(_PIXELS.part(column, row, (height, width)), gdal.GDT_Byte) > 0

@@ -1,4 +1,4 @@
-"""Rasters and the label maps in them, read by GDAL."""
+"""Open rasters with GDAL, safely: only the pixels of the named file are read, never other files or hosts."""
 
 from __future__ import annotations
 
@@ -22,8 +22,10 @@ _OWN_PIXELS = (
     *("XYZ", "GSBG", "GS7BG", "SRTMHGT", "USGSDEM", "NITF", "ECW", "MrSID", "GPKG", "MBTiles", "KEA", "HDF4", "HDF5"),
     *("netCDF", "GRIB"),
 )
-"""GDAL's drivers of files that hold their own pixels. Others (VRT, WMS, STACIT, ERS, …) read descriptions of rasters
-that lie elsewhere, and ask hosts for them."""
+"""GDAL's drivers of files that contain their own pixels.
+
+Other drivers (VRT, WMS, STACIT, ERS, …) read descriptions of rasters in other files or on hosts.
+"""
 
 _BY_SUFFIX = {
     ".png": ("PNG",),
@@ -35,29 +37,29 @@ _BY_SUFFIX = {
     ".gif": ("GIF", "BIGGIF"),
     ".webp": ("WEBP",),
 }
-"""A name with one of these suffixes says what the content is; others are opened by whichever of the drivers fits."""
+"""Drivers by suffix. For other suffixes, GDAL chooses among ``_OWN_PIXELS``."""
 
 DESCRIPTIONS = (".vrt", ".xml", ".wms", ".gti", ".json", ".ers", ".mpr", ".mpl", ".pix")
-"""Suffixes by which the user names a description as such."""
+"""Suffixes of descriptions of rasters, which the user may choose explicitly."""
 
 _OVERVIEW_DRIVERS = ("GTiff", "HFA")
-"""Drivers of overviews and masks in files of their own; GDAL itself opens these files with any driver."""
+"""Allowed drivers of separate overview and mask files; GDAL itself would open these files with any driver."""
 
 _ERDAS = b"EHFA_HEADER_TAG"
-"""GDAL takes no other ``.aux`` for its own; LaTeX writes such files as well."""
+"""Start of the ``.aux`` files that GDAL reads; LaTeX writes ``.aux`` files as well."""
 
 _OVERVIEW_FILE = "OVERVIEW_FILE", "OVERVIEWS"
-"""Item and domain of metadata, in a TIFF or in ``.aux.xml``, by which a raster names another one, also of a host."""
+"""Metadata item and domain, in a TIFF or ``.aux.xml``, that names another file or an address for overviews."""
 
 _FARTHEST = 1e9
-"""Map units from the origin, and of a pixel; the false eastings of zoned CRS come to 6e7."""
+"""Largest coordinate and pixel size in map units; false eastings of zoned CRS reach 6e7."""
 
 
 def drivers_for(path: str) -> list[str]:
-    """GDAL's drivers that may open a path; none named (``[]``) stands for all.
+    """Return GDAL's drivers that may open a path; ``[]`` allows all drivers.
 
-    All may for what can't be mistaken for a picture: what is no file (/vsi paths, GDAL's names of parts of files), and
-    files that are named as descriptions.
+    All drivers are allowed for names that can't be mistaken for a picture: /vsi paths, GDAL's names of parts of files,
+    and files with the suffix of a description.
     """
     is_named = path.startswith("/vsi") or path.lower().endswith(DESCRIPTIONS)
     if is_named or not os.path.isfile(path):
@@ -66,15 +68,14 @@ def drivers_for(path: str) -> list[str]:
 
 
 def open_raster(path: str) -> gdal.Dataset:
-    """A GDAL dataset for reading, THE way in for rasters.
+    """Open a raster for reading. All of SemRef opens rasters with this function.
 
     Args:
-        path: A file or another name that GDAL knows.
+        path: A file or another name that GDAL can open.
 
     Raises:
-        LabelMapError: It can't be read, with GDAL's reason (GDAL may raise or return None), it only describes another
-            raster though it has the name of a picture, it is of another kind than its name says, or its georeference is
-            none.
+        LabelMapError: GDAL can't read it, it has the name of a picture but describes another raster or has another
+            format, or its georeference is impossible.
     """
     drivers = drivers_for(path)
     if drivers:
@@ -83,10 +84,10 @@ def open_raster(path: str) -> gdal.Dataset:
     gdal.PushErrorHandler("CPLQuietErrorHandler")
     try:
         gdal.ErrorReset()
-        # Without OF_VERBOSE_ERROR GDAL does not say why no driver takes a file.
+        # Without OF_VERBOSE_ERROR GDAL gives no reason when no driver opens a file.
         kind = gdal.OF_RASTER | gdal.OF_READONLY | gdal.OF_VERBOSE_ERROR
         dataset = gdal.OpenEx(path, kind, drivers)
-        # GDAL reads it from damaged keys only now, and may raise as well.
+        # GDAL reads damaged keys only now, and may raise an error here as well.
         transform = None if dataset is None else dataset.GetGeoTransform(can_return_null=True)
     except RuntimeError as error:
         raise LabelMapError("{path} can't be read: {reason}.", path=path, reason=gdal_failure(error)) from None
@@ -104,7 +105,7 @@ def open_raster(path: str) -> gdal.Dataset:
     if transform is not None and not all(abs(value) < _FARTHEST for value in transform):
         numbers = ", ".join(f"{value:g}" for value in transform)
         raise LabelMapError(
-            "{path} has a georeference that no map has ({numbers}); give it its place on the ground anew.",
+            "{path} has an impossible georeference ({numbers}). Georeference it again.",
             path=path,
             numbers=numbers,
         )
@@ -116,25 +117,22 @@ def _start(path: str) -> bytes:
         with open(path, "rb") as file:
             return file.read(16)
     except OSError:
-        # GDAL says why.
+        # GDAL will report the reason.
         return b""
 
 
 def require_own_pixels(path: str) -> None:
-    """Raises LabelMapError for a file that GDAL would read other rasters for, before QGIS opens it.
+    """Raise LabelMapError if GDAL would read other rasters for a file; call it before QGIS opens the file.
 
-    That is a description of another raster under the name of a picture, or a raster with such an overview.
+    Examples are a description of another raster with the name of a picture, and a raster with such an overview.
     """
-    drivers = drivers_for(path)
-    if drivers:
-        driver = _driver_of(path)
-        # What no driver takes is reported by QGIS.
-        if driver:
-            open_raster(path)
+    # QGIS itself reports a file that no driver opens.
+    if drivers_for(path) and _driver_of(path):
+        open_raster(path)
 
 
 def _driver_of(path: str) -> str:
-    """Return the short name of the driver that GDAL would open a raster with; empty without one."""
+    """Return the short name of the driver that GDAL would choose for a raster; empty without one."""
     driver = None
     with gdal_failures():
         driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
@@ -142,9 +140,9 @@ def _driver_of(path: str) -> str:
 
 
 def _require_own_side_cars(path: str) -> None:
-    """Raise LabelMapError where GDAL would read other rasters because of a file beside a raster.
+    """Raise LabelMapError if GDAL would read other rasters because of a file beside a raster.
 
-    Overviews and masks must be TIFF or Erdas files that hold their own pixels, and so must the files beside them.
+    Overviews and masks must be TIFF or Erdas files with their own pixels, and so must the files beside them.
     """
     for side_car in _side_cars(path):
         foreign = LabelMapError(
@@ -169,20 +167,20 @@ def _require_own_side_cars(path: str) -> None:
 
 
 def _side_cars(path: str) -> list[str]:
-    """Return the files beside a raster from which GDAL takes metadata, overviews or a mask, in any case of letters."""
+    """Return the files beside a raster with metadata, overviews or a mask for GDAL, in upper or lower case."""
     folder, name = os.path.split(os.path.abspath(path))
     wanted = [f"{name}{suffix}" for suffix in (".aux.xml", ".ovr", ".msk", ".aux")] + [f"{name.rpartition('.')[0]}.aux"]
     try:
         listed = _listed(folder, os.stat(folder).st_mtime_ns)
     except OSError:
-        # A folder that can't be listed may still be read from.
+        # Files in a folder that can't be listed may still be readable.
         return [side_car for one in wanted if os.path.exists(side_car := os.path.join(folder, one))]
     return [os.path.join(folder, one) for want in wanted for one in listed.get(want.lower(), ())]
 
 
 @functools.lru_cache(maxsize=1)
 def _listed(folder: str, changed_ns: int) -> dict[str, list[str]]:
-    """Return the names in a folder by the same in small letters; ``changed_ns`` tells its states apart."""
+    """Return the names in a folder by their lower-case form; ``changed_ns`` is only part of the cache key."""
     found: dict[str, list[str]] = {}
     for name in os.listdir(folder):
         found.setdefault(name.lower(), []).append(name)
@@ -190,16 +188,16 @@ def _listed(folder: str, changed_ns: int) -> dict[str, list[str]]:
 
 
 def require_whole_raster(path: str, target: str) -> None:
-    """Opens a raster that was just written and reads its last pixels, which a full disk would lack.
+    """Open a new raster and read its last pixels, which are missing if the disk was full.
 
     Args:
-        target: What it is called in what is said.
+        path: The raster.
+        target: Its final name, for the message.
 
     Raises:
-        UnwritableError: When it can't be read to its end.
+        UnwritableError: The raster can't be read to its end.
     """
     dataset = None
-    # It may raise or return None, as the user has set it.
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_RASTER | gdal.OF_READONLY)
         if dataset is not None:
@@ -208,12 +206,14 @@ def require_whole_raster(path: str, target: str) -> None:
     if dataset is None or failures:
         reason = failures[-1].rstrip(".") if failures else gdal_failure()
         raise UnwritableError(
-            "{path} could not be written whole: {reason}; see whether the disk is full.", path=target, reason=reason
+            "{path} could not be written whole: {reason}; see whether the disk is full.",
+            path=target,
+            reason=reason,
         )
 
 
 def image_files(paths: list[str]) -> list[str]:
-    """Files as given; a folder stands for the images in it, by name. Raises LabelMapError for an empty folder."""
+    """Replace each folder by its images, sorted by name. Raises LabelMapError for a folder without images."""
     found: list[str] = []
     for path in paths:
         if not os.path.isdir(path):
@@ -225,6 +225,10 @@ def image_files(paths: list[str]) -> list[str]:
             raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         images = [os.path.join(path, name) for name in inside if name.lower().endswith(IMAGE_EXTENSIONS)]
         if not images:
-            raise LabelMapError("The folder {path} holds no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
+            raise LabelMapError(
+                "The folder {path} holds no image ({endings}).",
+                path=path,
+                endings=IMAGE_EXTENSIONS,
+            )
         found += images
     return found

@@ -1,4 +1,4 @@
-"""What an output may replace: an older output of the same kind, and never anything else of the user's."""
+"""Check that an output replaces only an older output of the same kind, never another file of the user."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _STARTS = {
     b"#!": _FOREIGN,
     b"\x7fELF": _FOREIGN,
 }
-"""Kind of a file by its first bytes; of text, by the first ones that are no white space."""
+"""Kind of a file by its first bytes, without leading white space for text files."""
 
 _KINDS = {
     ".gpkg": _SQLITE,
@@ -56,13 +56,13 @@ _KINDS = {
     ".txt": _UNKNOWN,
     ".onnx": _UNKNOWN,
 }
-"""Kind of an output by its usual suffix; unknown for text and for formats without first bytes of their own."""
+"""Kind of an output by its suffix; unknown for text and for formats without fixed first bytes."""
 
 _OF_A_LAYER = ("layer_styles",)
 _OF_GEOPACKAGE = ("gpkg_", "rtree_", "sqlite_")
 
 _DERIVED = (".aux.xml", ".ovr", ".msk")
-"""What GDAL derives from a raster or adds to it, and applies to whatever has the raster's name."""
+"""Suffixes of files that GDAL writes beside a raster, and applies to any raster of this name."""
 
 _OF_SHAPEFILE = (".dbf", ".shx", ".prj", ".cpg")
 _DERIVED_OF_SHAPEFILE = (".qix", ".sbn", ".sbx")
@@ -70,26 +70,26 @@ _DERIVED_OF_SHAPEFILE = (".qix", ".sbn", ".sbx")
 _JOURNALS = ("-wal", "-journal", "-shm")
 
 _NOTES = (".qml", ".qmd")
-"""What QGIS reads style and metadata of a layer from, by its name without the suffix: a shapefile and a raster of the
-same name share them."""
+"""Suffixes of QGIS's style and metadata files. A shapefile and a raster with the same stem share them."""
 
 MARK_OF_NOTE = "<!-- Written by SemRef, which replaces this file. -->"
-"""XML comment in each note that SemRef writes; it is gone when somebody saves the note with QGIS."""
+"""XML comment in each style and metadata file that SemRef writes. QGIS removes it when a user saves the file."""
 
 _LONGEST_NOTE = 4 << 20
 
 
 def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | None = ()) -> None:
-    """Refuse a target that is anything but free or an older output of the same kind.
+    """Raise ParameterError unless a target is free or an older output of the same kind.
 
     Args:
-        path: Where an output will be.
-        suffix: The usual suffix of such outputs; empty for that of ``path``. It tells the kind of file.
-        tables: What an older GeoPackage may hold; empty for one layer called as the file, None where all is kept.
+        path: The target.
+        suffix: Usual suffix of such outputs, which gives the kind of file; empty for the suffix of ``path``.
+        tables: Layers that an older GeoPackage may have; empty for one layer with the name of the file, None if the run
+            keeps all layers.
 
     Raises:
-        ParameterError: Something else is there: a folder, no regular file, another kind of file, other layers; or the
-            target is free, and what belongs to a file of its name is there.
+        ParameterError: The target is a folder, not a regular file, another kind of file, or has other layers; or the
+            target is free and parts of another file have its name.
     """
     final = Path(path)
     try:
@@ -103,7 +103,7 @@ def require_replaceable(path: str, suffix: str = "", tables: Collection[str] | N
         with final.open("rb") as file:
             head = file.read(256)
     except (FileNotFoundError, NotADirectoryError):
-        # Free, or a link to nothing, which is replaced.
+        # Free, or a broken link, which is replaced.
         _require_no_orphans(final)
         return
     except OSError as error:
@@ -151,7 +151,7 @@ def _require_tables(path: Path, tables: Collection[str]) -> None:
 
 
 def _require_no_orphans(final: Path) -> None:
-    """Raise ParameterError for files that would be taken for parts of the new one, or be lost to it."""
+    """Raise ParameterError for files that programs would treat as parts of the new file."""
     beside = [f"{final.name}{end}" for end in (*_DERIVED, *_JOURNALS)]
     if final.suffix.lower() == ".shp":
         beside += [f"{final.stem}{end}" for end in (*_OF_SHAPEFILE, *_DERIVED_OF_SHAPEFILE)]
@@ -161,7 +161,7 @@ def _require_no_orphans(final: Path) -> None:
 
 
 def stranger_beside(final: Path, path: Path) -> ParameterError:
-    """The error for a file that would be taken for a part of a new one."""
+    """Return the error for a file that programs would treat as a part of a new file."""
     return ParameterError(
         "{path} would be taken for a part of the new {name}, but belongs to another file; remove it or choose another "
         "name.",
@@ -171,7 +171,7 @@ def stranger_beside(final: Path, path: Path) -> ParameterError:
 
 
 def not_replaceable(path: str | Path) -> ParameterError:
-    """The error for a file that is open."""
+    """Return the error for a file that is open."""
     return ParameterError(
         "{path} can't be replaced; it may be open in this or another program: close or remove it, or choose another "
         "name.",
@@ -180,7 +180,7 @@ def not_replaceable(path: str | Path) -> ParameterError:
 
 
 def derived_files(final: Path) -> list[str]:
-    """Names of the files that GDAL derives from a file, if they are there, and applies to a newer one of its name."""
+    """Return names of files that GDAL writes beside a file and would apply to a newer file of the same name."""
     beside = [f"{final.name}{end}" for end in _DERIVED]
     if final.suffix.lower() == ".shp":
         beside += [f"{final.stem}{end}" for end in _DERIVED_OF_SHAPEFILE]
@@ -188,12 +188,12 @@ def derived_files(final: Path) -> list[str]:
 
 
 def is_note(path: Path) -> bool:
-    """Whether QGIS would take a file for the style or the metadata of each layer with its stem."""
+    """Whether QGIS would read a file as style or metadata of each layer with the same stem."""
     return path.suffix.lower() in _NOTES
 
 
 def is_foreign_note(path: Path) -> bool:
-    """Whether a style or metadata file is there that SemRef did not write."""
+    """Whether a path is a style or metadata file that SemRef did not write."""
     if not is_note(path) or not os.path.lexists(path):
         return False
     try:
@@ -206,10 +206,10 @@ def is_foreign_note(path: Path) -> bool:
 
 
 def require_closed(path: str) -> None:
-    """Bring what waits in the journal of a GeoPackage into it, so that a newer file of the name does not get it.
+    """Write the journal of a GeoPackage into it, so that it is not applied to a newer file of the same name.
 
     Raises:
-        ParameterError: Another program is writing to the file or holds it open for writing.
+        ParameterError: Another program writes to the file or has it open for writing.
     """
     if _KINDS.get(Path(path).suffix.lower()) != _SQLITE:
         return
@@ -217,14 +217,14 @@ def require_closed(path: str) -> None:
     if os.path.isfile(path) and not os.path.islink(path) and os.path.getsize(path):
         try:
             with contextlib.closing(sqlite3.connect(path, timeout=WAIT_S, isolation_level=None)) as connection:
-                # Rolls back what a killed program left; fails while another one writes.
+                # Rolls back the changes of a killed program; fails while another program writes.
                 connection.execute("BEGIN IMMEDIATE")
                 connection.execute("ROLLBACK")
-                # The first takes the file out of WAL mode, the second removes the journal.
+                # The first mode ends WAL mode, the second removes the journal.
                 for mode in ("PERSIST", "DELETE"):
                     connection.execute(f"PRAGMA journal_mode={mode}").fetchone()
         except sqlite3.Error as error:
-            # If SQLite cannot lock it, a journal beside it decides.
+            # For other errors, a journal beside the file decides.
             if "locked" in str(error):
                 raise in_use from None
     if any(os.path.lexists(path + end) for end in _JOURNALS):

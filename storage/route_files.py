@@ -1,4 +1,4 @@
-"""Planned routes in the waypoint files that planners have: GPX, KML, .plan, .waypoints."""
+"""Read planned routes from waypoint files: GPX, KML, .plan, .waypoints."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from ..core.values import read_json
 from .gdal_errors import gdal_failures
 
 WAYPOINT_FILES = (".gpx", ".kml", ".kmz", ".plan", ".waypoints", ".mission")
-"""Files that are read here and not as layers: as layers QGIS would take the first part of them, or nothing."""
+"""Suffixes of files that are read here. As layers, QGIS would read only their first part, or nothing."""
 
 _DRIVERS = {".gpx": ("GPX",), ".kml": ("LIBKML", "KML"), ".kmz": ("LIBKML",)}
-"""Of GDAL, by suffix: others read descriptions of files that lie elsewhere."""
+"""GDAL's drivers by suffix. Other drivers could read descriptions of other files."""
 
 _POSITION_COMMANDS = (16, 17, 18, 19, 21, 22, 31, 82, 84, 85)
-"""MAVLink commands that fly to a place: waypoint, loiter (4), land, take-off, spline, VTOL take-off and landing."""
+"""MAVLink commands with a position: waypoint, loiter (4), land, take-off, spline, VTOL take-off and landing."""
 
 
 def is_waypoint_file(value: object) -> bool:
@@ -33,7 +33,7 @@ def is_waypoint_file(value: object) -> bool:
 
 
 def read_waypoint_file(path: str) -> list[np.ndarray]:
-    """Lines, each (n, 2) longitude, latitude.
+    """Return lines, each (n, 2) longitude, latitude in degrees.
 
     Raises:
         ParameterError: The file can't be read.
@@ -42,30 +42,33 @@ def read_waypoint_file(path: str) -> list[np.ndarray]:
         raise ParameterError("There is no file {path}; choose another route.", path=path)
     if os.path.getsize(path) > limits.ROUTE_BYTES:
         raise ParameterError(
-            "{path} is larger than {most_mb} MB; no route is.", path=path, most_mb=limits.ROUTE_BYTES >> 20
+            "{path} is larger than {most_mb} MB, which is too large for a route. Choose another file.",
+            path=path,
+            most_mb=limits.ROUTE_BYTES >> 20,
         )
     suffix = Path(path).suffix.lower()
     if suffix == ".plan":
         return [plan_positions(_text(path), path)]
     if suffix in (".waypoints", ".mission"):
         return [waypoint_positions(_text(path), path)]
-    return _lines_of_ogr(path)
+    return [_lon_lat([(y, x) for x, y in line.tolist()], path) for line in _ogr_lines(path)]
 
 
 def plan_positions(text: str, path: str) -> np.ndarray:
-    """(n, 2) longitude, latitude of a QGroundControl plan: its mission's items, surveys by their transects.
+    """Return (n, 2) longitude, latitude of a QGroundControl plan: positions of the items, transects of surveys.
 
     Args:
-        path: Of the file, for messages.
+        text: Content of the file.
+        path: Name of the file for messages.
 
     Raises:
-        ParameterError: The file is no such plan.
+        ParameterError: The file is not such a plan.
     """
     try:
         plan = read_json(text)
     except (ValueError, RecursionError):
         raise ParameterError(
-            "{path} is no JSON and so no plan of QGroundControl; save the plan again.", path=path
+            "{path} is not JSON, so it is not a plan of QGroundControl. Save the plan again.", path=path
         ) from None
     mission = plan.get("mission") if isinstance(plan, dict) else None
     if not isinstance(mission, dict) or not isinstance(mission.get("items"), list):
@@ -78,19 +81,20 @@ def plan_positions(text: str, path: str) -> np.ndarray:
 
 
 def waypoint_positions(text: str, path: str) -> np.ndarray:
-    """(n, 2) longitude, latitude of a waypoint list as MAVLink tools write it (“QGC WPL 110”).
+    """Return (n, 2) longitude, latitude of a waypoint list in the format “QGC WPL 110” of MAVLink tools.
 
     Args:
-        path: Of the file, for messages.
+        text: Content of the file.
+        path: Name of the file for messages.
 
     Raises:
-        ParameterError: The file is no such list.
+        ParameterError: The file is not such a list.
     """
     lines = text.splitlines()
     if not lines or not lines[0].startswith("QGC WPL"):
-        raise ParameterError("{path} is no waypoint list: its first line is not “QGC WPL 110”.", path=path)
+        raise ParameterError("{path} is not a waypoint list: its first line is not “QGC WPL 110”.", path=path)
     found = []
-    # The first one is the home position.
+    # The first waypoint is the home position.
     for line in lines[2:]:
         cells = line.split()
         if len(cells) >= 11:
@@ -98,7 +102,7 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
                 command, latitude, longitude = int(cells[3]), float(cells[8]), float(cells[9])
             except ValueError:
                 raise ParameterError(
-                    "{path} has a line that is no waypoint: {line}", path=path, line=line[:60]
+                    "{path} has a line that is not a waypoint: {line}", path=path, line=line[:60]
                 ) from None
             if command in _POSITION_COMMANDS and (latitude or longitude):
                 found.append((latitude, longitude))
@@ -106,12 +110,12 @@ def waypoint_positions(text: str, path: str) -> np.ndarray:
 
 
 def _item_positions(item: dict) -> list[tuple[Any, Any]]:
-    """(latitude, longitude) of what a mission's item flies through."""
+    """Return (latitude, longitude) of the positions of a mission item."""
     if item.get("type") == "SimpleItem":
         place = item.get("params")
         if item.get("command") not in _POSITION_COMMANDS or not isinstance(place, list) or len(place) < 6:
             return []
-        # A take-off from where the aircraft stands has no place, or 0, 0.
+        # A take-off from the current position has no coordinates, or 0, 0.
         return [(place[4], place[5])] if place[4] and place[5] else []
     transects = item.get("TransectStyleComplexItem")
     if isinstance(transects, dict):
@@ -121,7 +125,7 @@ def _item_positions(item: dict) -> list[tuple[Any, Any]]:
 
 
 def _pairs(places: object) -> list[tuple[Any, Any]]:
-    """Those of the places that have a latitude and a longitude."""
+    """Return (latitude, longitude) of the entries that have both."""
     if not isinstance(places, list):
         return []
     return [(place[0], place[1]) for place in places if isinstance(place, list) and len(place) >= 2]
@@ -132,7 +136,7 @@ def _lon_lat(positions: Sequence[tuple[Any, Any]], path: str) -> np.ndarray:
         numbers = all(isinstance(value, (int, float)) and math.isfinite(value) for value in (latitude, longitude))
         if not numbers or abs(latitude) > 90 or abs(longitude) > 180:
             raise ParameterError(
-                "{path} has a waypoint at {latitude}, {longitude}, which is no latitude, longitude.",
+                "{path} has a waypoint at {latitude}, {longitude}, which is not a valid latitude and longitude.",
                 path=path,
                 latitude=latitude,
                 longitude=longitude,
@@ -144,15 +148,13 @@ def _text(path: str) -> str:
     try:
         return Path(path).read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
-        raise ParameterError("{path} is no text and so no route; choose another file.", path=path) from None
+        raise ParameterError(
+            "{path} is not a text file, so it is not a route. Choose another file.", path=path
+        ) from None
 
 
-def _lines_of_ogr(path: str) -> list[np.ndarray]:
-    """Lines of a GPX or KML file, with places on Earth; routes before tracks, else the waypoints in their order."""
-    return [_lon_lat([(y, x) for x, y in line.tolist()], path) for line in _drawn_lines(path)]
-
-
-def _drawn_lines(path: str) -> list[np.ndarray]:
+def _ogr_lines(path: str) -> list[np.ndarray]:
+    """Return the lines (n, 2) of a KML file, or of the first of a GPX file's routes, tracks and waypoints."""
     dataset = None
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR, list(_DRIVERS[Path(path).suffix.lower()]))
@@ -164,7 +166,7 @@ def _drawn_lines(path: str) -> list[np.ndarray]:
         )
     names = [dataset.GetLayer(n).GetName() for n in range(dataset.GetLayerCount())]
     if Path(path).suffix.lower() == ".gpx":
-        # The other layers repeat these point by point.
+        # The other layers repeat these points.
         for wanted in ("routes", "tracks", "waypoints"):
             found = _geometries(dataset, [name for name in names if name == wanted])
             if found:
@@ -187,7 +189,7 @@ def _geometries(dataset: gdal.Dataset, names: Sequence[str]) -> list[np.ndarray]
 
 
 def _parts(geometry: ogr.Geometry | None) -> list[ogr.Geometry]:
-    """The single geometries of a geometry."""
+    """Return the single geometries of a geometry."""
     if geometry is None or geometry.IsEmpty():
         return []
     if ogr.GT_IsSubClassOf(ogr.GT_Flatten(geometry.GetGeometryType()), ogr.wkbGeometryCollection):

@@ -1,6 +1,6 @@
-"""Values of core as bytes, from process to process and back, exactly: what workers are asked, and what they found.
+"""Serialize values of core exactly, to send them to workers and back.
 
-A line of JSON, then the arrays that it refers to.
+The format is a line of JSON, then the arrays that it refers to.
 """
 
 from __future__ import annotations
@@ -16,44 +16,44 @@ from typing import Any
 import numpy as np
 
 _ROOT = __name__.rpartition(".storage.")[0]
-"""The plugin's package, which has another name in workers."""
+"""Name of the plugin's package, which differs in workers."""
 
 _ROOM = "core"
 """Only classes of this room are restored."""
 
 
 def to_bytes(value: object) -> bytes:
-    """Serialize numbers, texts, bytes, arrays, core's dataclasses and enumerations, and what contains them.
+    """Serialize numbers, texts, bytes, arrays, core's dataclasses and enumerations, and containers of them.
 
     Raises:
-        TypeError: The value contains anything else.
+        TypeError: The value contains another type.
     """
     buffers: list[bytes] = []
     return b"".join([json.dumps(_plain(value, buffers)).encode("ascii"), b"\n", *buffers])
 
 
 def from_bytes(content: bytes) -> Any:  # noqa: ANN401 -- as it was
-    """The value that ``to_bytes`` serialized.
+    """Return the value that ``to_bytes`` serialized.
 
     Raises:
-        ValueError: The content is not such a value.
+        ValueError: The content is invalid.
     """
     end = content.find(b"\n")
-    return _restored(json.loads(content[:end]), memoryview(content)[end + 1 :])
+    return _restore(json.loads(content[:end]), memoryview(content)[end + 1 :])
 
 
 def write(path: str, value: object) -> None:
-    """Write a value into a file."""
+    """Serialize a value to a file."""
     Path(path).write_bytes(to_bytes(value))
 
 
 def read(path: str) -> Any:  # noqa: ANN401 -- as it was
-    """The value in a file that ``write`` wrote."""
+    """Return the value in a file of ``write``."""
     return from_bytes(Path(path).read_bytes())
 
 
 def _plain(value: object, buffers: list[bytes]) -> object:
-    """A value as JSON has it; what JSON lacks is an object of one key, which names its kind."""
+    """Return a value for JSON; a type that JSON lacks becomes an object with one key, the name of its kind."""
     if isinstance(value, Enum):
         return {"enum": [_name(type(value)), value.value]}
     if isinstance(value, (np.generic, np.ndarray)):
@@ -61,9 +61,9 @@ def _plain(value: object, buffers: list[bytes]) -> object:
         if array.dtype.hasobject:
             raise TypeError(array.dtype.str)
         kind = "array" if isinstance(value, np.ndarray) else "scalar"
-        return {kind: [array.dtype.str, list(np.shape(value)), _kept(array.tobytes(), buffers)]}
+        return {kind: [array.dtype.str, list(np.shape(value)), _append(array.tobytes(), buffers)]}
     if isinstance(value, bytes):
-        return {"bytes": [len(value), _kept(value, buffers)]}
+        return {"bytes": [len(value), _append(value, buffers)]}
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
     if isinstance(value, list):
@@ -78,23 +78,23 @@ def _plain(value: object, buffers: list[bytes]) -> object:
     raise TypeError(type(value).__name__)
 
 
-def _kept(content: bytes, buffers: list[bytes]) -> int:
-    """Append to the buffers; where the content begins."""
+def _append(content: bytes, buffers: list[bytes]) -> int:
+    """Append content to the buffers and return its offset."""
     begin = sum(map(len, buffers))
     buffers.append(content)
     return begin
 
 
-def _restored(plain: Any, buffer: memoryview) -> Any:  # noqa: ANN401 -- of any kind
+def _restore(plain: Any, buffer: memoryview) -> Any:  # noqa: ANN401 -- of any kind
     if isinstance(plain, list):
-        return [_restored(part, buffer) for part in plain]
+        return [_restore(part, buffer) for part in plain]
     if not isinstance(plain, dict):
         return plain
     ((kind, held),) = plain.items()
     if kind == "tuple":
-        return tuple(_restored(part, buffer) for part in held)
+        return tuple(_restore(part, buffer) for part in held)
     if kind == "dict":
-        return {_restored(key, buffer): _restored(part, buffer) for key, part in held}
+        return {_restore(key, buffer): _restore(part, buffer) for key, part in held}
     if kind == "bytes":
         length, begin = held
         return bytes(buffer[begin : begin + length])
@@ -110,13 +110,13 @@ def _restored(plain: Any, buffer: memoryview) -> Any:  # noqa: ANN401 -- of any 
         return made(content)
     value = object.__new__(made)
     for field in fields(made):
-        # As it was made once: frozen ones and those that take other arguments are alike.
-        object.__setattr__(value, field.name, _restored(content[field.name], buffer))
+        # Works for frozen classes and for classes with other constructor arguments.
+        object.__setattr__(value, field.name, _restore(content[field.name], buffer))
     return value
 
 
 def _name(kind: type) -> str:
-    """A class of core by its module there."""
+    """Return “module:class” of a class of core."""
     module = kind.__module__.removeprefix(f"{_ROOT}.")
     if module.partition(".")[0] != _ROOM:
         raise TypeError(kind.__name__)

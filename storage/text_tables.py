@@ -1,4 +1,4 @@
-"""Tables that people write as text: classes, and rules from OpenStreetMap's tags to them."""
+"""Read CSV tables that users write: class tables, and rules from OpenStreetMap's tags to classes."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from ..core.labels.class_table import ClassTable, class_table_from_csv
 from ..core.labels.openstreetmap import Rules, rules_from_csv
 
 CLASSES_FILE = "classes.csv"
-"""A class table beside what it describes."""
+"""Name of the class table in a folder of training tiles."""
 
 
 def read_class_table(path: str) -> ClassTable:
-    """A class-table CSV in UTF-8 (or, failing that, Latin-1); raises ClassTableError."""
+    """Read a class-table CSV in UTF-8 or Latin-1. Raises ClassTableError."""
     return class_table_from_csv(_table_text(path), path)
 
 
 def read_rules(path: str) -> Rules:
-    """Rules from OpenStreetMap's tags to classes, a CSV as class tables are; raises ClassTableError, ParameterError."""
+    """Read a CSV of rules from OpenStreetMap's tags to classes. Raises ClassTableError, ParameterError."""
     return rules_from_csv(_table_text(path), path)
 
 

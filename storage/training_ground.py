@@ -1,4 +1,4 @@
-"""The ground a network is trained on: an image as networks see the world, in meters, and labels on its pixels."""
+"""Prepare the image that a network is trained on: in meters, with the wanted pixel size and extent."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from osgeo import gdal
 
 from ..core.errors import LabelMapError
 from ..core.geometry.frame import MapFrame
-from .gdal_errors import gdal_failure
+from .gdal_errors import gdal_failure, gdal_failures
 from .label_maps import RasterFile
 from .rasters import open_raster
 
@@ -18,20 +18,20 @@ Bounds = tuple[float, float, float, float]
 """Left, bottom, right, top, in map units."""
 
 IMAGE = "image.vrt"
-"""What describes the image as it is seen, where it is not seen as it lies."""
+"""Name of the VRT that reprojects, resamples or cuts the image."""
 
 _SQUARE_WITHIN = 1e-6
-"""Relative difference of a pixel's edges up to which it counts as square."""
+"""Largest relative difference between the edges of a square pixel."""
 
 
 @dataclass(frozen=True)
 class WantedGround:
-    """How the image is to be seen.
+    """How to prepare the image.
 
     Attributes:
-        crs_wkt: Of the CRS in meters that it is brought to; "" to leave it as it is.
-        pixel_size: Edge of a pixel in that CRS; None for the image's own.
-        bounds: What is wanted of it, in that CRS; None for all.
+        crs_wkt: WKT of the target CRS in meters; "" to keep the CRS.
+        pixel_size: Edge of a pixel in that CRS; None to keep the image's pixel size.
+        bounds: Wanted extent in that CRS; None for all.
     """
 
     crs_wkt: str = ""
@@ -46,15 +46,15 @@ def is_upright(transform: Sequence[float]) -> bool:
 
 
 def seen_ground(image: RasterFile, wanted: WantedGround, folder: Path) -> RasterFile:
-    """The image as it is wanted: itself where that is how it lies, else a VRT in ``folder``.
+    """Return the image itself if it is as wanted, otherwise a VRT in ``folder``.
 
     Args:
-        image: What is photographed; one without a georeference is left as it is.
+        image: The image; without a georeference it is returned unchanged.
         wanted: CRS, pixel size and bounds.
-        folder: Takes the VRT.
+        folder: Folder for the VRT.
 
     Raises:
-        LabelMapError: It can't be read, or has no pixel within the bounds.
+        LabelMapError: The image can't be read, or has no pixel within the bounds.
     """
     source = open_raster(image.path)
     transform = source.GetGeoTransform(can_return_null=True)
@@ -65,24 +65,19 @@ def seen_ground(image: RasterFile, wanted: WantedGround, folder: Path) -> Raster
         options = {"srcSRS": image.crs_wkt or None, "dstSRS": wanted.crs_wkt or image.crs_wkt or None}
         size = {"xRes": wanted.pixel_size, "yRes": wanted.pixel_size} if wanted.pixel_size else {}
         method = "average" if _is_coarser(wanted, transform) else "bilinear"
-        made = _made(
-            gdal.Warp,
-            target,
-            source,
-            format="VRT",
-            outputBounds=wanted.bounds,
-            resampleAlg=method,
-            dstAlpha=True,
-            **options,
-            **size,
-        )
+        options |= {"outputBounds": wanted.bounds, "resampleAlg": method, "dstAlpha": True, **size}
+        convert = gdal.Warp
     elif wanted.bounds is not None:
         left, bottom, right, top = wanted.bounds
-        made = _made(gdal.Translate, target, source, format="VRT", projWin=(left, top, right, bottom))
+        options, convert = {"projWin": (left, top, right, bottom)}, gdal.Translate
     else:
         return image
+    made = None
+    with gdal_failures() as failures:
+        made = convert(target, source, format="VRT", **options)
     if made is None:
-        raise LabelMapError("{path} can't be read: {reason}.", path=image.path, reason=gdal_failure())
+        reason = gdal_failure(failures[0] if failures else None)
+        raise LabelMapError("{path} can't be read: {reason}.", path=image.path, reason=reason)
     made.FlushCache()
     return RasterFile(target, wanted.crs_wkt or image.crs_wkt, image.is_metric or bool(wanted.crs_wkt), ())
 
@@ -99,13 +94,13 @@ def shape_of(image: RasterFile) -> tuple[int, int]:
 
 
 def frame_of(image: RasterFile) -> MapFrame:
-    """Where the pixels of a seen ground lie. Raises LabelMapError for an image without georeference."""
+    """Return the pixel grid of an image. Raises LabelMapError for an image without georeference."""
     dataset = open_raster(image.path)
     transform = dataset.GetGeoTransform(can_return_null=True)
     if transform is None:
         raise LabelMapError(
-            "{path} has no georeference, so polygons can't be laid on it; give a label map of its size, or an image "
-            "with its place on the ground.",
+            "{path} has no georeference, so polygons can't be drawn on it. Choose a label map of its size, or a "
+            "georeferenced image.",
             path=image.path,
         )
     return MapFrame(image.crs_wkt, tuple(transform), (dataset.RasterYSize, dataset.RasterXSize))
@@ -113,15 +108,3 @@ def frame_of(image: RasterFile) -> MapFrame:
 
 def _is_coarser(wanted: WantedGround, transform: Sequence[float]) -> bool:
     return wanted.pixel_size is not None and not wanted.crs_wkt and wanted.pixel_size > abs(transform[1])
-
-
-def _made(function: object, *arguments: object, **options: object) -> gdal.Dataset | None:
-    """What GDAL makes; it may raise or return None, as the user set it."""
-    gdal.PushErrorHandler("CPLQuietErrorHandler")
-    try:
-        gdal.ErrorReset()
-        return function(*arguments, **options)  # type: ignore[operator]
-    except RuntimeError as error:
-        raise LabelMapError("{path} can't be read: {reason}.", path=arguments[0], reason=gdal_failure(error)) from None
-    finally:
-        gdal.PopErrorHandler()

@@ -1,4 +1,7 @@
-"""Write training tiles: image and label tiles, class table and manifest (docs/how-to/train_a_network.md)."""
+"""Write training tiles: image and label tiles, class table and manifest in one folder.
+
+See docs/how-to/train_a_network.md.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,7 @@ MANIFEST = "manifest.json"
 FORMAT = "semref training tiles 1"
 
 COUNTING_SHARE = 0.2
-"""Share of the work that counting labels takes."""
+"""Share of the work for counting labels."""
 
 _KINDS = (gdal.GDT_Byte, gdal.GDT_UInt16, gdal.GDT_Int16)
 """Band types that can be exported."""
@@ -35,16 +38,16 @@ _COUNTED_AT_ONCE = 4096
 
 
 class ImageBands:
-    """An image's bands, without those that only tell where it is transparent.
+    """An image's bands without alpha bands.
 
     Attributes:
-        bands: Those that are kept.
-        kind: GDAL's data type of them all.
-        network_bands: Which of them, counted from 1, a network sees as red, green and blue.
-        stretch: (3, 2) values that it sees as 0 and 255; None for 8 bits.
+        bands: The exported bands.
+        kind: GDAL's data type of all bands.
+        network_bands: Numbers, from 1, of the exported bands that a network gets as red, green and blue.
+        stretch: (3, 2) values that become 0 and 255 for the network; None for 8 bits.
 
     Raises:
-        LabelMapError: The bands can't become tiles.
+        LabelMapError: The bands can't be exported as tiles.
         ImageError: The file can't be read.
     """
 
@@ -58,7 +61,9 @@ class ImageBands:
         if any(band.DataType != self.kind for band in self.bands) or self.kind not in _KINDS:
             name = gdal.GetDataTypeName(self.kind)
             raise LabelMapError(
-                "{path} holds {name} values; training tiles are made of 8- or 16-bit images.", path=path, name=name
+                "{path} holds {name} values; training tiles are made of 8- or 16-bit images.",
+                path=path,
+                name=name,
             )
         if self.bands[0].GetRasterColorTable() is not None:
             raise LabelMapError("{path} has a palette; convert it to an RGB image first.", path=path)
@@ -78,11 +83,11 @@ class ImageBands:
 
     @property
     def as_png(self) -> bool:
-        """Whether tiles can be PNG: 8 bits, grey or three colors."""
+        """Whether tiles can be PNG: 8 bits, gray or three colors."""
         return self.kind == gdal.GDT_Byte and len(self.bands) in (1, 3)
 
     def read(self, column: int, row: int, size: int) -> np.ndarray:
-        """(bands, size, size) values as they are."""
+        """Return (bands, size, size) original values."""
         with gdal_failures() as failures:
             pieces = [band.ReadAsArray(column, row, size, size) for band in self.bands]
         if failures:
@@ -92,16 +97,16 @@ class ImageBands:
         return np.stack(pieces)
 
     def read_as_seen(self, column: int, row: int, size: int) -> tuple[np.ndarray, np.ndarray]:
-        """(size, size, 3) uint8 as a network sees it, and (size, size) bool: where there is data."""
+        """Return (size, size, 3) uint8 as a network gets it, and (size, size) bool of valid data."""
         pixels, has_data = self._seen.read(column, row, size, size)
         return pixels, np.ones((size, size), bool) if has_data is None else has_data
 
 
 class LabelsOnImage:
-    """A label map on an image's grid, a LabelSource: nearest neighbor where the grids differ, 0 beyond the label map.
+    """A LabelSource: a label map on an image's grid, by nearest neighbor if the grids differ, 0 outside the map.
 
     Raises:
-        LabelMapError: One of the two has no place on the ground and their sizes differ.
+        LabelMapError: Their sizes differ, and one of them has no georeference.
     """
 
     def __init__(self, file: RasterFile, image: ImageBands, image_crs_wkt: str) -> None:
@@ -114,15 +119,15 @@ class LabelsOnImage:
         self._same_grid = self.labels.shape_hw == self.shape_hw and (not placed or transform == self._image_transform)
         if not self._same_grid and not (placed and all(self._crs)):
             raise LabelMapError(
-                "{path} has {size} pixels, the image {image_size}, and not both are georeferenced; give both a place "
-                "on the ground, or labels of the image’s size.",
+                "{path} has {size} pixels, the image {image_size}, and not both are georeferenced. Georeference both, "
+                "or choose labels of the image’s size.",
                 path=file.path,
                 size=_size(self.labels.shape_hw),
                 image_size=_size(self.shape_hw),
             )
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) uint8 labels of a piece of the image."""
+        """Return (height, width) uint8 labels of a part of the image."""
         if self._same_grid:
             return self.labels.read(column, row, width, height)
         x0, dx_column, dx_row, y0, dy_column, dy_row = self._image_transform
@@ -133,7 +138,7 @@ class LabelsOnImage:
         with gdal_failures() as failures:
             gdal.ReprojectImage(source, piece, *self._crs, gdal.GRA_NearestNeighbour)
         if failures:
-            raise LabelMapError("The labels can’t be brought onto the image: {reason}.", reason=failures[0])
+            raise LabelMapError("The labels can’t be reprojected to the image: {reason}.", reason=failures[0])
         values = piece.ReadAsArray()
         if values.max() > 255 or values.min() < 0:
             found = int(values.max() if values.max() > 255 else values.min())
@@ -148,7 +153,7 @@ def _size(shape_hw: tuple[int, int]) -> str:
 
 
 class TileExport:
-    """Writes the tiles of an image into a folder; iterate ``steps()`` to its end, then read ``counts``."""
+    """Writer of the tiles of an image. Iterate ``steps()`` to the end; ``counts`` then has the tiles per subset."""
 
     def __init__(  # noqa: PLR0913 - what is cut, how, and what of it
         self,
@@ -161,17 +166,18 @@ class TileExport:
         unseen_apart: bool = False,
         require: Callable[[np.ndarray, ClassTable], None] | None = None,
     ) -> None:
-        """Nothing is written yet.
+        """Open image and labels without writing tiles.
 
         Args:
-            tile_size: Pixels.
-            stride: Pixels from a tile to the next.
-            fraction: Of the ground that is set aside.
-            mask: The pixels of the image that count; others are as if they had no data. None for all.
-            unseen_apart: Whether pixels without data get a value that no class has, instead of 0: where 0 is learned as
-                a class, they are none.
-            require: Called before the first tile is written, with the (256,) pixels of each value and the classes; it
-                raises for labels that are no use. None for any.
+            image: The image.
+            labels: The label map.
+            tile_size: Edge in pixels.
+            stride: Distance between tiles in pixels.
+            fraction: Share of the ground for validation.
+            mask: The pixels of the image to use; others count as no data. None for all.
+            unseen_apart: Whether pixels without data get a value that no class has. Needed if 0 is trained as a class.
+            require: Check of the (256,) pixels per value and the classes before the first tile is written. It raises an
+                error for unsuitable labels. None for no check.
         """
         self._require = require
         self._image = ImageBands(image.path)
@@ -187,16 +193,16 @@ class TileExport:
         self._sums, self._squares, self._pixels = np.zeros(3), np.zeros(3), 0
 
     def steps(self, folder: Path, table: ClassTable | None) -> Iterator[tuple[str, float]]:
-        """Counts labels, divides the ground, writes tiles, class table and manifest.
+        """Count labels, divide the ground, and write tiles, class table and manifest.
 
         Args:
-            folder: An empty one.
-            table: The classes; None takes those of the label map.
+            folder: An empty folder.
+            table: The classes; None for the classes of the label map.
 
         Raises:
-            ParameterError: There is nothing to train with, or nothing to validate with.
+            ParameterError: There are no tiles for training or validation.
             ClassTableError: The label map has a value that no class has.
-            LabelMapError: The maps can't be read, or don't fit each other.
+            LabelMapError: Image or labels can't be read.
         """
         height, width = self._image.shape_hw
         labeled = np.zeros((-(-height // self._block), -(-width // self._block)), np.int64)
@@ -225,7 +231,7 @@ class TileExport:
         (folder / MANIFEST).write_text(json.dumps(self._manifest(), indent=1) + "\n", encoding="utf-8")
 
     def _block_counts(self, first_row: int, first_column: int) -> Iterator[np.ndarray]:
-        """(256,) pixels a value, of the pieces of one block."""
+        """Yield (256,) pixels per value of the parts of a block."""
         height, width = self._image.shape_hw
         last_row, last_column = min(first_row + self._block, height), min(first_column + self._block, width)
         for row in range(first_row, last_row, _COUNTED_AT_ONCE):
@@ -237,7 +243,7 @@ class TileExport:
                 yield count_labels(labels)
 
     def _write(self, folder: Path, tile: Tile) -> None:
-        """One tile with its labels, unless it has none."""
+        """Write a tile and its labels, unless it is unlabeled."""
         size = self._tile_size
         seen, has_data = self._image.read_as_seen(tile.column, tile.row, size)
         if self._mask is not None:
@@ -275,8 +281,8 @@ class TileExport:
             raise ParameterError("No pixel of the image is labeled; check that image and labels show the same ground.")
         if not self.counts[TRAIN] or (self._fraction and not self.counts[VALIDATION]):
             raise ParameterError(
-                "The labels leave {training} tiles of {tile_size} pixels for training and {validation} for "
-                "validation; label more ground, or choose a finer resolution, smaller tiles or another validation "
+                "The labeled ground gives {training} tiles of {tile_size} pixels for training and {validation} for "
+                "validation. Label more ground, or choose a finer resolution, smaller tiles or another validation "
                 "fraction.",
                 training=self.counts[TRAIN],
                 validation=self.counts[VALIDATION],
@@ -315,12 +321,12 @@ class TileExport:
 
 
 def _pixel_size(transform: tuple) -> float:
-    """Edge of a pixel in map units; of one that isn't square the edge of a square of its area."""
+    """Return the edge of a pixel in map units; for other shapes, the edge of a square of the same area."""
     return round(abs(transform[1] * transform[5] - transform[2] * transform[4]) ** 0.5, 6)
 
 
 def _require_known_values(values: np.ndarray, table: ClassTable) -> None:
-    """``values``: (256,) pixels a value."""
+    """Raise ClassTableError for a value without a class; ``values``: (256,) pixels per value."""
     unknown = [str(v) for v in np.flatnonzero(values) if v != UNLABELED and table.by_value(int(v)) is None]
     if unknown:
         raise ClassTableError(

@@ -1,4 +1,4 @@
-"""Vector files that outputs are written to: what they hold, and copies of them."""
+"""Copy, compare and check the vector files of outputs."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from ..core.errors import DatabaseError, ParameterError
 from .gdal_errors import gdal_failures
 
 STYLE_OF_SEMREF = "Style of SemRef"
-"""Description of a style in a file; QGIS writes the time for none, and two runs would differ."""
+"""Description of a style in a file. Without one QGIS writes the time, and two runs would differ."""
 
 WAIT_S = 3.0
-"""How long a writer may take to finish before a file is said to be in use."""
+"""How long to wait for another writer before a file counts as in use."""
 
 _BUSY = (5, 6)
-"""SQLITE_BUSY and SQLITE_LOCKED; Python names them from 3.11 on."""
+"""SQLITE_BUSY and SQLITE_LOCKED, which Python names from 3.11 on."""
 
 
 def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
-    """Copies all that is committed to a file into an empty one.
+    """Copy all committed content of a file into an empty one.
 
-    Python's own copy asks a file that another program keeps locked again and again, for good.
+    Python's own copy never gives up on a file that another program keeps locked.
 
     Raises:
         sqlite3.OperationalError: Another program keeps the file locked.
@@ -36,7 +36,6 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
 
     def give_up_late(status: int, _remaining: int, _total: int) -> None:
         if status in _BUSY and time.monotonic() > until:
-            # As Python words it elsewhere.
             raise sqlite3.OperationalError("database is locked")
 
     try:
@@ -48,10 +47,10 @@ def copy_whole(source: sqlite3.Connection, target: sqlite3.Connection) -> None:
 
 
 def copy_database(path: str, target: str) -> None:
-    """Copies a GeoPackage whole, with what others have committed to it, as SQLite sees it.
+    """Copy a GeoPackage with all committed changes.
 
     Raises:
-        ParameterError: When it can't be read.
+        ParameterError: It can't be read.
     """
     try:
         closing = contextlib.closing
@@ -64,11 +63,11 @@ def copy_database(path: str, target: str) -> None:
 
 
 def content_digest(path: str) -> bytes:
-    """Return the digest of what a closed SQLite file holds, whatever was opened and closed since: see its header."""
+    """Return the digest of a closed SQLite file. Opening and closing the file does not change it."""
     sha = hashlib.blake2b(digest_size=16)
     with open(path, "rb") as file:
         head = bytearray(file.read(100))
-        # Journal mode, change counter, version of the library.
+        # Skip journal mode, change counter and library version.
         for first, end in ((18, 20), (24, 28), (92, 100)):
             head[first:end] = bytes(len(head[first:end]))
         sha.update(head)
@@ -78,12 +77,11 @@ def content_digest(path: str) -> bytes:
 
 
 def feature_count(path: str, layer: str = "") -> int:
-    """Reads all features of a layer, the file's only one without a name, and counts them; -1 where it can't be read.
+    """Read and count all features of a layer, or of the first layer without a name; -1 if it can't be read.
 
-    By GDAL and not by QGIS, which keeps a file open for a minute after it was read: Windows moves no open file.
+    GDAL reads the file, not QGIS: QGIS keeps a file open for a minute, and Windows can't rename an open file.
     """
     dataset = None
-    # It may raise or return None, as the user has set it.
     with gdal_failures() as failures:
         dataset = gdal.OpenEx(path, gdal.OF_VECTOR | gdal.OF_READONLY)
         found = None if dataset is None else dataset.GetLayerByName(layer) if layer else dataset.GetLayer(0)
@@ -92,7 +90,7 @@ def feature_count(path: str, layer: str = "") -> int:
 
 
 def lacks_spatial_index(path: str) -> bool:
-    """Whether a layer of a GeoPackage has none: on a full disk GDAL leaves it out without a word."""
+    """Whether a layer of a GeoPackage lacks its spatial index. On a full disk GDAL omits it without an error."""
     query = (
         "SELECT count(*) FROM gpkg_geometry_columns WHERE 'rtree_' || table_name || '_' || column_name "
         "NOT IN (SELECT name FROM sqlite_master)"
@@ -101,12 +99,12 @@ def lacks_spatial_index(path: str) -> bool:
         with contextlib.closing(sqlite3.connect(path)) as connection:
             return connection.execute(query).fetchone()[0] > 0
     except sqlite3.Error:
-        # Damaged, or one of no geometry at all.
+        # The file is damaged or has no geometries.
         return False
 
 
 def leave_wal(path: str) -> None:
-    """No -wal and -shm beside the finished file."""
+    """End WAL mode, so that no -wal and -shm files remain beside a finished file."""
     with contextlib.closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA wal_checkpoint(TRUNCATE)")
         connection.execute("PRAGMA journal_mode=DELETE")

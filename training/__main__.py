@@ -1,7 +1,7 @@
-"""``PYTHON …/semref/training JOB.json``: training in a process of its own, see command.py.
+"""Start a training in its own process: ``PYTHON …/semref/training JOB.json``, see command.py.
 
-The plugin's folder may be called anything, and its other rooms must not come before packages of the same names: so
-this file makes it the package ``semref`` and takes its own folder off Python's path.
+The plugin's folder may have any name, and its rooms must not hide packages of the same names. This file therefore
+loads the folder as the package ``semref`` and removes it from Python's path.
 """
 
 import importlib
@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def load_package() -> None:
-    """Makes the plugin's folder importable as ``semref``."""
+    """Make the plugin's folder importable as ``semref``."""
     spec = importlib.util.spec_from_file_location(
         "semref", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)]
     )

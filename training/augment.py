@@ -1,4 +1,4 @@
-"""Changes that a photo may undergo without its labels changing: turns, flips, scale, light, color, blur, noise."""
+"""Augment photos without changing their classes: rotation, flip, scale, light, color, blur, noise."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import numpy as np
 from .tiles import IGNORED
 
 SCALES = (0.6, 2.0)  # tile pixels per pixel of the piece
-QUARTER_TURNS = 0.4  # share of pieces turned by a multiple of 90°, which keeps pixels sharp; the others turn freely
-BLUR, NOISE = 0.3, 0.3  # shares of pieces that get some
+QUARTER_TURNS = 0.4  # share of pieces rotated by a multiple of 90°, which keeps pixels sharp
+BLUR, NOISE = 0.3, 0.3  # shares of pieces with blur and with noise
 LARGEST_BLUR_PX, LARGEST_NOISE = 1.5, 0.04
 
 
 def random_piece(rng: np.random.Generator, image: np.ndarray, labels: np.ndarray, size: int, scales=SCALES):
-    """A turned, flipped, scaled piece of a tile, (size, size, 3) float32 and (size, size) uint8.
+    """Return a rotated, flipped, scaled piece of a tile, (size, size, 3) float32 and (size, size) uint8.
 
-    Beyond the tile the image is mirrored and the labels are IGNORED.
+    Outside the tile the image is mirrored and the labels are IGNORED.
     """
     height, width = labels.shape
     scale = np.exp(rng.uniform(*np.log(scales)))
@@ -35,9 +35,15 @@ def random_piece(rng: np.random.Generator, image: np.ndarray, labels: np.ndarray
 
 
 def random_light(rng: np.random.Generator, image: np.ndarray, strength: float = 1.0) -> np.ndarray:
-    """Other exposure, contrast, gamma, saturation and white balance, now and then blur and noise; float32 in 0…1.
+    """Vary exposure, contrast, gamma, saturation and white balance, and sometimes add blur and noise.
 
-    ``strength``: factor of all deviations of light and color, not of blur and noise.
+    Args:
+        rng: Random generator.
+        image: (H, W, 3) float32 in 0…1.
+        strength: Factor for all changes of light and color, not for blur and noise.
+
+    Returns:
+        (H, W, 3) float32 in 0…1.
     """
     image = image * np.float32(np.exp(strength * rng.normal(0, 0.2)))
     image = image * np.exp(strength * rng.normal(0, 0.06, 3)).astype(np.float32)

@@ -1,15 +1,15 @@
-"""Weights of a network that SemRef trained before, to go on from: out of its ONNX file, or a checkpoint of torch.
+"""Load the weights of an earlier network of SemRef to continue its training, from an ONNX file or a torch checkpoint.
 
-An exported network has no normalization layers any more: they are merged into the convolutions before them. So the
-convolutions take the merged weights, and the normalizations behind them are first set to pass everything on, then
-(``restore_normalization``) to what they see of the new ground: the network answers as the model does, and can learn.
+In an exported network, normalization layers are merged into the convolutions before them. The convolutions get the
+merged weights, and the normalizations after them become the identity. ``restore_normalization`` then sets them to the
+statistics of the new photos. The network thus gives the same answers as the model, and can be trained.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -24,20 +24,20 @@ from .job import LITE0, NETWORK, SMALL
 from .network import pyramid_attention_network
 
 KNOWN = ((SMALL, 5), ("tu-mobilenetv3_small_100", 5), (LITE0, 5), ("tu-resnet10t", 4), ("resnet34", 5))
-"""(encoder, depth) of models that don't say what they are built of."""
+"""(encoder, depth) of models without the metadata ``architecture``."""
 
 
 @dataclass(frozen=True)
 class Base:
-    """A network to go on from.
+    """A network to continue from.
 
     Attributes:
-        network: With its weights, and as many classes as it had.
-        architecture: Its encoder and depth.
-        class_names: Of its channels.
-        mean: (3,) that photos are standardized with.
-        deviation: (3,).
-        is_merged: Whether its normalizations are to be restored.
+        network: The network with its weights and its old classes.
+        architecture: Encoder and depth.
+        class_names: Names of its channels.
+        mean: (3,) mean for standardizing photos.
+        deviation: (3,) standard deviation for standardizing photos.
+        is_merged: Whether its normalizations must be restored.
     """
 
     network: torch.nn.Module
@@ -49,25 +49,25 @@ class Base:
 
 
 def read_base(path: Path) -> Base:
-    """Raises TrainingError for what is no network of ours."""
+    """Read a base model. Raises TrainingError for a file that is not a network of SemRef."""
     try:
         base = _from_checkpoint(path) if path.suffix == ".pt" else _from_onnx(path)
     except TrainingError:
         raise
-    except Exception:  # onnx and torch have many for files that are none of their own
+    except Exception:  # onnx and torch raise many kinds for foreign files
         base = None
     if base is None:
         raise TrainingError(
-            "{path} is no network that SemRef trained, so it can't be trained further; choose another base model or "
-            "none.",
+            "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave "
+            "the field empty.",
             path=path,
         )
     return base
 
 
 def with_classes(base: Base, class_names: list[str]) -> torch.nn.Module:
-    """The base's network with a channel for each of these classes; those that it knows by name keep their weights."""
-    last = _last_convolution(base.network)
+    """Return the base's network with a channel for each class; classes with known names keep their weights."""
+    last = _convolutions(base.network)[-1][0]
     made = torch.nn.Conv2d(last.in_channels, len(class_names), last.kernel_size, padding=last.padding)
     known = {name.casefold(): channel for channel, name in enumerate(base.class_names)}
     with torch.no_grad():
@@ -83,9 +83,11 @@ def with_classes(base: Base, class_names: list[str]) -> torch.nn.Module:
 
 
 def restore_normalization(network: torch.nn.Module, batches: Iterable[torch.Tensor]) -> None:
-    """Gives merged normalizations the mean and variance of what they see; the answers stay the same.
+    """Set merged normalizations to the mean and variance of their inputs, without changing the network's answers.
 
-    batches: standardized images (N, 3, H, W).
+    Args:
+        network: The network.
+        batches: Standardized images (N, 3, H, W).
     """
     network.eval()
     sums: dict[torch.nn.Module, list] = {}
@@ -127,7 +129,7 @@ def _from_onnx(path: Path) -> Base | None:
         if node.op_type == "Constant" and node.attribute and node.attribute[0].name == "value"
     }
     if any(map(uses_external_data, stored.values())):
-        # SemRef's models are one file; what another one says may be any file of the user's.
+        # SemRef's models are one file. External data could name any file of the user.
         return None
     weights = [
         [numpy_helper.to_array(stored[name]) for name in node.input[1:]]
@@ -135,18 +137,18 @@ def _from_onnx(path: Path) -> Base | None:
         if node.op_type == "Conv"
     ]
     names = json.loads(texts["class_names"])
-    said = json.loads(texts.get("architecture", "null"))
-    for encoder, depth in [_architecture(said)] if said else KNOWN:
+    stated = json.loads(texts.get("architecture", "null"))
+    for encoder, depth in [_architecture(stated)] if stated else KNOWN:
         network = pyramid_attention_network(encoder, depth, len(weights[-1][0]), False)
-        if _filled(network, weights):
+        if _fill(network, weights):
             mean, deviation = (np.array(json.loads(texts[f"standardization_{key}"])) for key in ("mean", "std"))
             listed = tuple(names[str(channel)] for channel in range(len(names)))
             return Base(network, {"encoder": encoder, "depth": depth}, listed, mean, deviation, True)
     return None
 
 
-def _filled(network: torch.nn.Module, weights: list[list[np.ndarray]]) -> bool:
-    """Fills the convolutions in the order in which they run; False, and nothing changed, where shapes differ."""
+def _fill(network: torch.nn.Module, weights: list[list[np.ndarray]]) -> bool:
+    """Set the weights of the convolutions in execution order. If shapes differ, return False without changes."""
     pairs = _convolutions(network)
     shapes = [tuple(convolution.weight.shape) for convolution, _ in pairs]
     if shapes != [one[0].shape for one in weights]:
@@ -166,7 +168,7 @@ def _filled(network: torch.nn.Module, weights: list[list[np.ndarray]]) -> bool:
 
 
 def _convolutions(network: torch.nn.Module) -> list[tuple[torch.nn.Conv2d, torch.nn.BatchNorm2d | None]]:
-    """The convolutions in the order in which they run, each with the normalization that takes its output, if any."""
+    """Return the convolutions in execution order, each with the normalization after it, if any."""
     order: list[list] = []
 
     def ran(layer: torch.nn.Module, inputs: tuple, output: torch.Tensor) -> None:
@@ -175,35 +177,26 @@ def _convolutions(network: torch.nn.Module) -> list[tuple[torch.nn.Conv2d, torch
         elif order and inputs[0] is order[-1][2]:
             order[-1][1] = layer
 
-    _watched(network, ran)
-    return [(layer, normalization) for layer, normalization, _ in order]
-
-
-def _last_convolution(network: torch.nn.Module) -> torch.nn.Conv2d:
-    return _convolutions(network)[-1][0]
-
-
-def _watched(network: torch.nn.Module, ran: Callable) -> None:
-    """Runs the network once; ``ran`` hears of each convolution and normalization."""
     kinds = (torch.nn.Conv2d, torch.nn.BatchNorm2d)
     hooks = [layer.register_forward_hook(ran) for layer in network.modules() if isinstance(layer, kinds)]
     with torch.inference_mode():
         network.eval()(torch.zeros(1, 3, 128, 128))
     for hook in hooks:
         hook.remove()
+    return [(layer, normalization) for layer, normalization, _ in order]
 
 
 def _from_checkpoint(path: Path) -> Base | None:
-    said = json.loads((path.parent / NETWORK).read_text(encoding="utf-8"))
-    encoder, depth = _architecture(said)
-    network = pyramid_attention_network(encoder, depth, len(said["class_names"]), False)
+    stated = json.loads((path.parent / NETWORK).read_text(encoding="utf-8"))
+    encoder, depth = _architecture(stated)
+    network = pyramid_attention_network(encoder, depth, len(stated["class_names"]), False)
     network.load_state_dict(torch.load(path, map_location="cpu", weights_only=True))
-    mean, deviation = (np.array(said[f"standardization_{key}"]) for key in ("mean", "std"))
-    return Base(network, {"encoder": encoder, "depth": depth}, tuple(said["class_names"]), mean, deviation, False)
+    mean, deviation = (np.array(stated[f"standardization_{key}"]) for key in ("mean", "std"))
+    return Base(network, {"encoder": encoder, "depth": depth}, tuple(stated["class_names"]), mean, deviation, False)
 
 
-def _architecture(said: dict) -> tuple[str, int]:
-    """Encoder and depth that a file names. Raises ValueError for an address, from which timm would fetch a network."""
-    if not re.fullmatch(r"[\w.-]+", said["encoder"]):
-        raise ValueError(said["encoder"])
-    return said["encoder"], said["depth"]
+def _architecture(stated: dict) -> tuple[str, int]:
+    """Return encoder and depth from metadata. Raises ValueError for an address, which timm would download."""
+    if not re.fullmatch(r"[\w.-]+", stated["encoder"]):
+        raise ValueError(stated["encoder"])
+    return stated["encoder"], stated["depth"]

@@ -1,7 +1,7 @@
-"""How far from where they are a network shows its classes, on validation tiles; put into the model's metadata.
+"""Measure the class offsets of a network on validation tiles, for the model's metadata.
 
-Every tile is shown turned by 0, 90, 180 and 270 degrees. What turns with the tile is the ground's, as shadows make it;
-what stays is the network's own.
+The network gets each tile rotated by 0, 90, 180 and 270 degrees. Offsets that rotate with the tile come from the
+ground, for example from shadows. Offsets that do not rotate come from the network.
 """
 
 from __future__ import annotations
@@ -16,18 +16,18 @@ from ..core.landmarks.class_shifts import ClassShift, PieceShift, class_shifts, 
 
 QUARTERS = 4
 MOST_TILES = 100
-"""Every one is shown to the network four times."""
+"""Largest number of tiles; the network gets each of them four times."""
 
 
 @dataclass(frozen=True)
 class ClassShiftRow:
-    """A class' shift along the ground's axes, and along the image's, pixels."""
+    """Offset of a class along the axes of the ground and of the image, pixels."""
 
     ground: ClassShift
     image: ClassShift
 
     def bias(self, pixel_m: float) -> ClassBias:
-        """In meters; tiles have north up."""
+        """Return the offset in meters; tiles have north up."""
         east, north = pixel_m * self.ground.shift.real, -pixel_m * self.ground.shift.imag
         right, down = pixel_m * self.image.shift.real, pixel_m * self.image.shift.imag
         if self.ground.spread is None or self.image.spread is None:
@@ -35,10 +35,15 @@ class ClassShiftRow:
         return ClassBias(0, east, north, right, down, pixel_m * float(np.hypot(self.ground.spread, self.image.spread)))
 
 
-def measured(answer: Callable[[np.ndarray], np.ndarray], reader: object, channels: int) -> list[ClassShiftRow]:
-    """A row a channel with enough landmarks; channel 0 is none.
+def measure_class_biases(
+    answer: Callable[[np.ndarray], np.ndarray], reader: object, channels: int
+) -> list[ClassShiftRow]:
+    """Return the offset of each channel from 1 on with enough landmarks.
 
-    answer: image (H, W, 3) to channels (H, W). reader: gives images with their true channels by number, has a length.
+    Args:
+        answer: Function from image (H, W, 3) to channels (H, W).
+        reader: Sequence of images with their true channels.
+        channels: Number of channels.
     """
     on_ground: list[PieceShift] = []
     in_image: list[PieceShift] = []
@@ -52,7 +57,7 @@ def measured(answer: Callable[[np.ndarray], np.ndarray], reader: object, channel
             pieces = [found[value] for found in by_turn]
             pairs, variance = (np.mean([getattr(piece, name) for piece in pieces]) for name in ("pairs", "variance"))
             shifts = [piece.shift for piece in pieces]
-            # A quarter turn against the clock takes right to up.
+            # A quarter turn counterclockwise turns right into up.
             own = [shift * (-1j) ** k for k, shift in enumerate(shifts)]
             on_ground.append(PieceShift(value, round(pairs), complex(np.mean(shifts)), float(variance)))
             in_image.append(PieceShift(value, round(pairs), complex(np.mean(own)), float(variance)))

@@ -1,4 +1,4 @@
-"""Pictures of validation tiles: the photo, what it was annotated as, and what the network makes of it."""
+"""Write pictures of validation tiles: photo, annotation and prediction."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ UNKNOWN = (200, 200, 200)
 def write_examples(
     network: torch.nn.Module, reader: TileReader, classes: Sequence[TileClass], mean, deviation, folder: Path
 ) -> None:
-    """Some tiles, spread evenly, as example_N.png: photo, annotation, answer side by side."""
+    """Write example_N.png of some evenly spread tiles: photo, annotation and prediction side by side."""
     folder.mkdir(exist_ok=True)
     colors = np.full((256, 3), UNKNOWN, np.uint8)
     colors[: len(classes)] = [[int(c.color[n : n + 2], 16) for n in (1, 3, 5)] for c in classes]

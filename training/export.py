@@ -1,4 +1,4 @@
-"""The trained network as an ONNX file with the metadata that SemRef and Deepness read, checked against torch."""
+"""Export the trained network as an ONNX file with metadata for SemRef and Deepness, and check it against torch."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from ..core.errors import TrainingError
 from .metrics import confusion_matrix
 from .tiles import TileClass, TileReader
 
-OPSET, IR_VERSION = 17, 8  # what onnxruntime reads from 1.12 on
+OPSET, IR_VERSION = 17, 8  # supported by onnxruntime from 1.12 on
 LARGEST_DIFFERENCE = 1e-3  # of logits, between torch and onnxruntime
 UNLABELED = TileClass(0, "unlabeled", "#000000", "background")
 
 
 def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:
-    """Height and width stay free; they have to be multiples of 16."""
+    """Export a network; height and width of the input are free multiples of 16."""
     network = network.cpu().eval()
     example = torch.zeros(1, 3, tile_size, tile_size)
     torch.onnx.export(
@@ -36,7 +36,7 @@ def write_onnx(network: torch.nn.Module, tile_size: int, target: Path) -> None:
 
 
 def add_metadata(target: Path, entries: dict) -> None:
-    """Writes metadata into the file; what is no text goes in as JSON."""
+    """Write metadata into the file; values other than text are written as JSON."""
     model = onnx.load(target)
     model.ir_version = IR_VERSION
     for key, value in entries.items():
@@ -47,7 +47,11 @@ def add_metadata(target: Path, entries: dict) -> None:
 
 
 def largest_difference(network: torch.nn.Module, target: Path, images: list[np.ndarray]) -> float:
-    """Largest difference of the logits for standardized images (3, H, W). Raises TrainingError when it is too large."""
+    """Return the largest difference of logits between torch and onnxruntime, for standardized images (3, H, W).
+
+    Raises:
+        TrainingError: The difference is larger than LARGEST_DIFFERENCE.
+    """
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
     network = network.cpu().eval()
     largest = 0.0
@@ -58,7 +62,7 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
         largest = max(largest, float(np.abs(session.run(None, {"image": batch})[0] - expected).max()))
     if largest > LARGEST_DIFFERENCE:
         raise TrainingError(
-            "{path} answers otherwise than the network it was made of, by {difference:.2g} in a logit.",
+            "The exported model {path} differs from the trained network by {difference:.2g} in a logit.",
             path=target,
             difference=largest,
         )
@@ -66,7 +70,7 @@ def largest_difference(network: torch.nn.Module, target: Path, images: list[np.n
 
 
 def scoring(target: Path, mean, deviation):
-    """The function of an image, (H, W, 3) in 0…1, to the scores that the model gives it, (C, H, W)."""
+    """Return a function from an image (H, W, 3) in 0…1 to the model's scores (C, H, W)."""
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
 
     def scores_of(image: np.ndarray) -> np.ndarray:
@@ -77,12 +81,12 @@ def scoring(target: Path, mean, deviation):
 
 
 def answering(scores_of):
-    """The function of an image to the channels, (H, W), that have the highest of its scores."""
+    """Return a function from an image to the channels (H, W) with the highest score."""
     return lambda image: scores_of(image).argmax(0).astype(np.uint8)
 
 
 def compared(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):
-    """Confusion matrices of the network in torch and in onnxruntime, and the share of pixels they agree on."""
+    """Return the confusion matrices of the network in torch and in onnxruntime, and the share of equal pixels."""
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
     network = network.cpu().eval()
     count = session.get_outputs()[0].shape[1]

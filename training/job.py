@@ -1,6 +1,6 @@
-"""What is to be trained, with what and how: one JSON file that QGIS or train_pan.py writes and the training reads.
+"""The job of a training: a JSON file that QGIS or train_pan.py writes and the training reads.
 
-Without torch and numpy: QGIS makes it, too.
+This file imports neither torch nor numpy, because QGIS uses it.
 """
 
 from __future__ import annotations
@@ -10,26 +10,28 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 
 SMALL, LITE0 = "tu-mobilenetv3_small_050", "tu-tf_efficientnet_lite0"
-"""Encoders: 0.3 M weights, from random ones; 3.4 M weights that know photos already (ImageNet)."""
+"""Encoders: 0.3 M weights with random start; 3.4 M weights that were trained on ImageNet."""
 
 PACKAGED = "packaged"
-"""Instead of a file of weights for the encoder: those of EfficientNet-Lite0 that come as a package."""
+"""Value of ``encoder_weights`` for the weights of EfficientNet-Lite0 from a Python package."""
 
 RESULT, NETWORK, JOB, EXAMPLES = "result.json", "network.json", "job.json", "examples"
-"""Files in the folder of a run: what came of it, what its weights belong to, what was asked, pictures."""
+"""Files in the folder of a run: results, architecture, job, pictures."""
 
 MOST_PIECES, FEWEST_PIECES, PIECE_SIZE = 320, 64, 256
-"""An epoch, where minutes are limited: at most, so that curves and checkpoints come often, and at least; their edge in
-pixels."""
+"""Largest and smallest number of pieces per epoch with a time limit, and their edge in pixels.
+
+The largest number keeps epochs short, so that curves and checkpoints are written often.
+"""
 
 CHECKPOINT = "last.pt"
-"""All that going on with a run needs, after each epoch."""
+"""File with all data for continuing a run, written after each epoch."""
 
 FREE = (
     *("output", "folder", "resume", "workers", "threads", "channels_last", "ground", "card", "tile_size"),
     *("epochs", "minutes", "patience", "processor_time"),
 )
-"""What a run may be gone on with otherwise: places, the machine, and how long it goes."""
+"""Fields that may differ when a run is continued: paths, the machine, and the duration."""
 
 
 @dataclass(frozen=True)
@@ -37,38 +39,38 @@ class Job:
     """A training.
 
     Attributes:
-        tiles: Folders of tiles (semref:exporttrainingtiles).
+        tiles: Folders of training tiles (semref:exporttrainingtiles).
         output: ONNX file to write.
-        folder: Of the run: checkpoint, curves, result.
-        base_model: ONNX file or checkpoint (.pt) to go on from; empty for none.
-        encoder: Of segmentation_models_pytorch.
-        depth: 3 to 5, how often the encoder halves the image.
-        encoder_weights: File of weights for the encoder, PACKAGED, or empty.
-        pretrained: Whether the encoder's weights are downloaded.
-        learn_unlabeled: Whether value 0 is a class of its own, not unknown.
-        epochs: At most so many.
-        pieces: An epoch; 0 for as many as cover the tiles once, at most MOST_PIECES where minutes are limited.
+        folder: Folder of the run, with checkpoint, curves and result.
+        base_model: ONNX file or checkpoint (.pt) to continue from; empty without one.
+        encoder: Name in segmentation_models_pytorch.
+        depth: How often the encoder halves the image, 3 to 5.
+        encoder_weights: File with weights for the encoder, PACKAGED, or empty.
+        pretrained: Whether to download the encoder's weights.
+        learn_unlabeled: Whether value 0 is a class; otherwise it is unknown ground.
+        epochs: Largest number of epochs.
+        pieces: Pieces per epoch; 0 for a number that covers the tiles once, at most MOST_PIECES with a time limit.
         piece_size: Edge in pixels, a multiple of 32.
-        batch: Pieces a step.
-        learning_rate: The largest; 0 for what suits the start.
-        light: How much light and color vary.
-        patience: Epochs without progress before it stops; 0 for never.
-        minutes: From the start of the process to the written model; 0 for no limit.
-        processor_time: Whether minutes are of the processor, not of the clock.
+        batch: Pieces per step.
+        learning_rate: Largest learning rate; 0 to choose it from the kind of start.
+        light: Factor for the variation of light and color.
+        patience: Epochs without progress before the training stops; 0 for no early stop.
+        minutes: Time limit from the start of the process to the written model; 0 for no limit.
+        processor_time: Whether minutes are processor time instead of clock time.
         mixed_precision: auto (with a GPU), on or off.
-        channels_last: Faster for mobile encoders on a CPU.
-        resolution: Meters a pixel; None for what the tiles say.
+        channels_last: Whether to use this memory layout, which is faster for mobile encoders on a CPU.
+        resolution: Pixel size in m; None for that of the tiles.
         overlap: Percent of a tile, for the metadata.
-        workers: Processes that read tiles.
-        threads: Of torch on the CPU; 0 for its own choice.
-        seed: Of all that is random.
-        resume: Whether a run in the folder is gone on with.
-        ground: What the metadata tell of the ground that was learned: sources, CRS, extent.
-        complete: Of folders of tiles the names of the classes that were drawn wherever they are; value 0 is then known
-            to be none of them (partial.py).
-        tile_size: Edge in pixels of the tiles that the model is to be shown, for the metadata; 0 for that of the tiles.
-        card: What else the model's card tells: name, licenses, what it is good for (metadata.py).
-        fingerprint: What else a run must have alike to be gone on with: sizes and times of its sources.
+        workers: Number of processes that read tiles.
+        threads: CPU threads of torch; 0 for its default.
+        seed: Random seed.
+        resume: Whether to continue a run in the folder.
+        ground: Metadata of the training ground: sources, CRS, extent.
+        complete: By folder of tiles, names of the classes that were drawn completely. Value 0 then excludes these
+            classes (partial.py).
+        tile_size: Tile edge in pixels for the model's metadata; 0 for that of the tiles.
+        card: Other data for the model card: name, licenses, suitable uses (metadata.py).
+        fingerprint: Sizes and times of the sources, which must be equal to continue a run.
     """
 
     tiles: tuple[str, ...]
@@ -104,18 +106,18 @@ class Job:
     fingerprint: dict = field(default_factory=dict)
 
     def write(self, path: Path) -> None:
-        """Writes it as JSON; an older file is whole until the new one is."""
+        """Write the job as JSON; an older file is replaced when the new one is complete."""
         new = path.with_name(f"{path.name}.part")
         new.write_text(json.dumps(asdict(self), indent=1) + "\n", encoding="utf-8")
         new.replace(path)
 
     def differences(self, other: Job) -> list[str]:
-        """Names of what another run was made with otherwise, so that it can't be gone on with as this one."""
+        """Return names of fields that differ from another run and prevent continuing it."""
         return [f.name for f in fields(self) if f.name not in FREE and _of(self, f.name) != _of(other, f.name)]
 
 
 def read_job(path: Path) -> Job:
-    """Raises OSError or ValueError for a file that holds none."""
+    """Read a job. Raises OSError or ValueError for an invalid file."""
     content = json.loads(path.read_text(encoding="utf-8"))
     try:
         return Job(**{**content, "tiles": tuple(content["tiles"])})
@@ -124,5 +126,5 @@ def read_job(path: Path) -> Job:
 
 
 def _of(job: Job, name: str) -> object:
-    """A value as JSON would give it back."""
+    """Return a value after conversion to JSON and back."""
     return json.loads(json.dumps(getattr(job, name)))

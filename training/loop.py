@@ -1,4 +1,4 @@
-"""Training: pieces of tiles in, best weights out, with curves in a CSV file, resuming, early stop and a time limit."""
+"""Train a network on pieces of tiles, with curves in a CSV file, resuming, early stop and a time limit."""
 
 from __future__ import annotations
 
@@ -18,42 +18,42 @@ from ..core.errors import TrainingError
 from .augment import random_light, random_piece
 from .job import CHECKPOINT, FREE
 from .metrics import confusion_matrix, intersection_over_union
-from .partial import told_channels
+from .partial import decided_channels
 from .tiles import IGNORED, TileReader
 
-AVERAGING = 0.995  # largest share of the old weights in their running average, a step
+AVERAGING = 0.995  # largest share of the old weights in their running average, per step
 WEIGHT_DECAY, LARGEST_GRADIENT = 1e-2, 5.0
 WARM_UP_SHARE = 0.05  # of the run, in which the learning rate rises
-FIRST_RATE = 0.04  # of the learning rate, at the very first step
-TOLD_EVERY_S = 0.5
-TRAINED = 0.97  # share of the work that is training, where no time limit tells
+FIRST_RATE = 0.04  # share of the learning rate at the first step
+REPORT_EVERY_S = 0.5
+TRAINED = 0.97  # share of the work that is training, without a time limit
 BEST, CURVES = "best.pt", "curves.csv"
 
-Tell = Callable[..., None]
-"""``tell(event, **values)``: who runs the training hears of it."""
+Report = Callable[..., None]
+"""``report(event, **values)`` informs the caller of the training."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What a run is made with; a run is resumed with the same."""
+    """Settings of a run; a run is resumed with equal settings."""
 
     epochs: int
-    pieces: int  # an epoch
+    pieces: int  # per epoch
     piece_size: int
     batch: int
     learning_rate: float
-    patience: int  # epochs without a better validation before it stops; 0: never
+    patience: int  # epochs without a better validation before the training stops; 0: no early stop
     mixed_precision: bool
     channels_last: bool
     workers: int
     seed: int
-    light: float = 1.0  # how much light and color of the pieces vary
+    light: float = 1.0  # factor for the variation of light and color
     minutes: float = 0.0  # from the start of the process to the written model; 0: no limit
-    processor_time: bool = False  # whether minutes are of the processor: on a machine that does other work, too
+    processor_time: bool = False  # whether minutes are processor time, for a machine with other work
 
 
 class Pieces(torch.utils.data.Dataset):
-    """Random pieces of tiles; the same seed and epoch give the same pieces."""
+    """Random pieces of tiles; equal seed and epoch give equal pieces."""
 
     def __init__(self, reader: TileReader, settings: Settings, epoch: int) -> None:
         self._reader, self._settings, self._epoch = reader, settings, epoch
@@ -70,11 +70,11 @@ class Pieces(torch.utils.data.Dataset):
 
 
 class Trainer:
-    """Trains a network in ``folder``; ``run`` returns with the best weights loaded into it.
+    """Trains a network; after ``run`` the network has the best weights.
 
     Attributes:
-        history: A row of the curves an epoch.
-        best_confusion: (L, K) pixels of each label and predicted class on the validation tiles, in the best epoch.
+        history: A row of the curves for each epoch.
+        best_confusion: (L, K) pixels of each label and predicted class on the validation tiles in the best epoch.
         stopped_by: ``epochs``, ``patience`` or ``minutes``.
     """
 
@@ -88,9 +88,14 @@ class Trainer:
         allowed,
         settings: Settings,
         folder: Path,
-        tell: Tell,
+        report: Report,
     ) -> None:
-        """``class_weights``: (L,) of each label; ``allowed``: (L, K) the classes that each allows (partial.py)."""
+        """Prepare a run in ``folder``.
+
+        Args:
+            class_weights: (L,) weight of each label.
+            allowed: (L, K) bool of the classes that each label allows (partial.py).
+        """
         self.device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
         self.layout = torch.channels_last if settings.channels_last else torch.contiguous_format
         self.network = network.to(self.device, memory_format=self.layout)
@@ -101,7 +106,7 @@ class Trainer:
         self.weights = torch.tensor(class_weights, dtype=torch.float32, device=self.device)
         self.allowed = np.asarray(allowed, bool)
         self._meanings = torch.tensor(self.allowed, device=self.device)
-        self.settings, self.folder, self.tell = settings, folder, tell
+        self.settings, self.folder, self.report = settings, folder, report
         self.optimizer = torch.optim.AdamW(self.network.parameters(), settings.learning_rate, weight_decay=WEIGHT_DECAY)
         self.steps_an_epoch = max(1, settings.pieces // settings.batch)
         self.scaler = torch.amp.GradScaler("cuda", enabled=settings.mixed_precision and self.device.type == "cuda")
@@ -109,34 +114,35 @@ class Trainer:
         self.history: list[dict] = []
         self.best_confusion = np.zeros(self.allowed.shape, np.int64)
         self.stopped_by = ""
-        self._seconds_before, self._told = 0.0, 0.0
+        self._seconds_before, self._reported = 0.0, 0.0
         self._clock = time.process_time if settings.processor_time else time.monotonic
         self.began = self._clock()
         self._trained = TRAINED
 
     @property
     def seconds(self) -> float:
-        """How long the process has worked, interrupted runs included."""
+        """Duration of the run, including interrupted parts."""
         return self._seconds_before + self._clock() - self.began
 
     @property
     def share(self) -> float:
-        """0…1, how much of the training is done: of its steps, or of its minutes where these are over first."""
+        """Share of the training that is done, 0…1: of the steps, or of the time limit if that is larger."""
         by_steps = self.step / (self.settings.epochs * self.steps_an_epoch)
         by_time = self.seconds / (60 * self.settings.minutes * self._trained) if self.settings.minutes else 0.0
         return min(max(by_steps, by_time), 1.0)
 
     @property
-    def told_share(self) -> float:
-        """0…1, how much of everything is done until the model is written; of a time limit, what has passed of it."""
+    def total_share(self) -> float:
+        """Share of all work until the model is written, 0…1; with a time limit at least the share of time."""
         passed = self.seconds / (60 * self.settings.minutes) if self.settings.minutes else 0.0
         return min(max(self.share * self._trained, passed), 1.0)
 
     def reserve(self, seconds: float) -> None:
-        """Keeps so much of the time limit for what follows the training, at most half of it."""
+        """Reserve seconds of the time limit for the work after the training, at most half of the limit."""
         self._trained = 1 - min(seconds / (60 * self.settings.minutes), 0.5)
 
     def run(self, reader: TileReader, validation: TileReader) -> None:
+        """Train until a limit is reached, and load the best weights."""
         while not self._is_over():
             started = time.monotonic()
             loss = self._train_epoch(reader)
@@ -148,7 +154,7 @@ class Trainer:
             self.history.append(row)
             self._write_curves()
             self._save(row["mean_iou"], confusion)
-            self.tell("epoch", share=self.told_share, **row)
+            self.report("epoch", share=self.total_share, **row)
         self.network.load_state_dict(torch.load(self.folder / BEST, map_location=self.device, weights_only=True))
 
     def _is_over(self) -> bool:
@@ -173,17 +179,17 @@ class Trainer:
         for images, labels in loader:
             total += self._step(images.to(self.device), labels.to(self.device))
             count += 1
-            self._tell_step(total / count)
+            self._report_step(total / count)
             if self.settings.minutes and self.share >= 1:
                 break
         if not np.isfinite(total):
-            raise TrainingError("The loss is no longer a number; train with a lower learning rate.")
+            raise TrainingError("The training failed: the loss is not a number. Train with a lower learning rate.")
         return total / max(count, 1)
 
-    def _tell_step(self, loss: float) -> None:
-        if time.monotonic() - self._told > TOLD_EVERY_S:
-            self._told = time.monotonic()
-            self.tell("step", share=self.told_share, epoch=self.epoch + 1, loss=round(loss, 4))
+    def _report_step(self, loss: float) -> None:
+        if time.monotonic() - self._reported > REPORT_EVERY_S:
+            self._reported = time.monotonic()
+            self.report("step", share=self.total_share, epoch=self.epoch + 1, loss=round(loss, 4))
 
     def _step(self, images: torch.Tensor, labels: torch.Tensor) -> float:
         for group in self.optimizer.param_groups:
@@ -209,7 +215,7 @@ class Trainer:
         return ((images - self.mean) / self.deviation).contiguous(memory_format=self.layout)
 
     def confusion(self, network: torch.nn.Module, reader: TileReader) -> np.ndarray:
-        """(L, K) pixels of each label and predicted class, on whole tiles."""
+        """Return (L, K) pixels of each label and predicted class on whole tiles."""
         network.eval()
         count = len(self.class_names)
         sets = len(self.allowed) - count
@@ -223,7 +229,7 @@ class Trainer:
         return confusion
 
     def _shown(self, confusion: np.ndarray) -> dict:
-        """Intersection over union a class; without tiles all of it is 0."""
+        """Return the intersection over union of each class and their mean; without tiles the mean is 0."""
         iou = intersection_over_union(confusion, self.allowed)
         shown = {f"iou_{name}": round(float(v), 4) for name, v in zip(self.class_names, iou) if np.isfinite(v)}
         return {"mean_iou": round(float(np.nanmean(iou)), 4) if shown else 0.0} | shown
@@ -235,7 +241,7 @@ class Trainer:
             writer.writerows(self.history)
 
     def _save(self, score: float, confusion: np.ndarray) -> None:
-        """Best weights (the last ones where nothing validates) and everything that resuming needs."""
+        """Save the best weights (without validation tiles the last ones) and all data for resuming."""
         if score > self.best_score or score == 0.0:
             self.best_score, self.best_epoch, self.best_confusion = score, self.epoch, confusion
             self._write(BEST, self.average.module.state_dict())
@@ -252,7 +258,7 @@ class Trainer:
         self._write(CHECKPOINT, state)
 
     def _write(self, name: str, state: dict) -> None:
-        """Under its name only when it is whole: the process may be ended at any moment. Raises TrainingError."""
+        """Write a file and rename it when it is complete, as the process may end at any time. Raises TrainingError."""
         part = self.folder / f"{name}.part"
         try:
             torch.save(state, part)
@@ -266,13 +272,13 @@ class Trainer:
             ) from None
 
     def resume(self) -> None:
-        """Goes on where the last run in the folder stopped. Raises TrainingError where that can't be."""
+        """Continue the last run in the folder. Raises TrainingError if this is impossible."""
         path = self.folder / CHECKPOINT
         if not path.exists():
             raise TrainingError("There is no run to resume in {folder}.", folder=self.folder)
         try:
             state = torch.load(path, map_location=self.device, weights_only=True)
-        except Exception as error:  # torch has many for files that were not written to their end
+        except Exception as error:  # torch raises many kinds for incomplete files
             raise TrainingError(
                 "{path} is damaged ({reason}), so this training can't be continued; start it again without the "
                 "earlier run.",
@@ -282,7 +288,7 @@ class Trainer:
         differing = [k for k, v in asdict(self.settings).items() if k not in FREE and state["settings"].get(k) != v]
         if differing:
             raise TrainingError(
-                "The run in {folder} had another {settings}; give the same again, or begin anew.",
+                "The run in {folder} had other settings ({settings}). Use the same settings, or start a new training.",
                 folder=self.folder,
                 settings=differing,
             )
@@ -297,24 +303,27 @@ def _first_line(error: Exception) -> str:
 
 
 def learning_rate_at(share: float, largest: float) -> float:
-    """One cycle (Smith 2018, arXiv:1803.09820): a short rise, then half a cosine down to 0; ``share`` of the run."""
+    """Return the one-cycle learning rate (Smith 2018, arXiv:1803.09820): a short rise, then half a cosine to 0."""
     if share < WARM_UP_SHARE:
         return largest * (FIRST_RATE + (1 - FIRST_RATE) * (1 - math.cos(math.pi * share / WARM_UP_SHARE)) / 2)
     return largest * (1 + math.cos(math.pi * (share - WARM_UP_SHARE) / (1 - WARM_UP_SHARE))) / 2
 
 
 def running_average(old: torch.Tensor, new: torch.Tensor, count: torch.Tensor) -> torch.Tensor:
-    """Mean of the first weights, then an exponential average, in which the first ones are soon forgotten."""
+    """Return the mean of the first weights, later an exponential average that soon forgets them."""
     return old + (new - old) * torch.clamp(10 / (count + 10), min=1 - AVERAGING)
 
 
 def segmentation_loss(
     logits: torch.Tensor, labels: torch.Tensor, weights: torch.Tensor, allowed: torch.Tensor
 ) -> torch.Tensor:
-    """Weighted cross-entropy plus soft Dice (Milletari et al. 2016) over the classes in the batch.
+    """Return weighted cross-entropy plus half the soft Dice loss (Milletari et al. 2016) of the classes in the batch.
 
-    logits: (N, K, H, W); labels: (N, H, W) int64, IGNORED where nothing is known; weights: (L,) of each label;
-    allowed: (L, K) bool, the classes that each label allows (partial.py).
+    Args:
+        logits: (N, K, H, W).
+        labels: (N, H, W) int64, IGNORED for unknown pixels.
+        weights: (L,) weight of each label.
+        allowed: (L, K) bool of the classes that each label allows (partial.py).
     """
     known = labels != IGNORED
     if not known.any():
@@ -322,14 +331,14 @@ def segmentation_loss(
     count, index = logits.shape[1], labels.where(known, 0)
     logs = logits.log_softmax(1)
     right = logs.gather(1, index.clamp(max=count - 1)[:, None])[:, 0]
-    told = known[:, None]
+    decided = known[:, None]
     for number in range(count, len(allowed)):
         right = right.where(labels != number, logs[:, allowed[number]].logsumexp(1))
     if len(allowed) > count:
-        told = told & told_channels(allowed)[index].movedim(-1, 1)
+        decided = decided & decided_channels(allowed)[index].movedim(-1, 1)
     weight = weights[index] * known
     entropy = -(right * weight).sum() / weight.sum()
-    shares = logs.exp() * told
+    shares = logs.exp() * decided
     truth = functional.one_hot(index, len(allowed)).movedim(-1, 1)[:, :count] * known[:, None]
     both, either = (shares * truth).sum((0, 2, 3)), (shares + truth).sum((0, 2, 3))
     present = truth.sum((0, 2, 3)) > 0

@@ -1,4 +1,4 @@
-"""Metadata of a trained model, made only here (docs/reference/file_formats.md)."""
+"""Make the metadata of a trained model (docs/reference/file_formats.md)."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ def entries(
     ground: dict | None = None,
     card: dict | None = None,
 ) -> dict:
-    """Metadata by key, as the Deepness plugin names them where it has a name, and what SemRef adds.
+    """Return metadata by key: the keys of the Deepness plugin, and SemRef's own.
 
     Args:
-        classes: One row an output channel.
+        classes: One class for each output channel.
         standardization: Mean and deviation (3,) of red, green and blue in 0…1.
         tile_size: Edge in pixels.
         overlap: Percent of a tile.
-        pixel_size: Meters; None leaves the resolution out.
-        architecture: What the network was built of, so that it can be trained further.
-        validation: (L, K) pixels of each label and predicted class on validation tiles, and which classes each label
-            allows (partial.py).
-        ground: Where it was trained.
-        card: What people should know before they use it (docs/reference/file_formats.md#model-card).
+        pixel_size: In m; None to omit the resolution.
+        architecture: Encoder and depth, for further training.
+        validation: (L, K) pixels of each label and predicted class on validation tiles, and the classes that each
+            label allows (partial.py).
+        ground: The training ground.
+        card: Data of the model card (docs/reference/file_formats.md#model-card).
     """
     mean, deviation = standardization
     found: dict = {

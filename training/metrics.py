@@ -1,4 +1,4 @@
-"""How much each class counts, and how well it is found."""
+"""Class weights, confusion matrices and IoU."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import numpy as np
 
 from .tiles import IGNORED
 
-RAREST_WEIGHT = 5.0  # a class counts at most so many times as much as one of usual area
+RAREST_WEIGHT = 5.0  # largest weight of a class relative to a class of median area
 
 
 def class_weights(pixels: np.ndarray) -> np.ndarray:
-    """(K,) weight of each class in the loss: √(usual share / its share), at most RAREST_WEIGHT, 0 where it has none."""
+    """Return (K,) loss weights: √(median share / share of the class), at most RAREST_WEIGHT, 0 without pixels."""
     shares = pixels / max(pixels.sum(), 1)
     present = shares > 0
     weights = np.zeros(len(pixels))
@@ -19,9 +19,13 @@ def class_weights(pixels: np.ndarray) -> np.ndarray:
 
 
 def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int, sets: int = 0) -> np.ndarray:
-    """(count + sets, count) pixels of each label (row) and predicted class (column), IGNORED left out.
+    """Return (count + sets, count) pixels of each label (row) and predicted class (column) without IGNORED.
 
-    sets: how many labels beyond the classes stand for several of them (partial.py).
+    Args:
+        labels: True labels.
+        predicted: Predicted classes, of the same shape.
+        count: Number of classes.
+        sets: Number of labels after the classes that allow several classes (partial.py).
     """
     known = labels != IGNORED
     pairs = labels[known].astype(np.int64) * count + predicted[known]
@@ -29,10 +33,12 @@ def confusion_matrix(labels: np.ndarray, predicted: np.ndarray, count: int, sets
 
 
 def intersection_over_union(confusion: np.ndarray, allowed: np.ndarray | None = None) -> np.ndarray:
-    """(count,) intersection over union of each class; NaN for a class that has no true pixel.
+    """Return (count,) intersection over union of each class; NaN for a class without true pixels.
 
-    confusion: (count + sets, count). allowed: which classes each label allows (partial.py); a pixel of a set counts
-    against the classes that it excludes, and not at all for those that it may be.
+    Args:
+        confusion: (count + sets, count) pixels.
+        allowed: (count + sets, count) bool of the classes that each label allows (partial.py). A pixel of a set counts
+            as wrong for the classes that it excludes, and does not count for the others.
     """
     count = confusion.shape[1]
     allowed = np.eye(count, dtype=bool) if allowed is None else allowed
@@ -42,5 +48,5 @@ def intersection_over_union(confusion: np.ndarray, allowed: np.ndarray | None = 
 
 
 def rates(confusion: np.ndarray) -> np.ndarray:
-    """(K, K) share of each true class (row) that is predicted as each class; 0 in rows without pixels."""
+    """Return (K, K) shares of each true class (row) by predicted class; 0 in rows without pixels."""
     return confusion / np.maximum(confusion.sum(axis=1, keepdims=True), 1)

@@ -1,4 +1,4 @@
-"""The network: a Pyramid Attention Network (Li et al. 2018, arXiv:1805.10180) from segmentation_models_pytorch."""
+"""Build the network: a Pyramid Attention Network (Li et al. 2018, arXiv:1805.10180)."""
 
 from __future__ import annotations
 
@@ -8,9 +8,13 @@ import torch
 
 
 def pyramid_attention_network(encoder: str, depth: int, class_count: int, pretrained: bool) -> torch.nn.Module:
-    """PAN of three bands in and ``class_count`` channels of logits out.
+    """Return a network with three input bands and ``class_count`` channels of logits.
 
-    encoder: a name of segmentation_models_pytorch; ``tu-NAME`` takes timm's NAME. depth 3 to 5: how often it halves.
+    Args:
+        encoder: Name in segmentation_models_pytorch; ``tu-NAME`` is timm's NAME.
+        depth: How often the encoder halves the image, 3 to 5.
+        class_count: Number of classes.
+        pretrained: Whether to download the encoder's weights.
     """
     allow_torchvision_without_operators()
     import segmentation_models_pytorch
@@ -27,12 +31,11 @@ def pyramid_attention_network(encoder: str, depth: int, class_count: int, pretra
 
 
 def keep_places(network: torch.nn.Module) -> None:
-    """Lets every enlargement keep the places of what it enlarges.
+    """Disable ``align_corners`` in all upsampling layers, so that upsampling does not shift pixels.
 
-    With aligned corners, as segmentation_models_pytorch enlarges, a pixel's answer is drawn away from the middle of the
-    tile, by up to half a pixel of the smallest map at its edges. No training can make up for that, as it differs by
-    place, and photos that a single tile shows are taken for about 1 % larger than they are
-    (docs/how-to/train_a_network.md).
+    With aligned corners, the default of segmentation_models_pytorch, answers shift away from the center of the tile, by
+    up to half a pixel of the smallest feature map at the edges. Training can't correct a shift that depends on the
+    place, and photos of a single tile seem about 1 % too large (docs/how-to/train_a_network.md).
     """
     for module in network.modules():
         if hasattr(module, "align_corners"):
@@ -40,10 +43,10 @@ def keep_places(network: torch.nn.Module) -> None:
 
 
 def allow_torchvision_without_operators() -> None:
-    """Lets torchvision be imported where its compiled operators don't load.
+    """Make torchvision importable if its compiled operators don't load.
 
-    PyPI's torchvision for Linux is built for CUDA and refuses to be imported beside a CPU build of torch, although
-    segmentation_models_pytorch and timm need its Python part only. Declaring the two operators it looks up is enough.
+    PyPI's torchvision for Linux is built for CUDA and can't be imported with a CPU build of torch, although
+    segmentation_models_pytorch and timm need only its Python part. Declaring two operators is sufficient.
     """
     try:
         importlib.import_module("torchvision")
@@ -56,4 +59,4 @@ def allow_torchvision_without_operators() -> None:
         _DECLARED.append(library)
 
 
-_DECLARED: list[torch.library.Library] = []  # operators vanish with their library
+_DECLARED: list[torch.library.Library] = []  # operators are removed with their library

@@ -1,8 +1,8 @@
-"""Labels that tell less than a class: a place where only buildings were drawn says of the rest that it is no building.
+"""Train with partial labels: if only buildings were drawn in a place, its other ground is known to be no building.
 
-Such ground has a label of its own, beyond the channels: a set of the channels that it may be. What is learned is that
-the network's probability of the set is high, whichever of its channels has it (the “marginal” loss of Shi et al. 2021,
-arXiv:2007.03868), so that nothing is said against a road where roads were not drawn.
+Such ground gets an extra label for the set of channels that it may have. The loss uses the network's total probability
+of the set (the “marginal” loss of Shi et al. 2021, arXiv:2007.03868). A road is thus not wrong where no roads were
+drawn.
 """
 
 from __future__ import annotations
@@ -15,17 +15,18 @@ from .tiles import IGNORED
 
 
 def partial_labels(count: int, excluded: dict[Path, list[int]]) -> tuple[np.ndarray, dict[Path, int]]:
-    """The labels there are, and that of each folder's ground without a label.
+    """Return the channels that each label allows, and the label of each folder's unlabeled ground.
 
-    Channel 0 stands for what is unlabeled; no set has it, or everything unlike the other places would become it.
+    Channel 0 means unlabeled. No set contains it: otherwise ground that differs from the other places would become
+    unlabeled.
 
     Args:
-        count: Channels.
-        excluded: Of folders of tiles the channels that their ground without a label is known not to be.
+        count: Number of channels.
+        excluded: By folder of tiles, the channels that its unlabeled ground can't have.
 
     Returns:
-        (count + S, count) bool, which channels each label allows: itself, or, of a set, all but 0 and those excluded;
-        and by folder the number of its set, IGNORED where nothing is left.
+        (count + S, count) bool: a channel allows itself, a set all channels except 0 and the excluded ones. And the
+        number of the set by folder, IGNORED for an empty set.
     """
     kept = {path: tuple(sorted(set(range(1, count)) - set(channels))) for path, channels in excluded.items()}
     sets = sorted({channels for channels in kept.values() if channels})
@@ -36,11 +37,11 @@ def partial_labels(count: int, excluded: dict[Path, list[int]]) -> tuple[np.ndar
     return allowed, {path: count + sets.index(one) if one else IGNORED for path, one in kept.items()}
 
 
-def told_channels(allowed):
-    """(count + S, count) bool: of which channels a label tells whether it is them; a set only of those it excludes.
+def decided_channels(allowed):
+    """Return (count + S, count) bool of the channels that a label decides: all, or those that a set excludes.
 
-    allowed: as ``partial_labels`` gives it, or a tensor of that.
+    ``allowed``: first result of ``partial_labels``, also as a tensor.
     """
-    told = ~allowed
-    told[: allowed.shape[1]] = True
-    return told
+    decided = ~allowed
+    decided[: allowed.shape[1]] = True
+    return decided

@@ -1,7 +1,7 @@
-"""How sure a network may be: the temperature that makes probabilities of its scores, on validation tiles.
+"""Fit the temperature that converts a network's scores to probabilities, on validation tiles.
 
-Guo et al. 2017, arXiv:1706.04599: scores are divided by one number before their softmax, so that the true classes are
-most likely on ground that the network was not trained on.
+Scores are divided by the temperature before the softmax (Guo et al. 2017, arXiv:1706.04599). The fitted temperature
+maximizes the likelihood of the true classes on ground that the network was not trained on.
 """
 
 from __future__ import annotations
@@ -12,19 +12,19 @@ import numpy as np
 
 MOST_TILES = 100
 PIXELS_A_TILE = 4096
-"""Neighbors tell the same, so that a few from all over a tile are as good as all."""
+"""Sampled pixels per tile; neighboring pixels give no more information."""
 
 SMALLEST, LARGEST = 0.25, 16.0
 STEPS = 61
-"""Temperatures tried, in even ratios of 1.07."""
+"""Number of tested temperatures, with a constant ratio of 1.07."""
 
 
-def fitted(scores_of: Callable[[np.ndarray], np.ndarray], reader: object) -> float | None:
-    """The temperature of least negative log likelihood; None where no tile has known pixels.
+def fit_temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: object) -> float | None:
+    """Return the temperature of the smallest negative log likelihood; None without known pixels.
 
     Args:
-        scores_of: Image (H, W, 3) to scores (C, H, W).
-        reader: Gives images with their true channels by number, has a length.
+        scores_of: Function from image (H, W, 3) to scores (C, H, W).
+        reader: Sequence of images with their true channels.
     """
     pieces = [_sampled(scores_of, *reader(index)) for index in range(min(len(reader), MOST_TILES))]
     scores = np.concatenate([piece for piece, _ in pieces]) if pieces else np.empty((0, 1))
@@ -36,7 +36,7 @@ def fitted(scores_of: Callable[[np.ndarray], np.ndarray], reader: object) -> flo
 
 
 def loss(scores: np.ndarray, truth: np.ndarray) -> float:
-    """Mean negative log likelihood of the true channels (N,) by the softmax of scores (N, C)."""
+    """Return the mean negative log likelihood of the true channels (N,) for the softmax of scores (N, C)."""
     highest = scores.max(axis=1, keepdims=True)
     total = np.log(np.exp(scores - highest).sum(axis=1)) + highest[:, 0]
     return float((total - scores[np.arange(len(truth)), truth]).mean())
@@ -45,7 +45,7 @@ def loss(scores: np.ndarray, truth: np.ndarray) -> float:
 def _sampled(
     scores_of: Callable[[np.ndarray], np.ndarray], image: np.ndarray, labels: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Scores (N, C) and true channels (N,) of pixels all over a tile whose one class is known."""
+    """Return scores (N, C) and true channels (N,) of sampled pixels with one known class."""
     scores = scores_of(image)
     known = np.flatnonzero(labels < len(scores))
     known = known[:: max(1, len(known) // PIXELS_A_TILE)]

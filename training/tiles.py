@@ -1,4 +1,4 @@
-"""Folders of tiles as semref:exporttrainingtiles writes them."""
+"""Read the folders of training tiles that semref:exporttrainingtiles writes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from ..core.errors import TrainingError
 
-IGNORED = 255  # label of pixels that don't count
+IGNORED = 255  # label of pixels without influence on the training
 CACHE_BYTES = 2_000_000_000
 
 
@@ -27,15 +27,15 @@ class TileClass:
 
 @dataclass(frozen=True)
 class TilePair:
-    """A tile.
+    """A tile with its labels.
 
     Attributes:
-        image: Its file.
-        labels: The file of its labels.
+        image: File of the image.
+        labels: File of the labels.
         bands: Numbers, from 1, of red, green and blue.
-        stretch: Which values become 0 and 1, or None.
-        unlabeled: What value 0 stands for: a channel, a set of them (partial.py) or IGNORED; None for what the reader
-            is told.
+        stretch: (3, 2) values that become 0 and 1, or None.
+        unlabeled: Meaning of value 0: a channel, a set of channels (partial.py) or IGNORED; None for the default of the
+            reader.
     """
 
     image: Path
@@ -47,7 +47,7 @@ class TilePair:
 
 @dataclass(frozen=True)
 class TileFolder:
-    """One exported folder: its manifest, its classes, and its tiles by subset."""
+    """An exported folder: its manifest, classes and tiles."""
 
     path: Path
     manifest: dict
@@ -58,15 +58,15 @@ class TileFolder:
         images = sorted((self.path / subset / "images").glob("*"))
         labels = self.path / subset / "labels"
         pairs = [TilePair(image, labels / f"{image.stem}.png", bands, stretch) for image in images]
-        return pairs if subset == "train" else apart(pairs, self.manifest.get("tile_size", 0))
+        return pairs if subset == "train" else without_overlap(pairs, self.manifest.get("tile_size", 0))
 
     def class_pixels(self, subset: str) -> dict[str, int]:
-        """Pixels of each class value on the tiles of a subset."""
+        """Return the pixels of each class value on the tiles of a subset."""
         return self.manifest["statistics"]["class_pixels"][subset]
 
 
-def apart(pairs: list[TilePair], size: int) -> list[TilePair]:
-    """Tiles of which none overlaps another, so that no pixel of the validation counts twice."""
+def without_overlap(pairs: list[TilePair], size: int) -> list[TilePair]:
+    """Return tiles that don't overlap, so that no pixel counts twice in the validation."""
     kept: dict[tuple[int, int], TilePair] = {}
     for pair in pairs:
         column, row = (int(part) for part in pair.image.stem.split("_"))
@@ -76,26 +76,26 @@ def apart(pairs: list[TilePair], size: int) -> list[TilePair]:
 
 
 def open_folder(path: Path) -> TileFolder:
-    """Raises TrainingError when it is not a folder of exported tiles."""
+    """Open a folder of exported tiles. Raises TrainingError for another folder."""
     try:
         manifest = json.loads((path / "manifest.json").read_text(encoding="utf-8"))
         with (path / "classes.csv").open(encoding="utf-8", newline="") as file:
             rows = [TileClass(int(r["value"]), r["name"], r["color"], r["role"]) for r in csv.DictReader(file)]
     except (OSError, ValueError, KeyError) as error:
-        raise TrainingError("{path} holds no exported training tiles: {reason}.", path=path, reason=error) from None
+        raise TrainingError("{path} has no exported training tiles: {reason}.", path=path, reason=error) from None
     folder = TileFolder(path, manifest, tuple(sorted((row for row in rows if row.value), key=lambda row: row.value)))
     if not folder.tiles("train"):
-        raise TrainingError("{path} holds no tiles to train on.", path=path)
+        raise TrainingError("{path} has no tiles for training.", path=path)
     return folder
 
 
 def open_folders(paths: list[Path]) -> list[TileFolder]:
-    """Folders that can be trained on together. Raises TrainingError when their classes differ."""
+    """Open folders for one training. Raises TrainingError if their classes differ."""
     folders = [open_folder(path) for path in paths]
     for folder in folders[1:]:
         if [(c.value, c.name) for c in folder.classes] != [(c.value, c.name) for c in folders[0].classes]:
             raise TrainingError(
-                "{path} has other classes than {first}; export both with one class table.",
+                "{path} and {first} have different classes. Export both with the same class table.",
                 path=folder.path,
                 first=folders[0].path,
             )
@@ -103,7 +103,7 @@ def open_folders(paths: list[Path]) -> list[TileFolder]:
 
 
 def band_statistics(folders: list[TileFolder]) -> tuple[np.ndarray, np.ndarray]:
-    """Mean and deviation (3,) of red, green and blue in 0…1, over all folders' training tiles."""
+    """Return mean and deviation (3,) of red, green and blue in 0…1 over the training tiles of all folders."""
     counts = np.array([len(folder.tiles("train")) for folder in folders], float)[:, None]
     means, deviations = (
         np.array([folder.manifest["statistics"][key] for folder in folders]) for key in ("band_mean", "band_std")
@@ -113,10 +113,10 @@ def band_statistics(folders: list[TileFolder]) -> tuple[np.ndarray, np.ndarray]:
 
 
 class TileReader:
-    """Reads tiles as (H, W, 3) float32 in 0…1 and (H, W) uint8 channel indices, keeping what fits in memory.
+    """Reads tiles as (H, W, 3) float32 in 0…1 and (H, W) uint8 channel indices, and caches them in memory.
 
-    ``values``: class value of each output channel. Pixels of other values are IGNORED, and those of value 0 too
-    unless ``learn_unlabeled``.
+    ``values``: class value of each output channel. Pixels of other values are IGNORED, and those of value 0 as well
+    unless ``learn_unlabeled`` is true.
     """
 
     def __init__(self, pairs: list[TilePair], values: list[int], learn_unlabeled: bool) -> None:
@@ -132,7 +132,7 @@ class TileReader:
         return len(self.pairs)
 
     def spread(self, most: int) -> TileReader:
-        """At most so many of the tiles, evenly apart."""
+        """Return a reader of at most ``most`` evenly spaced tiles."""
         chosen = copy.copy(self)
         chosen.pairs = [self.pairs[n] for n in spread(len(self.pairs), most)]
         chosen._kept = {}
@@ -143,7 +143,11 @@ class TileReader:
             pair = self.pairs[index]
             image, labels = read_image(pair), cv2.imread(str(pair.labels), cv2.IMREAD_UNCHANGED)
             if labels is None or labels.shape != image.shape[:2]:
-                raise TrainingError("The labels {path} are missing or don't fit their image.", path=pair.labels)
+                raise TrainingError(
+                    "The label tile {path} is missing or has another size than its image. Export the training tiles "
+                    "again.",
+                    path=pair.labels,
+                )
             channels = self._channels(pair, labels)
             if image.nbytes + labels.nbytes > self._free:
                 return image / np.float32(255), channels
@@ -160,12 +164,12 @@ class TileReader:
 
 
 def spread(count: int, most: int) -> list[int]:
-    """At most so many numbers below ``count``, evenly apart."""
+    """Return at most ``most`` evenly spaced numbers below ``count``."""
     return sorted({int(n) for n in np.linspace(0, count - 1, min(count, most))}) if count else []
 
 
 def read_image(pair: TilePair) -> np.ndarray:
-    """(H, W, 3) uint8: red, green, blue as semref:segmentimage will show them to the network."""
+    """Return (H, W, 3) uint8: red, green and blue as semref:segmentimage passes them to the network."""
     if pair.image.suffix == ".png":
         picture = cv2.imread(str(pair.image), cv2.IMREAD_UNCHANGED)
         if picture is None:

@@ -1,4 +1,4 @@
-"""A whole training, from tiles to a checked ONNX file with its metadata."""
+"""Execute a training, from tiles to a checked ONNX file with metadata."""
 
 from __future__ import annotations
 
@@ -32,39 +32,38 @@ from .job import CHECKPOINT, EXAMPLES, FEWEST_PIECES, MOST_PIECES, NETWORK, PACK
 from .partial import partial_labels
 
 FROM_SCRATCH, FROM_WEIGHTS, FROM_BASE = 3e-3, 1e-3, 5e-4
-"""Learning rates that suit random weights, an encoder that knows photos, and a network that knows the classes."""
+"""Learning rates for random weights, for a pretrained encoder, and for a base model."""
 
-WATCHED_TILES, JUDGED_TILES, TURNED_TILES = 16, 100, 25
-"""Validation tiles where minutes are limited, at most: each epoch; in the end; for how far off classes are shown (four
-looks at each)."""
+EPOCH_TILES, FINAL_TILES, BIAS_TILES = 16, 100, 25
+"""Largest number of validation tiles with a time limit: per epoch, for the final network, and for the class offsets."""
 
-LONGEST_END, EXPORT_S = 0.2, 15.0
-"""Share of the time limit in which the network is judged at the end, at most; seconds to write and check the model."""
+FINAL_SHARE, EXPORT_S = 0.2, 15.0
+"""Largest share of the time limit for the final validation; seconds to write and check the model."""
 
-LONGEST_WATCH = 0.02
-"""Share of the time limit in which an epoch is judged, at most."""
+EPOCH_SHARE = 0.02
+"""Largest share of the time limit for the validation of an epoch."""
 
 SMALLEST_IMAGE = 128
-"""Edge in pixels of which the network's pyramid leaves something."""
+"""Smallest edge in pixels for the network's pyramid."""
 
 RESTORING_BATCHES = 8
-"""Batches that restore the normalization of a base model."""
+"""Number of batches for restoring the normalization of a base model."""
 
 
 @dataclass(frozen=True)
-class TrainingGround:
-    """What is learned from.
+class TileData:
+    """The tiles of a training.
 
     Attributes:
-        classes: By channel.
-        training: Reads tiles.
-        validation: Reads those that were set aside.
-        pixels: (L,) of each label.
-        allowed: (L, K) the classes that each label allows (partial.py).
-        tile_size: Edge, pixels.
-        pixel_size: Meters, None where it is not known.
-        mean: (3,) of red, green and blue.
-        deviation: (3,) of the same.
+        classes: Classes by channel.
+        training: Reader of the training tiles.
+        validation: Reader of the validation tiles.
+        pixels: (L,) pixels of each label.
+        allowed: (L, K) bool of the classes that each label allows (partial.py).
+        tile_size: Edge in pixels.
+        pixel_size: In m; None if unknown.
+        mean: (3,) mean of red, green and blue.
+        deviation: (3,) standard deviation of red, green and blue.
     """
 
     classes: list[tiles.TileClass]
@@ -84,7 +83,7 @@ class TrainingGround:
 
 @dataclass(frozen=True)
 class Start:
-    """A network to train: what it is built of, and how its photos are standardized."""
+    """A network to train, its architecture, and the standardization of its photos."""
 
     network: torch.nn.Module
     architecture: dict
@@ -94,40 +93,40 @@ class Start:
 
 
 @dataclass(frozen=True)
-class Looks:
-    """How many validation tiles are looked at: each epoch, to judge the best network, and for the classes' shifts."""
+class ValidationTiles:
+    """Numbers of validation tiles: for each epoch, for the final network, and for the class offsets."""
 
-    watched: int
-    judged: int
-    turned: int
+    epoch: int
+    final: int
+    bias: int
 
 
-def run(job: Job, tell: loop.Tell, began: float | None = None) -> loop.Trainer:
-    """Trains, exports and checks; ``job.folder`` then holds the result and pictures. Raises TrainingError.
+def run(job: Job, report: loop.Report, began: float | None = None) -> loop.Trainer:
+    """Train, export and check a network; write result and pictures to ``job.folder``. Raises TrainingError.
 
-    ``began``: when the process was started (time.monotonic), as its time is limited; otherwise now.
+    ``began``: start of the process (time.monotonic) for the time limit; None for now.
     """
     began = time.monotonic() if began is None else began
     torch.manual_seed(job.seed)
     if job.threads:
         torch.set_num_threads(job.threads)
-    ground = read_ground(job)
+    ground = read_tiles(job)
     settings = settings_of(job, ground)
     start = start_of(job, ground, settings)
     folder = Path(job.folder)
     folder.mkdir(parents=True, exist_ok=True)
-    said = {"class_names": ground.class_names, "standardization_mean": start.mean.tolist()}
-    said |= {"standardization_std": start.deviation.tolist()}
-    (folder / NETWORK).write_text(json.dumps({**start.architecture, **said}), encoding="utf-8")
-    settings = loop.Settings(**{**settings.__dict__, "learning_rate": start.learning_rate})
+    standardization = {"standardization_mean": start.mean.tolist(), "standardization_std": start.deviation.tolist()}
+    stated = {**start.architecture, "class_names": ground.class_names, **standardization}
+    (folder / NETWORK).write_text(json.dumps(stated), encoding="utf-8")
+    settings = replace(settings, learning_rate=start.learning_rate)
     weights = metrics.class_weights(ground.pixels)
     trainer = loop.Trainer(
         *(start.network, start.mean, start.deviation, ground.class_names),
-        *(weights, ground.allowed, settings, folder, tell),
+        *(weights, ground.allowed, settings, folder, report),
     )
     if not job.processor_time:
         trainer.began = began
-    tell(
+    report(
         "begun",
         device=_device_name(trainer.device),
         training=len(ground.training),
@@ -137,18 +136,18 @@ def run(job: Job, tell: loop.Tell, began: float | None = None) -> loop.Trainer:
     )
     if job.resume and (folder / CHECKPOINT).exists():
         trainer.resume()
-        tell("resumed", epoch=trainer.epoch, share=trainer.told_share)
-    looks = looks_of(job, trainer, ground.validation)
-    watched = ground.validation.spread(looks.watched)
-    trainer.run(ground.training, watched)
-    if len(watched) < len(ground.validation):
-        trainer.best_confusion = trainer.confusion(trainer.network, ground.validation.spread(looks.judged))
-    finish(job, trainer, ground, start, looks, tell)
+        report("resumed", epoch=trainer.epoch, share=trainer.total_share)
+    numbers = validation_tiles(job, trainer, ground.validation)
+    epoch_tiles = ground.validation.spread(numbers.epoch)
+    trainer.run(ground.training, epoch_tiles)
+    if len(epoch_tiles) < len(ground.validation):
+        trainer.best_confusion = trainer.confusion(trainer.network, ground.validation.spread(numbers.final))
+    finish(job, trainer, ground, start, numbers, report)
     return trainer
 
 
-def read_ground(job: Job) -> TrainingGround:
-    """Raises TrainingError for tiles that can't be learned from."""
+def read_tiles(job: Job) -> TileData:
+    """Open the tiles of a job. Raises TrainingError for unsuitable tiles."""
     folders = tiles.open_folders([Path(path) for path in job.tiles])
     classes = [export.UNLABELED, *folders[0].classes]
     if job.learn_unlabeled:
@@ -166,8 +165,8 @@ def read_ground(job: Job) -> TrainingGround:
             pixels[zero] += counts.get("0", 0)
     if np.count_nonzero(pixels) < 2:
         raise TrainingError(
-            "Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to "
-            "tell apart. Label another class, or let ground without a label be a class of its own.",
+            "Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to "
+            "distinguish classes. Label another class, or treat unlabeled ground as a class.",
             name=classes[int(np.argmax(pixels))].name,
         )
     training, validation = (
@@ -179,7 +178,7 @@ def read_ground(job: Job) -> TrainingGround:
         for subset in ("train", "validation")
     )
     sizes = {folder.manifest["pixel_size"] for folder in folders}
-    return TrainingGround(
+    return TileData(
         classes,
         training,
         validation,
@@ -191,7 +190,8 @@ def read_ground(job: Job) -> TrainingGround:
     )
 
 
-def settings_of(job: Job, ground: TrainingGround) -> loop.Settings:
+def settings_of(job: Job, ground: TileData) -> loop.Settings:
+    """Return the settings of the training loop with all defaults filled in."""
     covering = len(ground.training) * max(1, (ground.tile_size // min(job.piece_size, ground.tile_size)) ** 2)
     if job.minutes:
         covering = min(max(covering, FEWEST_PIECES), MOST_PIECES)
@@ -212,25 +212,25 @@ def settings_of(job: Job, ground: TrainingGround) -> loop.Settings:
     )
 
 
-def looks_of(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) -> Looks:
-    """As many looks as there is time for at the end; that time is reserved. All tiles without a time limit."""
+def validation_tiles(job: Job, trainer: loop.Trainer, reader: tiles.TileReader) -> ValidationTiles:
+    """Choose the numbers of validation tiles, and reserve time for them at the end. All without a time limit."""
     count = len(reader)
     if not job.minutes:
-        return Looks(count, min(JUDGED_TILES, count), count)
+        return ValidationTiles(count, min(FINAL_TILES, count), count)
     trainer.confusion(trainer.network, reader.spread(1))
     started = time.monotonic()
     trainer.confusion(trainer.network, reader.spread(2))
     tile_s = (time.monotonic() - started) / max(min(count, 2), 1)
-    judged, turned = min(JUDGED_TILES, count), min(TURNED_TILES, count)
-    share = min(1.0, 60 * job.minutes * LONGEST_END / max(tile_s * (2 * judged + 4 * turned), 1e-6))
-    watched = min(WATCHED_TILES, max(2, int(60 * job.minutes * LONGEST_WATCH / max(tile_s, 1e-6))))
-    looks = Looks(watched, max(1, int(share * judged)), max(1, int(share * turned)))
-    trainer.reserve(EXPORT_S + tile_s * (min(watched, count) + 2 * looks.judged + 4 * looks.turned))
-    return looks
+    final, bias = min(FINAL_TILES, count), min(BIAS_TILES, count)
+    share = min(1.0, 60 * job.minutes * FINAL_SHARE / max(tile_s * (2 * final + 4 * bias), 1e-6))
+    epoch = min(EPOCH_TILES, max(2, int(60 * job.minutes * EPOCH_SHARE / max(tile_s, 1e-6))))
+    numbers = ValidationTiles(epoch, max(1, int(share * final)), max(1, int(share * bias)))
+    trainer.reserve(EXPORT_S + tile_s * (min(epoch, count) + 2 * numbers.final + 4 * numbers.bias))
+    return numbers
 
 
-def start_of(job: Job, ground: TrainingGround, settings: loop.Settings) -> Start:
-    """The network with what it knows at the start. Raises TrainingError for weights that don't fit."""
+def start_of(job: Job, ground: TileData, settings: loop.Settings) -> Start:
+    """Return the network with its start weights. Raises TrainingError for weights of another network."""
     if job.base_model:
         base = base_weights.read_base(Path(job.base_model))
         net = base_weights.with_classes(base, ground.class_names)
@@ -251,7 +251,7 @@ def start_of(job: Job, ground: TrainingGround, settings: loop.Settings) -> Start
 
 
 def _batches(pieces: loop.Pieces, base: base_weights.Base, size: int):
-    """Standardized batches (N, 3, H, W) of the first pieces."""
+    """Yield standardized batches (N, 3, H, W) of the first pieces."""
     mean, deviation = (torch.tensor(v, dtype=torch.float32).view(1, 3, 1, 1) for v in (base.mean, base.deviation))
     for first in range(0, min(len(pieces), RESTORING_BATCHES * size), size):
         images = [pieces[n][0] for n in range(first, min(first + size, len(pieces)))]
@@ -259,10 +259,15 @@ def _batches(pieces: loop.Pieces, base: base_weights.Base, size: int):
 
 
 def finish(
-    job: Job, trainer: loop.Trainer, ground: TrainingGround, start: Start, looks: Looks, tell: loop.Tell
+    job: Job,
+    trainer: loop.Trainer,
+    ground: TileData,
+    start: Start,
+    numbers: ValidationTiles,
+    report: loop.Report,
 ) -> None:
-    """Writes the model beside its place, checks it and moves it there; then the result, with pictures."""
-    tell("exporting", share=trainer.told_share)
+    """Write the model to a temporary file, check and rename it; write the result and the pictures."""
+    report("exporting", share=trainer.total_share)
     output, folder = Path(job.output), Path(job.folder)
     temporary = output.with_name(f".{output.name}.part")
     export.write_onnx(trainer.network, ground.tile_size, temporary)
@@ -278,10 +283,10 @@ def finish(
         {**training_facts(job, trainer, ground), **job.card},
     )
     scores_of = export.scoring(temporary, start.mean, start.deviation)
-    entries |= _biases(export.answering(scores_of), ground, ground.validation.spread(looks.turned))
-    tell("exporting", share=trainer.told_share)
-    entries |= _temperature(scores_of, ground.validation.spread(looks.judged))
-    tell("exporting", share=trainer.told_share)
+    entries |= _biases(export.answering(scores_of), ground, ground.validation.spread(numbers.bias))
+    report("exporting", share=trainer.total_share)
+    entries |= _temperature(scores_of, ground.validation.spread(numbers.final))
+    report("exporting", share=trainer.total_share)
     export.add_metadata(temporary, entries)
     image = (ground.training(0)[0].transpose(2, 0, 1) - start.mean[:, None, None]) / start.deviation[:, None, None]
     half = max(ground.tile_size // 32 * 16, SMALLEST_IMAGE)
@@ -307,20 +312,18 @@ def finish(
         **start.architecture,
     }
     (folder / RESULT).write_text(json.dumps(result), encoding="utf-8")
-    tell("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
+    report("done", **{key: result[key] for key in ("best_epoch", "stopped_by", "seconds", "bytes", "difference")})
 
 
-def _biases(
-    answer: Callable[[np.ndarray], np.ndarray], ground: TrainingGround, reader: tiles.TileReader
-) -> dict[str, str]:
-    """The entry of the metadata that says how far off classes are shown; none without meters or enough landmarks."""
-    rows = class_bias.measured(answer, reader, len(ground.classes)) if ground.pixel_size else []
+def _biases(answer: Callable[[np.ndarray], np.ndarray], ground: TileData, reader: tiles.TileReader) -> dict[str, str]:
+    """Return the metadata entry of the class offsets; empty without a pixel size or enough landmarks."""
+    rows = class_bias.measure_class_biases(answer, reader, len(ground.classes)) if ground.pixel_size else []
     biases = {ground.class_names[row.ground.value]: row.bias(ground.pixel_size) for row in rows}
     return {KEY: class_bias_text(biases)} if biases else {}
 
 
-def training_facts(job: Job, trainer: loop.Trainer, ground: TrainingGround) -> dict:
-    """What a model's card tells of any training."""
+def training_facts(job: Job, trainer: loop.Trainer, ground: TileData) -> dict:
+    """Return the entries of the model card about the training."""
     return {
         "date": date.today().isoformat(),
         "training": {
@@ -336,13 +339,13 @@ def training_facts(job: Job, trainer: loop.Trainer, ground: TrainingGround) -> d
 
 
 def _temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: tiles.TileReader) -> dict[str, float]:
-    """The entry of the metadata that makes probabilities of scores; none without validation tiles."""
-    found = temperature.fitted(scores_of, reader)
+    """Return the metadata entry of the temperature; empty without validation tiles."""
+    found = temperature.fit_temperature(scores_of, reader)
     return {} if found is None else {TEMPERATURE: round(found, 3)}
 
 
 def mean_iou(confusion: np.ndarray, allowed: np.ndarray) -> float:
-    """Of the classes that have a true pixel; 0 without any."""
+    """Return the mean IoU of the classes with true pixels; 0 without any."""
     found = metrics.intersection_over_union(confusion, allowed)
     return round(float(np.nanmean(found)), 4) if np.isfinite(found).any() else 0.0
 

@@ -129,7 +129,7 @@ class CheckAnnotation(AnnotationAlgorithm):
     ) -> list[Finding]:
         """Findings on how the features lie, and what pixels do to them if their size is given."""
         from ...core.annotation.check import AnnotationCheck, CheckSettings, find_raster_losses
-        from ...storage.rasterize_regions import RegionBurning
+        from ...storage.rasterize import RegionBurning
 
         minimum_area = values.number(self.MINIMUM_AREA)
         landmark_classes = lookup.table.reference_values or tuple(c.value for c in lookup.table)

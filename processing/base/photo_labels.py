@@ -136,10 +136,10 @@ class PhotoLabelReader:
 
 def _opened(path: str) -> Photo:
     from ...core.labels.image_source import Photo
-    from ...storage.label_images import opened_photo
+    from ...storage.label_images import open_photo
     from ..layers.images import pixel_size_m, stated_crs
 
-    photo = opened_photo(path)
+    photo = open_photo(path)
     return Photo(photo, pixel_size_m(photo, stated_crs(path)))
 
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ...core.segmentation.certainty import Certainty
     from ...core.segmentation.model import SegmentationModel
     from ...core.segmentation.tiling import SegmentedRows
-    from ...storage.percent_raster import PercentRaster
+    from ...storage.pictures import PercentRaster
     from .outputs import Outputs
     from .values import Values
 
@@ -113,7 +113,7 @@ class SegmentedFiles:
             self._writers.append(lambda first, bands: each.write_rows(first, bands[-len(classes.names) :]))
 
     def _percents(self, files: ExitStack, key: str, names: list[str], shown: int) -> PercentRaster:
-        from ...storage.percent_raster import PercentRaster
+        from ...storage.pictures import PercentRaster
         from ..layers.class_styles import write_percent_style
 
         path = files.enter_context(self._outputs.raster(key, lambda path: write_percent_style(path, shown)))

@@ -1,1 +1,1 @@
-"""A reference database as one GeoPackage: its schema, and how it is written, edited and read."""
+"""Write, edit and read a reference database, which is one GeoPackage."""

@@ -1,4 +1,4 @@
-"""Windows and landmarks of a large database as columns in the user's cache (docs/reference/file_formats.md#cache)."""
+"""Cache the windows and landmarks of a large database as columns (docs/reference/file_formats.md#cache)."""
 
 from __future__ import annotations
 
@@ -12,20 +12,21 @@ from .checksums import has_checksums
 from .connection import Snapshot
 
 VERSION = 1
-"""Raised whenever the same rows give other columns."""
+"""Increased when the same rows give different columns."""
 
 FEWEST = 100_000
-"""Rows below which they are read in a third of a second and not cached."""
+"""Smallest number of rows to cache; fewer rows are read in a third of a second."""
 
 Columns = tuple[Windows, MapLandmarks]
 
 
 def cached_columns(connection: Snapshot, vector_length: int, read: Callable[[], Columns]) -> Columns:
-    """Return windows and landmarks; many rows are loaded from the cache, or read and stored there.
+    """Return windows and landmarks, of a large database from the cache.
 
     Args:
-        vector_length: Of a topology vector.
-        read: Reads and checks the rows; whatever that raises goes on.
+        connection: The database.
+        vector_length: Length of a topology vector.
+        read: Reads and checks the rows. Its errors are passed on.
     """
     key = _key(connection)
     if key is None:
@@ -47,7 +48,7 @@ def cached_columns(connection: Snapshot, vector_length: int, read: Callable[[], 
 
 
 def _key(connection: Snapshot) -> str | None:
-    """Return the hash of what every change of the database changes; None for few rows and without checksums."""
+    """Return a hash that differs after every change of the database; None for few rows or without checksums."""
     # Counting rows takes long; fids begin at 1.
     query = 'SELECT (SELECT max(fid) FROM windows), (SELECT max(fid) FROM "references")'
     rows = sum(fid or 0 for fid in connection.execute(query).fetchone())
@@ -61,7 +62,7 @@ def _key(connection: Snapshot) -> str | None:
 
 
 _VECTOR = -1
-"""Stands for the length of a topology vector."""
+"""Placeholder for the length of a topology vector."""
 
 _COLUMNS = {
     "windows": {
@@ -81,11 +82,11 @@ _COLUMNS = {
         "touches_edge": ("|b1",),
     },
 }
-"""Kind and, where there is one, length of a row."""
+"""Data type and, for two dimensions, row length of each column."""
 
 
 def _fit(arrays: Arrays, vector_length: int) -> bool:
-    """Whether the arrays have the shapes and kinds of columns."""
+    """Whether the arrays have the names, shapes and data types of columns."""
     expected = {}
     for table, columns in _COLUMNS.items():
         first = arrays.get(f"{table}_{next(iter(columns))}")

@@ -1,4 +1,4 @@
-"""Checksums of a database's tables, kept among its parameters: a flipped bit is refused and not flown by."""
+"""Compute and check the checksums of a database's tables, so that a damaged database is refused."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from ...core.values import read_json
 from . import schema
 
 CHECKSUMS = "checksums"
-"""Key among the parameters: JSON of the SHA-256 of each table by its name. Databases of older versions have none."""
+"""Parameter with the JSON of SHA-256 by table. Databases of older versions have no checksums."""
 
 
 def checksums_of(connection: sqlite3.Connection, windows: Windows, landmarks: MapLandmarks) -> dict[str, str]:
-    """SHA-256 by table of a database's columns as little-endian numbers (docs/reference/file_formats.md)."""
+    """Return SHA-256 by table of the columns that localization reads (docs/reference/file_formats.md)."""
     distinct = windows.distinctiveness
     numbers = (
         windows.levels,
@@ -27,7 +27,7 @@ def checksums_of(connection: sqlite3.Connection, windows: Windows, landmarks: Ma
         windows.counts,
         windows.vectors,
         windows.described,
-        # Every NaN is the same one.
+        # All NaN get the same bits.
         np.where(np.isnan(distinct), np.nan, distinct),
     )
     return {
@@ -46,11 +46,11 @@ def checksums_of(connection: sqlite3.Connection, windows: Windows, landmarks: Ma
 
 
 def overview_checksum(connection: sqlite3.Connection) -> str:
-    """Of the tiles as they are stored, and of how they lie together."""
+    """Return SHA-256 of the overview's stored tiles and their matrix."""
     tiles = connection.execute(
         "SELECT zoom_level, tile_column, tile_row, tile_data FROM overview ORDER BY zoom_level, tile_column, tile_row"
     )
-    # One after the other: of a continent they don't fit into memory.
+    # Lazily: the tiles of a continent don't fit into memory.
     columns = (
         part
         for zoom, column, row, data in tiles
@@ -64,7 +64,7 @@ def overview_checksum(connection: sqlite3.Connection) -> str:
 
 
 _SHOWN_ROWS = {
-    # One column after the other: all of ten million windows are gigabytes.
+    # Column by column: all columns of ten million windows are gigabytes.
     "windows rows": (
         "SELECT fid FROM windows ORDER BY fid",
         "SELECT level FROM windows ORDER BY fid",
@@ -82,37 +82,37 @@ _SHOWN_ROWS = {
     ),
     "reference_bounds rows": ("SELECT count(*), min(fid), max(fid), total(fid) FROM reference_bounds",),
 }
-"""What of the rows the sums of the tables leave out; of landmarks, which are many, by kind and not one by one."""
+"""Queries for the data that ``checksums_of`` omits. Landmarks are many, so they are summarized by class."""
 
 _NUMBERS = {int, float, type(None)}
 
 _LATER = tuple(_SHOWN_ROWS)
-"""Sums that databases of versions before 1.4 don't have; one that has any of them has them all."""
+"""Checksums that databases have from version 1.4 on: all or none of them."""
 
 
 def shown_checksums(connection: sqlite3.Connection) -> dict[str, str]:
-    """SHA-256 by name of the rows' part that QGIS shows beside what localization reads.
+    """Return SHA-256 by name of the data that only QGIS shows.
 
-    GeoPackage's own tables, spatial indexes and styles have no sums: versions of QGIS and GDAL write them differently
-    for the same map, and whoever styles or describes a layer in QGIS changes them.
+    GeoPackage's own tables, spatial indexes and styles have no checksums: versions of QGIS and GDAL write them
+    differently for the same map, and users change them in QGIS.
     """
     tables = {name for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     found = {}
     for name, queries in _SHOWN_ROWS.items():
-        # Databases of the first versions have no bounds.
+        # The first versions had no bounds.
         if name.split()[0] in tables:
             found[name] = _rows_digest(connection, queries)
     return found
 
 
 def _rows_digest(connection: sqlite3.Connection, queries: Iterable[str]) -> str:
-    """SHA-256 of rows, column after column, which takes a tenth of the time of row after row."""
+    """Return SHA-256 of rows, column by column, which takes a tenth of the time of row by row."""
     rows = (connection.execute(query).fetchall() for query in queries)
     return digest(part for found in rows for column in zip(*found) for part in _column(column))
 
 
 def _column(values: tuple) -> Iterator[np.ndarray | bytes]:
-    """One column as bytes: numbers as float64 (NULL as NaN), else all values' lengths and the values."""
+    """Yield a column as bytes: numbers as float64 with NaN for NULL; other types as lengths and values."""
     kinds = set(map(type, values))
     if kinds <= _NUMBERS:
         yield np.array(values, "<f8")
@@ -123,12 +123,12 @@ def _column(values: tuple) -> Iterator[np.ndarray | bytes]:
 
 
 def has_checksums(connection: sqlite3.Connection) -> bool:
-    """Whether a database has checksums at all."""
+    """Whether a database has checksums."""
     return bool(_stated(connection))
 
 
 def keeps_shown(connection: sqlite3.Connection) -> bool:
-    """Whether a database has the sums of what only QGIS reads."""
+    """Whether a database has checksums of the data that only QGIS reads."""
     return any(name in stated for stated in _stated(connection) for name in _LATER)
 
 
@@ -141,7 +141,7 @@ def _stated(connection: sqlite3.Connection) -> list[dict]:
 
 
 def require_unchanged(connection: sqlite3.Connection, found: Mapping[str, str]) -> None:
-    """Raises ValueError where a table is not what its checksum says; old databases have none."""
+    """Raise ValueError if a table differs from its stored checksum; old databases have no checksums."""
     for stated in _stated(connection):
         for name, checksum in found.items():
             if stated.get(name) != checksum:

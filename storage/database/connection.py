@@ -1,4 +1,4 @@
-"""THE way a database is opened for reading: with a lock, its journals seen, its own code never run."""
+"""Open databases for reading: with a lock, with their journals, and without running code in the file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..vector_files import WAIT_S
 from . import schema
 
 _WAL_VERSION = 2
-"""Read and write version in the header of a database whose changes wait in a -wal."""
+"""Read and write version in the header of a database in WAL mode."""
 
 _COLUMNS = {
     schema.WINDOWS: schema.WINDOW_FIELDS,
@@ -27,14 +27,14 @@ _COLUMNS = {
 
 
 class DatabaseChangedError(DatabaseError):
-    """A database was replaced or written to between two looks at it."""
+    """A database was replaced or written to between two reads."""
 
 
 class Snapshot(sqlite3.Connection):
     """A connection to one state of a database.
 
     Attributes:
-        state: ``state`` of the database before it was opened.
+        state: Result of ``state()`` before the database was opened.
     """
 
     state: tuple = ()
@@ -42,14 +42,13 @@ class Snapshot(sqlite3.Connection):
 
 @contextlib.contextmanager
 def snapshot(path: str) -> Iterator[Snapshot]:
-    """One state of a reference database, whatever others write to it while the block runs.
+    """Open one state of a reference database; changes by other programs do not appear in the block.
 
-    What a killed writer left half done is rolled back first, as SQLite does it; where that can't be, or where another
-    program is writing, the file is refused. Functions in the schema of the file are not trusted, and tables that are
-    views, virtual or have generated columns are none of ours.
+    SQLite first rolls back the changes of a killed writer. If this fails, or another program is writing, the file is
+    refused. Functions in its schema are not trusted. Views, virtual tables and generated columns are refused.
 
     Raises:
-        DatabaseError: The file is missing, foreign, in use, or damaged, whatever the block stumbles over in it.
+        DatabaseError: The file is missing, foreign, in use or damaged, including errors of reading in the block.
     """
     if not os.path.isfile(path):
         raise no_database(path)
@@ -62,13 +61,13 @@ def snapshot(path: str) -> Iterator[Snapshot]:
             yield connection
             connection.rollback()
     except sqlite3.OperationalError as error:
-        # Python tells SQLite's codes from 3.11 on only.
+        # Python has SQLite's error codes only from 3.11 on.
         if "locked" in str(error):
             raise DatabaseInUseError("{path} is being written by another program; try again.", path=path) from None
         if "readonly" in str(error) or "unable to open" in str(error):
             raise DatabaseError(
-                "{path} was left half written by another program and can't be mended where it lies; copy it with the "
-                "file {path}-journal or {path}-wal to a place where you may write.",
+                "{path} was not completely written by another program, and its folder is read-only. Copy it together "
+                "with {path}-journal or {path}-wal to a folder with write permission.",
                 path=path,
             ) from None
         raise damaged(path, error) from None
@@ -90,20 +89,20 @@ _DAMAGES = (
     RecursionError,
     struct.error,
 )
-"""What reading stumbles over where a file holds something else than it should."""
+"""Errors of reading a file with unexpected content."""
 
 _LONGEST_REASON = 200
 
 
 def no_database(path: str) -> DatabaseError:
-    """The error for a path without a file, or for none."""
+    """Return the error for a path without a file, or for an empty path."""
     if not path.strip():
         return DatabaseError("No database is named; build one or choose a file.")
     return DatabaseError("There is no database {path}; build one or choose another file.", path=path)
 
 
 def damaged(path: str, reason: object) -> DatabaseError:
-    """The error for a database whose content can't be what SemRef wrote."""
+    """Return the error for a database with damaged content."""
     text = " ".join(str(reason).split()).rstrip(".") or type(reason).__name__
     return DatabaseError(
         "{path} is damaged or cut short ({reason}); build it again or fetch another copy.",
@@ -113,13 +112,13 @@ def damaged(path: str, reason: object) -> DatabaseError:
 
 
 def state(path: str) -> tuple:
-    """What is another after every change of a database's files."""
+    """Return a value that differs after every change of a database's files."""
     stats = [os.stat(name) for name in (path, f"{path}-wal") if os.path.exists(name)]
     return tuple((found.st_mtime_ns, found.st_size, found.st_ino) for found in stats)
 
 
 def require_unchanged_since(path: str, then: tuple) -> None:
-    """Raises DatabaseChangedError where a database's files are others than when ``state`` was ``then``."""
+    """Raise DatabaseChangedError if a database's files changed since ``state`` returned ``then``."""
     try:
         is_same = state(path) == then
     except OSError:
@@ -129,12 +128,12 @@ def require_unchanged_since(path: str, then: tuple) -> None:
 
 
 def open_table(path: str, table: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset | None:
-    """One table of a GeoPackage by GDAL, whatever characters its path has; None or RuntimeError where it can't."""
+    """Open a table of a GeoPackage with GDAL, for any path. On failure returns None or raises RuntimeError."""
     return gdal.OpenEx(path, kind, ["GPKG"], [f"TABLE={table}", *options])
 
 
 def _connected(path: str) -> Snapshot:
-    # Before, as it may be replaced at any moment.
+    # Before opening: the file may be replaced at any moment.
     found = state(path)
     with open(path, "rb") as file:
         header = file.read(100).ljust(100, b"\0")
@@ -142,17 +141,17 @@ def _connected(path: str) -> Snapshot:
         raise DatabaseError(
             "{path} is not a GeoPackage; choose a database made by “Build reference database”.", path=path
         )
-    # SQLite notices missing pages only when it comes to them.
+    # SQLite notices missing pages only when it reads them.
     page_size, read_version, pages = struct.unpack_from(">16xHxB8xI", header)
     if os.path.getsize(path) < pages * (page_size if page_size > 1 else 65536):
         raise ValueError("its end is missing")
     journals = [name for name in (f"{path}-journal", f"{path}-wal") if os.path.exists(name) and os.path.getsize(name)]
     may_write = os.access(path, os.W_OK) and os.access(os.path.dirname(os.path.abspath(path)), os.W_OK)
     if may_write and (journals or read_version == _WAL_VERSION):
-        # Rolls a hot journal back, and leaves no -wal and -shm behind that a reader who may not write has to leave.
+        # Rolls back a hot journal. A read-only connection would leave -wal and -shm files.
         mode = "rw"
     elif read_version == _WAL_VERSION and not journals and not may_write:
-        # Nobody can write here and nothing waits: SQLite would ask for a -shm that it can't make.
+        # A read-only folder without pending changes: SQLite could not create its -shm file.
         mode = "ro&immutable=1"
     else:
         mode = "ro"
@@ -163,7 +162,7 @@ def _connected(path: str) -> Snapshot:
 
 
 def _require_our_tables(connection: sqlite3.Connection, path: str) -> None:
-    """Raises DatabaseError unless the tables that are read are plain ones with the columns that they should have."""
+    """Raise DatabaseError unless all tables are plain and have their columns."""
     rows = connection.execute("SELECT name, sql FROM sqlite_master WHERE type = 'table'").fetchall()
     plain = {name for name, sql in rows if sql and not sql.lstrip().upper().startswith("CREATE VIRTUAL")}
     missing = [name for name in _COLUMNS if name not in plain]

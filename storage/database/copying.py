@@ -1,4 +1,4 @@
-"""A copy of a reference database that holds what SemRef knows, and nothing else."""
+"""Copy a reference database with SemRef's tables only."""
 
 from __future__ import annotations
 
@@ -19,16 +19,17 @@ _KEPT_PREFIXES = ("gpkg_", "sqlite_", "rtree_windows_geom", "rtree_references_ge
 
 
 def copy_database(path: str, target: str, state_when_read: tuple) -> None:
-    """Copies what SemRef knows of a database, changes that still wait beside it included.
+    """Copy SemRef's tables of a database, including changes in its journal.
 
-    Tables, views and triggers of others stay behind; GDAL's triggers, which keep the spatial index, are made anew.
+    Foreign tables, views and triggers are not copied. GDAL's triggers for the spatial index are created again.
 
     Args:
+        path: The database.
         target: A new file.
         state_when_read: ``connection.state`` of the database when it was read.
 
     Raises:
-        DatabaseError: It is in use, damaged, or was changed since it was read; or the copy can't be written.
+        DatabaseError: The database is in use, damaged, or changed since it was read; or the copy can't be written.
         sqlite3.Error: The copy can't be edited.
     """
     with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
@@ -38,7 +39,7 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
             copy_whole(source, copy)
             require_unchanged_since(path, state_when_read)
         _remove_foreign(copy)
-    # Anew: what was removed from the schema is still known to the connection that removed it.
+    # A new connection: the old one still has the removed parts of the schema.
     with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:
         _drop_foreign_tables(copy)
         for statement in _own_triggers(copy):
@@ -48,13 +49,13 @@ def copy_database(path: str, target: str, state_when_read: tuple) -> None:
 
 
 def _is_loose(copy: sqlite3.Connection) -> bool:
-    """Whether so many pages are free that writing the file once more is worth it: tables of others went, say."""
+    """Whether enough pages are free to compact the file, for example after dropping large foreign tables."""
     ((free,), (pages,)) = (copy.execute(f"PRAGMA {name}").fetchone() for name in ("freelist_count", "page_count"))
     return free > _LOOSE_SHARE * pages
 
 
 def _remove_foreign(copy: sqlite3.Connection) -> None:
-    """Takes triggers and views out of the schema, without a statement that could run them."""
+    """Remove triggers and views from the schema without a statement that could run them."""
     copy.execute("PRAGMA trusted_schema=OFF")
     copy.execute("PRAGMA writable_schema=ON")
     copy.execute("DELETE FROM sqlite_master WHERE type IN ('trigger', 'view')")
@@ -83,7 +84,7 @@ _FORGET = (
 
 
 def _own_triggers(copy: sqlite3.Connection) -> list[str]:
-    """The triggers that this GDAL gives to the tables that are there, as SQL."""
+    """Return the SQL of the triggers that this version of GDAL creates for the existing tables."""
     there = {name for (name,) in copy.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     with tempfile.TemporaryDirectory(prefix="semref-") as folder:
         path = os.path.join(folder, "empty.gpkg")

@@ -1,4 +1,4 @@
-"""Changes of an update put into a copy of a reference database: what did not change keeps its row and its fid."""
+"""Apply the changes of an update to a copy of a reference database; unchanged rows keep their fids."""
 
 from __future__ import annotations
 
@@ -21,25 +21,26 @@ from .reader import StoredDatabase, store_checksums
 _FEATURES_A_STEP = 500
 
 _UNSAFE = ["PRELUDE_STATEMENTS=PRAGMA synchronous=OFF"]
-"""Waiting for the disk after every step takes longer than all the rest; the finished file is synchronised once."""
+"""Waiting for the disk after each step would take most of the time; the finished file is flushed once."""
 
 
 class DatabaseEditor:
-    """Writes a changed database as a new file; iterate ``steps()`` to the end."""
+    """Writer of a changed database as a new file. Iterate ``steps()`` to the end."""
 
     def __init__(self, path: str, stored: StoredDatabase, changes: DatabaseChanges) -> None:
-        """Makes the editor.
+        """Prepare without writing.
 
         Args:
             path: The new file.
-            stored: The database as it is.
+            stored: The database before the update.
+            changes: The changes.
         """
         self._path = path
         self._stored = stored
         self._changes = changes
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1).
+        """Yield (current step, share done 0…1).
 
         Raises:
             DatabaseError: GDAL can't write.
@@ -66,7 +67,7 @@ class DatabaseEditor:
             if n % _FEATURES_A_STEP == 0:
                 yield n / total
         if len(self._changes.removed):
-            # Deleting features leaves the extent of the layer as large as it was.
+            # Deleting features does not shrink the extent of the layer.
             dataset.ExecuteSQL("RECOMPUTE EXTENT ON references")
         dataset.CommitTransaction()
         schema.close(dataset)

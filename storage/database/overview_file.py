@@ -1,4 +1,4 @@
-"""The overview of a map until it is written: in memory or, of a large map, in a file of its own."""
+"""Collect the overview of a map before it is written: in memory, or in a temporary file for a large map."""
 
 from __future__ import annotations
 
@@ -13,37 +13,37 @@ from ...core.labels.overview import HeldOverview
 from ..raster_writer import WrittenRaster
 
 HELD_PIXELS = 256 << 20
-"""Of an overview that is held in memory while it is made."""
+"""Largest overview in memory, in pixels."""
 
 CACHE_BYTES = 64 << 20
-"""Of GDAL, while a map of a larger overview is read and written."""
+"""GDAL's cache while a map with a larger overview is processed."""
 
 _OPTIONS = ("TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=YES")
-"""Not compressed: pieces come in any order and end within tiles, which would be compressed again and again."""
+"""Not compressed: parts arrive in any order and end inside tiles, which would be compressed repeatedly."""
 
 
 class OverviewFile(WrittenRaster):
-    """Takes pieces in any order within a ``with``; ``dataset`` is the whole afterwards."""
+    """Collector of parts in any order inside a ``with`` block; ``dataset()`` is the whole overview afterwards."""
 
     def __init__(self, path: str, shape_hw: tuple[int, int]) -> None:
-        """Creates the file.
+        """Create the file.
 
         Args:
-            path: Of the new file.
+            path: The new file.
             shape_hw: (height, width) in pixels.
 
         Raises:
-            LabelMapError: GDAL can't write there.
+            UnwritableError: GDAL can't write the file.
         """
         self._shape_hw = shape_hw
         super().__init__(path, shape_hw, 1, None, "", _OPTIONS)
 
     def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
-        """Writes a piece (h, w) uint8 whose first pixel lies there."""
+        """Write a part (h, w) uint8 from ``column``, ``row`` on."""
         self._write(1, column, row, piece_hw)
 
     def dataset(self) -> gdal.Dataset:
-        """The pixels alone, as a dataset that takes a georeference and colors and has none of the file's own words."""
+        """Return the pixels as a dataset without metadata, to which georeference and colors can be added."""
         height, width = self._shape_hw
         made = gdal.GetDriverByName("VRT").Create("", width, height, 1, gdal.GDT_Byte)
         source = (
@@ -56,20 +56,20 @@ class OverviewFile(WrittenRaster):
 
 @contextlib.contextmanager
 def overview_beside(path: str, shape_hw: tuple[int, int]) -> Iterator[HeldOverview | OverviewFile]:
-    """Gives what takes the pieces of an overview, within a ``with`` of its own; if it has a file, that goes at the end.
+    """Yield a collector of an overview, to be used as a context manager; its file is deleted at the end.
 
     Args:
-        path: Of the database that it is for.
+        path: The database.
         shape_hw: (height, width) in pixels.
 
     Raises:
-        LabelMapError: GDAL can't write there.
+        UnwritableError: GDAL can't write the file.
     """
     if shape_hw[0] * shape_hw[1] <= HELD_PIXELS:
         yield HeldOverview(shape_hw)
         return
     file, cache = f"{path}.overview.tif", gdal.GetCacheMax()
-    # By default a share of the machine's memory, which a map this large fills with what goes through once.
+    # The default is a share of the memory, which a large map would fill with blocks that are read once.
     gdal.SetCacheMax(min(cache, CACHE_BYTES))
     try:
         yield OverviewFile(file, shape_hw)

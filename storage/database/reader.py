@@ -22,7 +22,6 @@ from ...core.labels.class_table import ClassTable, class_table_from_csv
 from ...core.values import read_json
 from ..gdal_errors import gdal_failure, gdal_failures
 from . import schema
-from .batches import columns_of
 from .cached_columns import Columns, cached_columns
 from .checksums import (
     CHECKSUMS,
@@ -33,7 +32,7 @@ from .checksums import (
     shown_checksums,
 )
 from .connection import DatabaseChangedError, Snapshot, damaged, open_table, require_unchanged_since, snapshot
-from .rows import read_references, read_windows
+from .rows import columns_of, read_references, read_windows
 
 _LONGEST_REASON = 200
 
@@ -42,11 +41,12 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
     """Read a reference database.
 
     Args:
-        with_overview: Whether to read its overview, too.
-        with_bounds: Whether to read the bounds of its landmarks, too; old databases have none.
+        path: The database.
+        with_overview: Whether to read its overview.
+        with_bounds: Whether to read the bounds of its landmarks; old databases have no bounds.
 
     Raises:
-        DatabaseError: The file is missing, foreign, truncated or too new.
+        DatabaseError: The file is missing, foreign, damaged or too new.
     """
     with snapshot(path) as connection:
         database = _read(connection, path, is_cached=True)
@@ -57,14 +57,15 @@ def read_database(path: str, with_overview: bool = False, with_bounds: bool = Fa
 
 
 def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
-    """(h, w) uint8 class values.
+    """Return (h, w) uint8 class values.
 
     Args:
-        of: What was read from it before, if anything: what was updated since is refused.
+        path: The database.
+        of: Parameters from an earlier read; None to skip the check for an update since then.
 
     Raises:
-        DatabaseError: It has no overview.
-        DatabaseChangedError: It was updated since.
+        DatabaseError: The database has no overview.
+        DatabaseChangedError: The database was updated since then.
     """
     with snapshot(path) as connection:
         if of is not None and _read_parameters(connection, path) != of:
@@ -73,11 +74,13 @@ def read_overview(path: str, of: BuildParameters | None = None) -> np.ndarray:
 
 
 def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: bool = False) -> ReferenceDatabase:
-    """What a database holds, without the overview; raises what ``snapshot`` makes a DatabaseError of.
+    """Read a database without its overview. Its errors become DatabaseError in ``snapshot``.
 
     Args:
-        is_checked: Whether its tables have to be what its checksums say.
-        is_cached: Whether the columns of a large one may come from the cache; otherwise the rows are read.
+        connection: The database.
+        path: Its path.
+        is_checked: Whether to check the tables against their checksums.
+        is_cached: Whether the columns of a large database may come from the cache.
     """
     parameters = _read_parameters(connection, path)
     table = _class_table(connection, path)
@@ -97,10 +100,9 @@ def _read(connection: Snapshot, path: str, is_checked: bool = True, is_cached: b
 
 
 def _overview(connection: Snapshot, path: str) -> np.ndarray:
-    """Read by GDAL while the connection's lock keeps writers out; one that replaces the file is noticed."""
+    """Read the overview with GDAL, under the connection's lock; a replaced file is detected."""
     parameters = _read_parameters(connection, path)
     require_unchanged(connection, {schema.OVERVIEW: overview_checksum(connection)})
-    # Left as it is where GDAL raises.
     overview = None
     with gdal_failures() as failures:
         dataset = open_table(path, schema.OVERVIEW, gdal.OF_RASTER)
@@ -115,7 +117,7 @@ def _overview(connection: Snapshot, path: str) -> np.ndarray:
 
 
 def _labels(dataset: gdal.Dataset, parameters: BuildParameters) -> np.ndarray:
-    """(h, w) uint8; raises ValueError for a raster of another size or kind."""
+    """Return (h, w) uint8. Raises ValueError for a raster of another size."""
     shape, expected = (dataset.RasterYSize, dataset.RasterXSize), parameters.overview_frame.shape_hw
     if shape != expected:
         raise ValueError(f"its overview has {shape[1]} × {shape[0]} pixels instead of {expected[1]} × {expected[0]}")
@@ -144,12 +146,13 @@ def _class_table(connection: sqlite3.Connection, path: str) -> ClassTable:
 
 @dataclass(frozen=True)
 class StoredDatabase:
-    """A database as an update needs it.
+    """A database with the data for an update.
 
     Attributes:
-        database: With the landmarks' bounds, None when the file has none.
-        window_fids, reference_fids: Of its windows and landmarks, in their order.
-        state: Of its files when it was read; another one tells that it was changed.
+        database: The database with the landmarks' bounds; old files have no bounds.
+        window_fids: Fids of the windows, in their order.
+        reference_fids: Fids of the landmarks, in their order.
+        state: Result of ``connection.state()`` when the database was read.
     """
 
     database: ReferenceDatabase
@@ -158,12 +161,12 @@ class StoredDatabase:
     state: tuple
 
     def require_as_read(self) -> None:
-        """Raises DatabaseChangedError where the database was changed since it was read."""
+        """Raise DatabaseChangedError if the database was changed since it was read."""
         require_unchanged_since(self.database.source, self.state)
 
 
 def read_stored_database(path: str) -> StoredDatabase:
-    """Reads what ``read_database`` reads and what an update needs besides; raises DatabaseError as that does."""
+    """Read a database with the data for an update. Raises DatabaseError as ``read_database``."""
     with snapshot(path) as connection:
         database = _read(connection, path)
         window_fids = connection.execute("SELECT fid FROM windows ORDER BY fid").fetchall()
@@ -176,7 +179,7 @@ def read_stored_database(path: str) -> StoredDatabase:
 
 
 def _checked_bounds(connection: sqlite3.Connection, database: ReferenceDatabase, path: str) -> np.ndarray | None:
-    """Bounds of all landmarks; None in databases of older versions."""
+    """Return (N, 4) bounds of all landmarks; None for a database of an older version."""
     bounds = _read_bounds(connection)
     if bounds is None:
         return None
@@ -200,7 +203,7 @@ def _on_map(bounds_px: np.ndarray, parameters: BuildParameters) -> bool:
 
 
 def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
-    """(N, 4) int64 bounds of the references in the order of their fids; None in databases of older versions."""
+    """Return (N, 4) int64 bounds in the order of the references' fids; None for a database of an older version."""
     found = connection.execute("SELECT count(*) FROM sqlite_master WHERE name = ?", (schema.BOUNDS,)).fetchone()
     if not found[0]:
         return None
@@ -212,7 +215,7 @@ def _read_bounds(connection: sqlite3.Connection) -> np.ndarray | None:
 
 
 def stored_style(path: str, table: str) -> str | None:
-    """QML of the style of one table of a database, None when it has none or a damaged one."""
+    """Return the QML style of a table; None if it has no style or the database is damaged."""
     query = "SELECT styleQML FROM layer_styles WHERE f_table_name = ? AND length(styleQML) < ?"
     try:
         with snapshot(path) as connection:
@@ -223,10 +226,10 @@ def stored_style(path: str, table: str) -> str | None:
 
 
 def store_checksums(path: str) -> None:
-    """Puts the checksums of a finished database's tables among its parameters, in place of older ones.
+    """Store the checksums of a finished database in its parameters.
 
     Raises:
-        DatabaseError: What was written can't be read back.
+        DatabaseError: The new database can't be read.
     """
     with snapshot(path) as connection:
         database = _read(connection, path, is_checked=False)

@@ -1,8 +1,10 @@
-"""The rows of a database's windows and landmarks, as columns."""
+"""Read the rows of large tables as columns: ten million rows as Python objects would need gigabytes."""
 
 from __future__ import annotations
 
 import sqlite3
+import struct
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -10,15 +12,57 @@ from ...core.database.model import MapLandmarks, Windows, first_pixels_of
 from ...core.database.parameters import BuildParameters
 from ...core.errors import DatabaseError
 from ...core.labels.class_table import MAXIMUM_VALUE
-from .batches import columns_of, points_of
+
+BATCH = 50_000
+"""Rows per batch."""
+
+_POINT = np.dtype([("header", "V8"), ("order", "u1"), ("type", "<u4"), ("xy", "<f8", (2,))])
+"""A GeoPackage point without envelope, little-endian, as SemRef and GDAL write it: 8 bytes, then WKB."""
+
+_LITTLE_ENDIAN = 1
+
+
+def batches(connection: sqlite3.Connection, query: str) -> Iterator[list[tuple]]:
+    """Yield the rows of a query in batches, at least one, which may be empty."""
+    cursor = connection.execute(query)
+    yield cursor.fetchmany(BATCH)
+    while rows := cursor.fetchmany(BATCH):
+        yield rows
+
+
+def columns_of(
+    connection: sqlite3.Connection, query: str, arrays: Callable[[list[tuple]], Sequence[np.ndarray]]
+) -> list[np.ndarray]:
+    """Convert each batch of rows to arrays, and concatenate these.
+
+    Args:
+        connection: The database.
+        query: Returns the rows.
+        arrays: Converts rows to one array per column; also for an empty batch.
+    """
+    made = [arrays(rows) for rows in batches(connection, query)]
+    return [np.concatenate(column) for column in zip(*made)]
+
+
+def points_of(blobs: Sequence[bytes]) -> np.ndarray:
+    """Return (N, 2) float64 of GeoPackage point blobs: 8-byte header without envelope, then WKB."""
+    if blobs and {*map(type, blobs)} == {bytes} and {*map(len, blobs)} == {_POINT.itemsize}:
+        found = np.frombuffer(b"".join(blobs), _POINT)
+        if (found["order"] == _LITTLE_ENDIAN).all():
+            return found["xy"].astype(np.float64)
+    points: list[tuple[float, float]] = []
+    for blob in blobs:
+        order = "<" if blob[8] else ">"
+        points.append(struct.unpack_from(f"{order}dd", blob, 13))
+    return np.array(points, np.float64).reshape(-1, 2)
 
 
 def read_windows(connection: sqlite3.Connection, parameters: BuildParameters, path: str) -> Windows:
-    """All windows of a database, in the order of their fids.
+    """Return all windows of a database in the order of their fids.
 
     Raises:
-        DatabaseError: A vector has another length than its parameters say.
-        ValueError: A window has no place, or one between the label map's pixels.
+        DatabaseError: A vector has a wrong length.
+        ValueError: A window has no position, or one between the label map's pixels.
     """
     length = 3 * parameters.references_per_vector
 
@@ -26,7 +70,9 @@ def read_windows(connection: sqlite3.Connection, parameters: BuildParameters, pa
         levels, sizes, xs, ys, counts, blobs, distinctiveness = zip(*rows) if rows else ((),) * 7
         if any(blob is not None and len(blob) != 4 * length for blob in blobs):
             raise DatabaseError(
-                "{path} has vectors that are not {length} numbers long; build it again.", path=path, length=length
+                "{path} has vectors that are not {length} numbers long; build it again.",
+                path=path,
+                length=length,
             )
         described = np.array([blob is not None for blob in blobs], bool)
         vectors = np.zeros((len(rows), length), np.float32)
@@ -48,10 +94,10 @@ _WINDOWS = "SELECT level, size, center_x, center_y, reference_count, vector, dis
 
 
 def read_references(connection: sqlite3.Connection) -> MapLandmarks:
-    """All landmarks of a database, in the order of their fids, without bounds.
+    """Return all landmarks of a database in the order of their fids, without bounds.
 
     Raises:
-        ValueError: A landmark has an impossible class.
+        ValueError: A landmark has an impossible class value.
     """
 
     def arrays(rows: list[tuple]) -> tuple[np.ndarray, ...]:

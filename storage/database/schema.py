@@ -1,4 +1,4 @@
-"""Schema of a reference database: layers, columns and how a row is inserted (docs/reference/file_formats.md)."""
+"""Layers and columns of a reference database (docs/reference/file_formats.md), and writing a row."""
 
 from __future__ import annotations
 
@@ -81,26 +81,29 @@ LAYERS = {
     PARAMETERS: (ogr.wkbNone, PARAMETER_FIELDS),
     STYLES: (ogr.wkbNone, STYLE_FIELDS),
 }
-"""Type of geometry and columns of each layer, in the order in which they are written."""
+"""Geometry type and columns of each layer, in the order of writing."""
 
 TABLES = (*LAYERS, OVERVIEW)
 """All tables of a database."""
 
 
 def create_layer(dataset: ogr.DataSource, name: str, srs: osr.SpatialReference | None) -> ogr.Layer:
-    """An empty layer of the schema; ``srs``: of those with geometries. Raises DatabaseError."""
+    """Create an empty layer of the schema; ``srs``: for layers with geometry. Raises DatabaseError."""
     geometry, columns = LAYERS[name]
     fid = "FID=id" if name == STYLES else "FID=fid"
     layer = dataset.CreateLayer(name, None if geometry == ogr.wkbNone else srs, geometry, [fid])
     if layer is None:
         raise DatabaseError("The layer {name} can't be written: {reason}.", name=name, reason=gdal_failure())
-    for column in columns:
-        layer.CreateField(field_definition(*column))
+    for column, kind in columns:
+        definition = ogr.FieldDefn(column, _OGR_TYPES[kind])
+        if kind == _BOOLEAN:
+            definition.SetSubType(ogr.OFSTBoolean)
+        layer.CreateField(definition)
     return layer
 
 
 def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[tuple[bytes, tuple]]:
-    """Geometry (WKB) and column values of each reference."""
+    """Yield the WKB geometry and the column values of each reference."""
     names = {c.value: c.name for c in table}
     for i in range(len(references)):
         x, y = references.positions[i].tolist()
@@ -110,16 +113,8 @@ def reference_rows(references: MapLandmarks, table: ClassTable) -> Iterator[tupl
 
 
 def parameter_text(parameters: BuildParameters, name: str) -> str:
-    """A build parameter as it stands in the table ``parameters``."""
+    """Return a build parameter as text for the table ``parameters``."""
     return json.dumps(getattr(parameters, name))
-
-
-def field_definition(name: str, kind: str) -> ogr.FieldDefn:
-    """A column of a layer; ``kind``: one of the kinds of the schema."""
-    definition = ogr.FieldDefn(name, _OGR_TYPES[kind])
-    if kind == _BOOLEAN:
-        definition.SetSubType(ogr.OFSTBoolean)
-    return definition
 
 
 def write_feature(
@@ -129,7 +124,7 @@ def write_feature(
     values: Sequence,
     fid: int | None = None,
 ) -> int:
-    """Adds a feature and gives its fid."""
+    """Add a feature and return its fid; None and NaN become NULL."""
     feature = ogr.Feature(layer.GetLayerDefn())
     if fid is not None:
         feature.SetFID(fid)
@@ -151,7 +146,7 @@ def write_feature(
 
 
 def close(dataset: gdal.Dataset) -> None:
-    """Writes what waits; raises DatabaseError when that fails."""
+    """Write pending data. Raises DatabaseError if this fails."""
     gdal.ErrorReset()
     dataset.FlushCache()
     if gdal.GetLastErrorType() >= gdal.CE_Failure:
@@ -159,6 +154,6 @@ def close(dataset: gdal.Dataset) -> None:
 
 
 def square_wkb(left: float, bottom: float, right: float, top: float) -> bytes:
-    """A polygon whose ring goes around from its lower left corner, as QGIS's does."""
+    """Return the WKB of a square with a counterclockwise ring from the lower left corner, as QGIS writes it."""
     ring = (left, bottom, right, bottom, right, top, left, top, left, bottom)
     return struct.pack("<BIII10d", 1, ogr.wkbPolygon, 1, 5, *ring)

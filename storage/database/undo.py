@@ -1,4 +1,4 @@
-"""Undo of the last update: the database as it was before is kept beside the new one, under a name of its own."""
+"""Undo the last update: the database before the update is kept beside the new one as the undo copy."""
 
 from __future__ import annotations
 
@@ -17,25 +17,26 @@ _BEFORE = "_before_update"
 
 
 def file_before(path: str) -> str:
-    """Return where a database's state before its last update is kept, whether there is one or not."""
+    """Return the path of a database's undo copy, which may not exist."""
     whole = Path(path)
     return str(whole.with_name(f"{whole.stem}{_BEFORE}{whole.suffix}"))
 
 
 def can_undo(path: str) -> bool:
-    """Whether a file with a database's state before its last update is there."""
+    """Whether a database has an undo copy."""
     return bool(Path(path).name) and os.path.isfile(file_before(path))
 
 
 def replace_keeping(path: str, updated: str, of: str | None = None) -> str | None:
-    """Put an updated database in the place of the old one, which is kept; both or neither.
+    """Replace a database by its updated version and keep the old one as the undo copy; both or neither.
 
-    The old file itself becomes the kept one where the file system has hard links, and a copy of it elsewhere. The kept
-    file has a table with the checksums of the updated database: only that one can be undone.
+    On file systems with hard links the old file itself becomes the undo copy. The undo copy has a table with the
+    checksums of the updated database: only that database can be undone.
 
     Args:
-        updated: A file that the update wrote elsewhere, best in a folder beside the database; it is moved.
-        of: ``stated_checksums`` of the database when the update was planned; None not to compare them.
+        path: The database.
+        updated: The updated database in another file, which is moved.
+        of: ``stated_checksums`` of the database when the update was planned; None to skip the comparison.
 
     Returns:
         ``stated_checksums`` of the updated database.
@@ -44,7 +45,7 @@ def replace_keeping(path: str, updated: str, of: str | None = None) -> str | Non
         DatabaseError: A database can't be read.
         ParameterError: A file can't be replaced; nothing is changed.
     """
-    # Not at the top: it brings GDAL, and the dock, which asks whether there is an undo, shall open at once.
+    # Imported here: the dock calls can_undo and must open without loading GDAL.
     from .connection import DatabaseChangedError
     from .schema import TABLES
 
@@ -54,26 +55,26 @@ def replace_keeping(path: str, updated: str, of: str | None = None) -> str | Non
     _require_kept_by_us(file_before(path))
     with Batch() as batch:
         kept, fresh = (batch.file(target, tables=(*TABLES, "semref_undo")) for target in (file_before(path), path))
-        if not _linked(path, kept, made):
+        if not _link(path, kept, made):
             with _copied(path, kept) as copy:
-                _state(copy, made)
+                _store_checksums(copy, made)
         shutil.move(updated, fresh)
         try:
             batch.commit()
         except BaseException:
-            _forget_linked(path, kept)
+            _unmark(path, kept)
             raise
     return made
 
 
 def undo_update(path: str) -> None:
-    """Put the state before the last update back in its place, once it is read and checked whole.
+    """Replace a database by its undo copy after checking the copy.
 
     Raises:
-        DatabaseError: There is none, it is damaged, or the database was changed after that update.
+        DatabaseError: There is no undo copy, it is damaged, or the database was changed after that update.
         ParameterError: The database can't be replaced; nothing is changed.
     """
-    # Not at the top: it brings GDAL, and the dock, which asks whether there is an undo, shall open at once.
+    # Imported here: the dock calls can_undo and must open without loading GDAL.
     from .reader import read_overview, read_stored_database
     from .schema import TABLES
 
@@ -97,17 +98,17 @@ def undo_update(path: str) -> None:
         os.remove(before)
 
 
-def _state(kept: sqlite3.Connection, made: str | None) -> None:
-    """Write into the database of before which one followed it."""
+def _store_checksums(kept: sqlite3.Connection, made: str | None) -> None:
+    """Write the checksums of the updated database into the undo copy."""
     kept.execute("DROP TABLE IF EXISTS semref_undo")
     kept.execute("CREATE TABLE semref_undo (checksums TEXT)")
     kept.execute("INSERT INTO semref_undo VALUES (?)", (made,))
 
 
-def _linked(path: str, kept: str, made: str | None) -> bool:
-    """Give the old database its second name; False where a copy is needed.
+def _link(path: str, kept: str, made: str | None) -> bool:
+    """Make the undo copy a hard link of the old database. Returns False if a copy is needed.
 
-    That is where it is a link itself, has other names already, is in use, can't be written or has no hard links.
+    A copy is needed if the database is a link, has other names, is in use or read-only, or without hard links.
     """
     if os.path.islink(path) or os.stat(path).st_nlink > 1:
         return False
@@ -116,7 +117,7 @@ def _linked(path: str, kept: str, made: str | None) -> bool:
             if own.execute("PRAGMA journal_mode=DELETE").fetchone() != ("delete",):
                 return False
             own.execute("BEGIN IMMEDIATE")
-            _state(own, made)
+            _store_checksums(own, made)
             own.execute("COMMIT")
         os.link(path, kept)
     except (OSError, sqlite3.Error):
@@ -124,8 +125,8 @@ def _linked(path: str, kept: str, made: str | None) -> bool:
     return True
 
 
-def _forget_linked(path: str, kept: str) -> None:
-    """Take out of the old database what ``_linked`` wrote, as it is not replaced."""
+def _unmark(path: str, kept: str) -> None:
+    """Remove the table of ``_link`` from the old database, which was not replaced."""
     with contextlib.suppress(OSError, sqlite3.Error):
         if os.path.samefile(path, kept):
             with _writable(path) as own:
@@ -140,7 +141,7 @@ def _writable(path: str) -> contextlib.closing[sqlite3.Connection]:
 
 
 def _require_kept_by_us(before: str) -> None:
-    """Raise ParameterError for a file of the user under the name that the kept database will have."""
+    """Raise ParameterError if a file with the name of the undo copy is not an undo copy."""
     if os.path.isfile(before):
         try:
             with contextlib.closing(sqlite3.connect(f"{Path(before).resolve().as_uri()}?mode=ro", uri=True)) as kept:
@@ -154,7 +155,7 @@ def _require_kept_by_us(before: str) -> None:
 
 
 def stated_checksums(path: str) -> str | None:
-    """Return the checksums of a database's tables as it states them; None for one of an older version."""
+    """Return the stored checksums of a database as text; None for a database of an older version."""
     from .connection import snapshot
 
     with snapshot(path) as connection:
@@ -164,7 +165,7 @@ def stated_checksums(path: str) -> str | None:
 
 @contextlib.contextmanager
 def _copied(path: str, target: str) -> Iterator[sqlite3.Connection]:
-    """Copy a whole database and yield a connection to edit the copy; raises DatabaseError."""
+    """Copy a database and yield a connection to the copy. Raises DatabaseError."""
     from .connection import snapshot
 
     with contextlib.closing(sqlite3.connect(target, isolation_level=None)) as copy:

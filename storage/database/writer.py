@@ -1,10 +1,14 @@
-"""Writing a whole reference database."""
+"""Write a new reference database."""
 
 from __future__ import annotations
 
+import contextlib
+import re
 import sqlite3
 from collections.abc import Iterator
 from dataclasses import fields
+from html import unescape
+from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, gdal_array, ogr, osr
@@ -16,19 +20,35 @@ from ..gdal_errors import close, gdal_failure, gdal_failures
 from ..label_map_file import set_class_colors
 from ..vector_files import leave_wal
 from . import schema
-from .batches import BATCH
 from .overview_file import OverviewFile
 from .reader import store_checksums
-from .titles import tell_titles
+from .rows import BATCH
+
+_TITLES = Path(__file__).resolve().parents[2] / "resources" / "styles" / "columns.qml"
+_ALIAS = re.compile('<alias field="([^"]+)" name="([^"]+)"/>')
+
+# Both tables of GeoPackage's schema extension, as GDAL creates and registers them.
+_TABLES = (
+    "CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, name TEXT, title TEXT, "
+    "description TEXT, mime_type TEXT, constraint_name TEXT, "
+    "CONSTRAINT pk_gdc PRIMARY KEY (table_name, column_name), CONSTRAINT gdc_tn UNIQUE (table_name, name))",
+    "CREATE TABLE gpkg_data_column_constraints (constraint_name TEXT NOT NULL, constraint_type TEXT NOT NULL, "
+    "value TEXT, min NUMERIC, min_is_inclusive BOOLEAN, max NUMERIC, max_is_inclusive BOOLEAN, description TEXT, "
+    "CONSTRAINT gdcc_ntv UNIQUE (constraint_name, constraint_type, value))",
+)
+_REGISTER = (
+    "INSERT INTO gpkg_extensions (table_name, column_name, extension_name, definition, scope) "
+    "VALUES (?, NULL, 'gpkg_schema', 'http://www.geopackage.org/spec121/#extension_schema', 'read-write')"
+)
 
 _FEATURES_A_STEP = 2000
 
 _OTHER_ROWS = 1000
-"""At most, of classes, parameters and styles."""
+"""Estimated rows of classes, parameters and styles, for the progress."""
 
 
 class DatabaseWriter:
-    """Writes a database to ``path`` (a temporary one); iterate ``steps()`` to the end."""
+    """Writer of a database. Iterate ``steps()`` to the end."""
 
     def __init__(  # noqa: PLR0913 - what a file holds; only the plugin has PROJ and styles
         self,
@@ -39,14 +59,14 @@ class DatabaseWriter:
         overview: np.ndarray | HeldOverview | OverviewFile,
         styles: dict[str, str],
     ) -> None:
-        """Makes the writer.
+        """Prepare without writing. NaN is written as NULL.
 
         Args:
             path: The new file.
-            database: With the windows' distinctiveness, NaN is written as NULL.
-            longitudes: (N,) degrees, of the windows' centers; NaN is written as NULL.
-            latitudes: (N,) degrees, as well.
-            overview: (h, w) uint8, or what took its pieces.
+            database: The database, with the windows' distinctiveness.
+            longitudes: (N,) degrees of the windows' centers.
+            latitudes: (N,) degrees of the windows' centers.
+            overview: (h, w) uint8 class values, or the object with its parts.
             styles: QML by table.
         """
         self._path = path
@@ -57,7 +77,7 @@ class DatabaseWriter:
         self._styles = styles
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1).
+        """Yield (current step, share done 0…1).
 
         Raises:
             DatabaseError: GDAL can't write.
@@ -82,7 +102,7 @@ class DatabaseWriter:
         yield 0.9
         self._write_overview(srs)
         leave_wal(self._path)
-        tell_titles(self._path)
+        _write_titles(self._path)
         store_checksums(self._path)
         yield 1.0
 
@@ -129,7 +149,7 @@ class DatabaseWriter:
         return schema.reference_rows(self._database.references, self._database.class_table)
 
     def _bounds_rows(self) -> Iterator[tuple[None, tuple]]:
-        # In the references' order, and so with their fids.
+        # In the order of the references, so that the fids are equal.
         bounds = self._database.references.bounds_px
         for first in range(0, len(bounds), BATCH):
             for row in bounds[first : first + BATCH].tolist():
@@ -150,7 +170,7 @@ class DatabaseWriter:
             yield None, ("", "", table, "geom", table, qml, None, 1, "SemRef", "", None, "now")
 
     def _write_overview(self, srs: osr.SpatialReference) -> None:
-        # GDAL's drivers copy from datasets only; one of an array shares its memory.
+        # GDAL's drivers copy datasets; the dataset of an array shares its memory.
         held = isinstance(self._overview, np.ndarray)
         memory = gdal_array.OpenArray(self._overview) if held else self._overview.dataset()
         memory.SetGeoTransform(self._database.parameters.overview_frame.geotransform)
@@ -160,7 +180,7 @@ class DatabaseWriter:
         options = ["APPEND_SUBDATASET=YES", f"RASTER_TABLE={schema.OVERVIEW}", "TILE_FORMAT=PNG"]
         is_made = False
         with gdal_failures() as failures:
-            # GDAL writes its last tables when it lets go of the file.
+            # GDAL writes its last tables when it closes the file.
             made = gdal.GetDriverByName("GPKG").CreateCopy(self._path, memory, options=options)
             is_made = made is not None
             close(made)
@@ -169,3 +189,20 @@ class DatabaseWriter:
             raise DatabaseError(
                 "The overview can't be written: {reason}.", reason=failures[0] if failures else gdal_failure()
             )
+
+
+def _write_titles(path: str) -> None:
+    """Write the English titles of columns into a new database. Raises sqlite3.Error.
+
+    GDAL 3.6 can't write them. QGIS shows titles in the user's language; both come from ``columns.qml``.
+    """
+    titles = {name: unescape(text) for name, text in _ALIAS.findall(_TITLES.read_text(encoding="utf-8"))}
+    tables = ("windows", schema.WINDOW_FIELDS), ("references", schema.REFERENCE_FIELDS)
+    rows = [(table, name, titles[name], titles[name]) for table, fields in tables for name, _ in fields]
+    with contextlib.closing(sqlite3.connect(path)) as connection, connection:
+        for statement in _TABLES:
+            connection.execute(statement)
+        connection.executemany(
+            "INSERT INTO gpkg_data_columns (table_name, column_name, name, title) VALUES (?, ?, ?, ?)", rows
+        )
+        connection.executemany(_REGISTER, [("gpkg_data_columns",), ("gpkg_data_column_constraints",)])

@@ -121,17 +121,17 @@ def test_waypoint_files_have_the_same_route(qgis_app, tmp_path, name):
 @pytest.mark.parametrize(
     "name, text, said",
     [
-        ("a.plan", "no json", "is no JSON"),
+        ("a.plan", "no json", "is not JSON"),
         ("a.plan", "[]", "has no mission"),
         ("a.plan", '{"mission": {"items": 3}}', "has no mission"),
         ("a.plan", plan([]), "has no route"),
         ("a.plan", plan([simple(9, 47)]), "fewer than two waypoints"),
-        ("a.plan", plan([simple(9, 470), simple(9, 47)]), "is no latitude, longitude"),
-        ("a.plan", plan([simple("x", "y"), simple(9, 47)]), "is no latitude, longitude"),
+        ("a.plan", plan([simple(9, 470), simple(9, 47)]), "is not a valid latitude"),
+        ("a.plan", plan([simple("x", "y"), simple(9, 47)]), "is not a valid latitude"),
         ("a.plan", plan([{"type": "ComplexItem", "TransectStyleComplexItem": {"VisualTransectPoints": 4}}]), "route"),
-        ("a.plan", "[" * 100_000, "is no JSON"),
-        ("a.waypoints", "1 2 3", "is no waypoint list"),
-        ("a.waypoints", "QGC WPL 110\nhome\n1 0 3 x 0 0 0 0 9 47 50 1", "is no waypoint"),
+        ("a.plan", "[" * 100_000, "is not JSON"),
+        ("a.waypoints", "1 2 3", "is not a waypoint list"),
+        ("a.waypoints", "QGC WPL 110\nhome\n1 0 3 x 0 0 0 0 9 47 50 1", "is not a waypoint"),
         ("a.gpx", "<gpx", "can't be read as a route"),
         ("a.gpx", '<gpx version="1.1" xmlns="http://www.topografix.com/GPX/1/1"></gpx>', "no route"),
         ("a.kml", "", "can't be read as a route"),
@@ -155,7 +155,7 @@ def test_a_route_file_that_is_not_there_or_no_text_is_refused(qgis_app, tmp_path
     with pytest.raises(ParameterError, match="There is no file"):
         read_route(str(tmp_path / "none.plan"))
     (tmp_path / "binary.plan").write_bytes(b"\xff\xfe\x00\x80" * 50)
-    with pytest.raises(ParameterError, match="is no text"):
+    with pytest.raises(ParameterError, match="is not a text file"):
         read_route(str(tmp_path / "binary.plan"))
 
 

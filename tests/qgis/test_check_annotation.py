@@ -134,7 +134,7 @@ def test_drawn_landmarks_are_the_objects_of_the_label_map(run_algorithm, tmp_pat
     from semref.core.annotation.check import AnnotationCheck, CheckSettings
     from semref.core.annotation.polygons import AnnotatedFeature
     from semref.storage.pixel_grid import pixel_grid
-    from semref.storage.rasterize_regions import RegionBurning
+    from semref.storage.rasterize import RegionBurning
 
     random = np.random.default_rng(8)
     features = []

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from semref.core.errors import DatabaseError
-from semref.storage.database import batches
-from semref.storage.database.batches import columns_of, points_of
+from semref.storage.database import rows
 from semref.storage.database.reader import read_database, read_stored_database
+from semref.storage.database.rows import columns_of, points_of
 
 KEPT = Path(__file__).resolve().parents[1] / "data" / "kept" / "v1"
 POINTS = np.array([(600000.25, 5200000.5), (-1.0, 2.0), (0.0, 1e9)])
@@ -38,7 +38,7 @@ def assert_same(found, expected):
 @pytest.mark.parametrize("batch", [1, 7, 36])
 def test_a_database_read_in_small_batches_is_the_same(path, monkeypatch, batch):
     whole = read_stored_database(path)
-    monkeypatch.setattr(batches, "BATCH", batch)
+    monkeypatch.setattr(rows, "BATCH", batch)
     again = read_stored_database(path)
     assert_same(again.database.references, whole.database.references)
     assert_same(again.database.windows, whole.database.windows)
@@ -53,7 +53,7 @@ def test_a_landmark_with_an_impossible_class_is_found_in_any_batch(path, monkeyp
     connection.execute('UPDATE "references" SET class = 900 WHERE fid = (SELECT max(fid) FROM "references")')
     connection.commit()
     connection.close()
-    monkeypatch.setattr(batches, "BATCH", 100)
+    monkeypatch.setattr(rows, "BATCH", 100)
     with pytest.raises(DatabaseError, match="class that is no reference class"):
         read_database(path)
 

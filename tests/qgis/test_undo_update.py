@@ -98,7 +98,7 @@ def two_names(monkeypatch, path):
 
 
 def in_wal(monkeypatch, path):
-    monkeypatch.setattr(undo, "_linked", lambda *_: False)
+    monkeypatch.setattr(undo, "_link", lambda *_: False)
     with contextlib.closing(sqlite3.connect(path)) as connection:
         connection.execute("PRAGMA journal_mode=WAL")
 

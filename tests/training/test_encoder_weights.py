@@ -81,7 +81,7 @@ def test_the_packaged_weights_give_the_features_that_they_gave_when_they_were_ta
 
 
 def test_weights_that_do_not_fill_the_encoder_are_refused(answers):
-    another, none = "is of another encoder", "holds no weights of torch"
+    another, none = "has the weights of another encoder", "has no torch weights"
     for said, part in zip(answers["refusals"], (another, another, none, none)):
         assert part in said
 

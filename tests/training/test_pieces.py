@@ -103,14 +103,14 @@ def test_statistics_of_several_folders_are_those_of_all_their_tiles(tmp_path):
 
 def test_folders_with_different_classes_are_refused(tmp_path):
     paths = [write_folder(tmp_path / "a"), write_folder(tmp_path / "b", names=("building", "forest"))]
-    with pytest.raises(TrainingError, match="has other classes than"):
+    with pytest.raises(TrainingError, match="have different classes"):
         tiles.open_folders(paths)
 
 
 def test_a_folder_without_tiles_is_refused(tmp_path):
-    with pytest.raises(TrainingError, match="holds no exported training tiles"):
+    with pytest.raises(TrainingError, match="has no exported training tiles"):
         tiles.open_folder(tmp_path)
-    with pytest.raises(TrainingError, match="holds no tiles to train on"):
+    with pytest.raises(TrainingError, match="has no tiles for training"):
         tiles.open_folder(write_folder(tmp_path / "empty", tile_count=0))
 
 
@@ -152,7 +152,7 @@ def test_what_a_network_shifts_is_told_apart_by_what_the_ground_shifts():
     def answer(image):
         return np.roll(image[..., 0].astype(np.uint8), 1, axis=1)
 
-    (row,) = class_bias.measured(answer, Reader(), 2)
+    (row,) = class_bias.measure_class_biases(answer, Reader(), 2)
     bias = row.bias(0.5)
     assert (bias.east, bias.north, bias.right, bias.down) == pytest.approx((0.0, 1.0, 0.5, 0.0), abs=0.02)
     assert bias.spread < 0.1
@@ -169,7 +169,7 @@ def test_some_of_many_tiles_are_evenly_apart(count, most, expected):
 
 def test_tiles_that_overlap_count_once():
     pairs = [tiles.TilePair(tiles.Path(f"{c}_{r}.png"), "labels", (1, 2, 3), None) for c in (0, 4, 8) for r in (0, 4)]
-    assert [pair.image.stem for pair in tiles.apart(pairs, 8)] == ["0_0", "8_0"]
+    assert [pair.image.stem for pair in tiles.without_overlap(pairs, 8)] == ["0_0", "8_0"]
 
 
 def test_ground_where_only_one_class_was_drawn_allows_all_the_others_but_not_what_is_unlabeled():
@@ -177,7 +177,7 @@ def test_ground_where_only_one_class_was_drawn_allows_all_the_others_but_not_wha
     allowed, labels = partial.partial_labels(4, {first: [1], second: [1], full: [1, 2, 3]})
     assert labels == {first: 4, second: 4, full: IGNORED}
     np.testing.assert_array_equal(allowed, [*np.eye(4), [0, 0, 1, 1]])
-    told = partial.told_channels(allowed)
+    told = partial.decided_channels(allowed)
     np.testing.assert_array_equal(told[4], [True, True, False, False])
     assert told[:4].all()
 

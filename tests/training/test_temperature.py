@@ -26,11 +26,11 @@ class Tiles:
 @pytest.mark.parametrize("true_temperature", [0.7, 1.0, 2.5])
 def test_the_temperature_that_made_the_labels_is_found(true_temperature):
     tiles = Tiles(true_temperature)
-    found = temperature.fitted(lambda index: tiles.scores[index], tiles)
+    found = temperature.fit_temperature(lambda index: tiles.scores[index], tiles)
     assert found == pytest.approx(true_temperature, rel=0.1)
 
 
 def test_pixels_without_a_label_tell_nothing():
     tiles = Tiles(1.0, 1)
     tiles.labels[:] = 255
-    assert temperature.fitted(lambda index: tiles.scores[index], tiles) is None
+    assert temperature.fit_temperature(lambda index: tiles.scores[index], tiles) is None

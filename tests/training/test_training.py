@@ -87,8 +87,8 @@ def test_a_python_without_torch_says_what_it_lacks():
         event["template"]
         in (
             (
-                "{python} lacks the Python package {package}; choose another Python, or have SemRef make one for "
-                "training under Settings ▸ Options ▸ SemRef."
+                "{python} lacks the Python package {package}. Choose another Python, or let SemRef make a training "
+                "environment under Settings ▸ Options ▸ SemRef."
             ),
         )
         or event["event"] == "ready"
@@ -226,7 +226,8 @@ def test_a_base_model_contacts_nobody(training_python, first, tiles, tmp_path, m
         events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
         server.shutdown()
     assert (events[-1]["template"], asked) == (
-        "{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none.",
+        "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave "
+        "the field empty.",
         [],
     )
 
@@ -238,7 +239,8 @@ def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_pat
     onnx.save(onnx.load(first[0].output), base, save_as_external_data=True, location="other", size_threshold=0)
     events = trained(training_python, job_of(tiles, tmp_path / "run", base_model=str(base)))
     assert events[-1]["template"] == (
-        "{path} is no network that SemRef trained, so it can't be trained further; choose another base model or none."
+        "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or leave "
+        "the field empty."
     )
 
 
@@ -268,19 +270,19 @@ def test_a_full_disk_is_told_as_a_sentence(training_python, tiles, tmp_path):
         (
             {"base_model": "no.onnx"},
             (
-                "{path} is no network that SemRef trained, so it can't be trained further; choose another base model "
-                "or none."
+                "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or "
+                "leave the field empty."
             ),
         ),
         (
             {"base_model": str(ROOT / "README.md")},
             (
-                "{path} is no network that SemRef trained, so it can't be trained further; choose another base model "
-                "or none."
+                "{path} was not trained by SemRef, so its training can't be continued. Choose another base model, or "
+                "leave the field empty."
             ),
         ),
-        ({"encoder_weights": str(ROOT / "README.md")}, "{path} holds no weights of torch: {reason}."),
-        ({"tiles": ("/nowhere",)}, "{path} holds no exported training tiles: {reason}."),
+        ({"encoder_weights": str(ROOT / "README.md")}, "{path} has no torch weights: {reason}."),
+        ({"tiles": ("/nowhere",)}, "{path} has no exported training tiles: {reason}."),
     ],
     ids=["no base", "a base that is none", "weights that are none", "no tiles"],
 )
@@ -299,8 +301,8 @@ def test_one_class_alone_is_nothing_to_tell_apart(training_python, tiles, tmp_pa
     event = trained(training_python, job)[-1]
     assert (event["template"], event["values"]) == (
         (
-            "Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to "
-            "tell apart. Label another class, or let ground without a label be a class of its own."
+            "Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to "
+            "distinguish classes. Label another class, or treat unlabeled ground as a class."
         ),
         {"name": "building"},
     )

@@ -102,9 +102,9 @@ def say_test(folder: Path, trainer: object, job: Job) -> None:
     import numpy as np
 
     from semref.training import export, metrics, tiles
-    from semref.training.train import read_ground
+    from semref.training.train import read_tiles
 
-    ground = read_ground(job)
+    ground = read_tiles(job)
     mean, deviation = (getattr(trainer, name).flatten().cpu().numpy() for name in ("mean", "deviation"))
     (test,) = tiles.open_folders([folder])
     values = [c.value for c in ground.classes]

@@ -68,8 +68,8 @@ def told(connection, address):
 def test_another_server_such_as_the_dashboard_is_told_apart(connection, server, words):
     assert told(connection, server(words)) == (
         (
-            "What answers at {address} is no scheduler of Dask, or one of another version; give the address that the "
-            "scheduler prints, not its dashboard's."
+            "The program at {address} is not a Dask scheduler, or has another version. Enter the address that the "
+            "scheduler prints, not the address of its dashboard."
         ),
         "",
     )

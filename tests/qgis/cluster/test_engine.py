@@ -40,6 +40,6 @@ def test_results_come_in_order_whatever_workers_are_lost(threads, monkeypatch):
     pytest.importorskip("distributed", reason="Dask is not here (tools/requirements-dev.txt)")
     from semref.cluster import engine
 
-    monkeypatch.setattr(engine, "_LOOKED_EVERY_S", -1.0)
+    monkeypatch.setattr(engine, "_CHECK_EVERY_S", -1.0)
     runner = engine.DaskRunner(Client(list(threads)), "labels.tif")
     assert list(runner.in_order("task", ((number,) for number in range(TASKS)))) == [(n,) for n in range(TASKS)]

@@ -26,7 +26,7 @@ def workers(tmp_path_factory):
     before = set(listening())
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(tempfile, "tempdir", str(folder))
-        with engine.connected(None, 2, lambda _: None) as client:
+        with engine.connect(None, 2, lambda _: None) as client:
             yield client, set(listening()) - before, folder
     assert list(folder.iterdir()) == []
 
