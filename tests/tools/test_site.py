@@ -63,7 +63,6 @@ def test_the_menu_names_pages_that_exist_each_once():
 def test_the_menu_names_every_page_but_single_decisions():
     named = {page for entries in site_pages.MENU.values() for _, page in entries}
     pages = {page for page in site_pages.page_places(ROOT).values() if page.endswith(".md")}
-    pages -= {"reliability.md"}  # to be merged into other pages
     assert {page for page in pages - named if not page.startswith("decisions/")} == set()
 
 

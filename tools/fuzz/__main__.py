@@ -1,10 +1,10 @@
 """Tries the readers with inputs that hypothesis makes and shrinks (Linux).
 
-    .venv/bin/python -m tools.fuzz [--examples 1000] [--door NAME …] [--seed 1] [--write]
+    .venv/bin/python -m tools.fuzz [--examples 1000] [--door NAME …] [--seed 1]
 
 Each door runs in a process of its own that may take 1 GiB more memory; each input may compute for 5 s. What must hold:
 a valid result or one sentence, the input unchanged, nothing new beside it, no file outside read, no host asked. Prints
-what broke that, with the smallest input found. --write puts the table into docs/reliability.md.
+what broke that, with the smallest input found (docs/development.md#how-semref-is-tested).
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Sequence
 from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
@@ -28,7 +27,6 @@ from qgis_session import load_plugin_package  # noqa: E402
 
 load_plugin_package()
 
-from benchmarks import results  # noqa: E402
 from fuzz import in_qgis, strangers  # noqa: E402
 from fuzz.contract import ACCEPTED, REFUSED, Verdict, World, limit_memory, tried  # noqa: E402
 from fuzz.doors import DOORS, FAULTY, Door  # noqa: E402
@@ -122,7 +120,6 @@ def main() -> int:
     parser.add_argument("--door", action="append", choices=[door.name for door in (*ALL, *FAULTY)])
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--here", type=Path, help=argparse.SUPPRESS)
-    parser.add_argument("--write", action="store_true", help="put the table into docs/reliability.md")
     options = parser.parse_args()
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     chosen = [door for door in (*ALL, *FAULTY) if door.name in (options.door or [one.name for one in ALL])]
@@ -130,21 +127,12 @@ def main() -> int:
         result = search(chosen[0], options.examples, options.seed, options.here)
         (options.here / "result.json").write_text(json.dumps(result), encoding="utf-8")
         os._exit(0)  # QGIS's own end is not what is tried here
-    rows = []
+    broken = 0
     for door in chosen:
         counts, found = in_child(door, max(5, round(options.examples * door.share)), options.seed)
-        broken = sum(counts.values()) - counts[ACCEPTED] - counts[REFUSED]
-        rows.append([door.title, sum(counts.values()), counts[REFUSED], counts[ACCEPTED], broken])
+        broken += sum(counts.values()) - counts[ACCEPTED] - counts[REFUSED]
         print(f"{door.name:16} {dict(counts)}\n{found}".strip(), flush=True)
-    if options.write:
-        _write(rows, f".venv/bin/python -m tools.fuzz --examples {options.examples} --seed {options.seed}")
-    return 1 if any(row[4] for row in rows) else 0
-
-
-def _write(rows: Sequence[Sequence[object]], command: str) -> None:
-    table = results.markdown(("door", "inputs", "refused", "accepted", "contract broken"), rows)
-    body = f"{table}\n\n{results.footer(command)}"
-    results.write_section(TOOLS.parent / "docs" / "reliability.md", "fuzz", body)
+    return 1 if broken else 0
 
 
 if __name__ == "__main__":
