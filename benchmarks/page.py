@@ -1,7 +1,8 @@
-"""Writes docs/benchmarks.md and the README's picture from benchmarks/results/*.json, as page.toml says."""
+"""Writes docs/benchmarks.md and the chart what_works.svg from benchmarks/results/*.json and page.toml."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,31 +17,43 @@ CONTENT = Path(__file__).with_name("page.toml")
 HEAD = """\
 # Benchmarks
 
-Written from `benchmarks/results/*.json` by `python -m benchmarks page`; do not edit it. Each file has all rows of a
-study, its command, date, commit and machine. `python -m benchmarks run NAME` measures a scenario again
-([how to](development.md#benchmarks)). Times are ratios within one run; machines were shared with other work. Shares
-have their 95 % interval in parentheses.
+The first table compares the most important figures with their goals. The other tables show one topic each.
+[What to expect and trust](explanation/what_to_expect.md) explains what they mean for your work.
+
+- *Right* positions are within 2 % of the footprint width of the true position, unless stated. Parentheses contain the
+  95 % interval of a share.
+- Noise “20 / 20 / 5 %”: 20 % of the landmarks are missed, 20 % spurious, 5 % mislabeled.
+- p95 is the 95th percentile. Times depend on the machine, which also did other work. Compare ratios only.
+- The line below a table names its file in `benchmarks/results`, the date and the commit. The file has all rows, the
+  command and the machine. `python -m benchmarks run NAME` repeats a scenario ([how to](development.md#benchmarks)).
+
+`python -m benchmarks page` writes this page. Do not edit it.
 """
 
 
 def write() -> None:
-    """Writes the page and the picture."""
+    """Write the page and the chart."""
     content = read_toml(CONTENT)
     PAGE.write_text(page(content), encoding="utf-8")
     PICTURE.write_text(picture(content["bar"]), encoding="utf-8")
 
 
 def page(content: dict[str, Any]) -> str:
-    """The page's Markdown."""
+    """Return the page in Markdown."""
     rows = [[line["figure"], line["goal"], results.cell(*line["of"])] for line in content["summary"]]
     parts = [HEAD, results.markdown(["figure", "goal", "measured"], rows)]
-    parts += [topic(one) for one in content["topic"]]
+    parts += [topic(one, content["words"]) for one in content["topic"]]
     shown = {name for one in content["topic"] for name, _ in one["from"]}
     return "\n\n".join(part.strip() for part in [*parts, others(shown)]) + "\n"
 
 
-def topic(one: dict[str, Any]) -> str:
-    """A heading, a sentence, a table, and when it was measured."""
+def topic(one: dict[str, Any], words: Sequence[Sequence[str]]) -> str:
+    """Return heading, conditions, table, files and dates of a topic.
+
+    Args:
+        one: The topic in page.toml.
+        words: Texts of the results, and what the page shows instead.
+    """
     columns: list[str] = []
     rows: list[list[str]] = []
     for name, number in one["from"]:
@@ -51,13 +64,13 @@ def topic(one: dict[str, Any]) -> str:
             rows.append(["–" if place is None or place >= len(row) else row[place] for place in places])
     rows = rows[: one.get("most")]
     table_text = results.markdown(columns, rows)
-    return (
-        f"## {one['title']}\n\n{one.get('text', '')}\n\n{table_text}\n\n{measured([name for name, _ in one['from']])}"
-    )
+    for text, shown in words:
+        table_text = table_text.replace(text, shown)
+    return "\n\n".join([f"## {one['title']}", one["text"], table_text, measured([name for name, _ in one["from"]])])
 
 
 def measured(names: list[str]) -> str:
-    """Files, dates and commits of studies."""
+    """Return files, dates and commits of studies."""
     found = []
     for name in dict.fromkeys(names):
         run = results.load(name)["runs"][0]
@@ -66,10 +79,11 @@ def measured(names: list[str]) -> str:
 
 
 def others(shown: set[str]) -> str:
-    """Studies that only their file has, and whose code may be gone."""
+    """Return a table of the studies that the page does not show."""
     rows = []
     for name in results.names():
         if name not in shown:
             study = results.load(name)
             rows.append([study["title"], f"{name}.json", study["runs"][0]["date"] if study["runs"] else "–"])
-    return f"## Other studies\n\nThese are kept as files only.\n\n{results.markdown(['study', 'file', 'date'], rows)}"
+    table = results.markdown(["study", "file", "date"], rows)
+    return f"## Other studies\n\nThe results of these studies are only in their files.\n\n{table}"
