@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from dataclasses import fields
 from pathlib import Path
@@ -11,6 +12,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tools" / "docs"))
 
+import example_calls  # noqa: E402
+import list_algorithms  # noqa: E402
 import list_commands  # noqa: E402
 import list_messages  # noqa: E402
 import list_settings  # noqa: E402
@@ -66,3 +69,12 @@ def test_the_page_of_settings_has_every_class_and_field():
 def test_git_ignores_the_generated_pages():
     ignored = (ROOT / ".gitignore").read_text(encoding="utf-8").splitlines()
     assert {f"/docs/reference/{name}" for name in reference_pages.NAMES} <= set(ignored)
+
+
+def test_links_of_the_generated_pages_lead_to_files():
+    texts = [list_messages.page(), list_commands.page(), list_settings.page(), list_algorithms.HEAD]
+    texts += example_calls.ELSEWHERE.values()
+    targets = {target for text in texts for target in re.findall(r"\]\(([^)#\s]+)", text) if "://" not in target}
+    generated = {reference_pages.FOLDER / name for name in reference_pages.NAMES}
+    linked = {(reference_pages.FOLDER / target).resolve() for target in targets}
+    assert [path for path in linked - generated if not path.is_file()] == []

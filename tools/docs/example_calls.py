@@ -99,7 +99,7 @@ EXAMPLES: dict[str, dict] = {
 ELSEWHERE = {
     "classifyopenstreetmap": "`area.osm.pbf` is an extract of OpenStreetMap; the sample area has none.",
     "decodecolorlabels": "`gdal_translate -expand rgb labels.tif colors.tif` makes such an image of a label map.",
-    "trainmodel": "Needs the [Python that trains](train_a_network.md#1-once-a-python-that-trains).",
+    "trainmodel": "Needs the [training environment](../how-to/train_a_network.md#install-the-training-environment).",
 }
 """What an example needs beside the sample and the examples before it."""
 
