@@ -2,7 +2,7 @@
 
 
 def classFactory(iface):
-    """QGIS's entry point; ``iface`` is None under qgis_process."""
+    """Return the plugin. QGIS calls this; ``iface`` is None in qgis_process."""
     from .plugin import SemRefPlugin
 
     return SemRefPlugin(iface)

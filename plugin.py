@@ -1,4 +1,4 @@
-"""What QGIS loads: registers the Processing provider and the dock, and takes both away again."""
+"""Plugin class that QGIS loads: adds the Processing provider and the dock, and removes them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _TRANSLATIONS = Path(__file__).resolve().parent / "i18n"
 
 
 class SemRefPlugin:
-    """``initProcessing`` and ``initGui`` are undone by ``unload``, in reverse order."""
+    """``unload`` undoes ``initProcessing`` and ``initGui`` in reverse order."""
 
     def __init__(self, iface) -> None:
         self._iface = iface
@@ -30,12 +30,12 @@ class SemRefPlugin:
     def initGui(self) -> None:
         self.initProcessing()
         try:
-            # Widgets only where there are windows: qgis_process never comes here.
+            # qgis_process never calls this method, so widgets are imported only here.
             from .ui.entry import DockEntry
 
             self._entry = DockEntry(self._iface)
         except Exception:
-            # QGIS drops a plugin that fails here, and with it the Python half of a provider still registered.
+            # QGIS discards a plugin that fails here, together with the Python part of its registered provider.
             self.unload()
             raise
 
@@ -52,7 +52,7 @@ class SemRefPlugin:
 
 
 def _install_translator():
-    """The translation for QGIS's language, if there is one."""
+    """Install and return the translation for QGIS's language; None without one."""
     settings = QgsSettings()
     overridden = settings.value("locale/overrideFlag", False, type=bool)
     locale = settings.value("locale/userLocale", "", type=str) if overridden else ""

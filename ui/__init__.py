@@ -1,1 +1,1 @@
-"""What SemRef puts into QGIS's window; it starts the algorithms by id and reads no files."""
+"""SemRef in QGIS's window. It starts algorithms by id and computes nothing itself."""

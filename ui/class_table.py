@@ -1,4 +1,4 @@
-"""A class table in a window: value, name, color, role and order of each class; and the button that opens it."""
+"""Editor of class tables (value, name, color, role and draw order of each class), and the button that opens it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ VALUE, NAME, COLOR, ROLE, ORDER = range(5)
 
 
 class ClassTableEditor(QDialog):
-    """Edits the classes of a table; ``classes()`` are what they are now, and make a table when it was accepted."""
+    """Dialog to edit classes. After it is accepted, ``classes()`` make a valid table."""
 
     def __init__(self, classes: Sequence[ClassRow] = (), parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -69,10 +69,10 @@ class ClassTableEditor(QDialog):
         self.rows.verticalHeader().hide()
         self.rows.setAccessibleName(tr("Class table"))
         self.rows.setSelectionBehavior(QTableWidget.SelectionBehavior.SelectRows)
-        # Tab leaves the table: arrows go through its cells.
+        # The Tab key leaves the table; arrow keys move between cells.
         self.rows.setTabKeyNavigation(False)
         header = self.rows.horizontalHeader()
-        # Words are longer in other languages.
+        # Other languages have longer words.
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         self.fault.setWordWrap(True)
@@ -97,25 +97,25 @@ class ClassTableEditor(QDialog):
         self.buttons.rejected.connect(self.reject)
 
     def show_classes(self, classes: Sequence[ClassRow]) -> None:
-        """Shows these classes instead of those shown before."""
+        """Replace the shown classes."""
         self.rows.setRowCount(0)
         self._hsv = {one.value: one.hsv for one in classes}
         for one in classes:
             self._add_row(one)
 
     def add_class(self) -> None:
-        """A class more, with the next free value; its name is to be typed."""
+        """Add a class with the next free value, and edit its name."""
         self._add_row(new_row(self._text(row, VALUE) for row in range(self.rows.rowCount())))
         self.rows.setCurrentCell(self.rows.rowCount() - 1, NAME)
         self.rows.editItem(self.rows.currentItem())
 
     def remove_classes(self) -> None:
-        """Takes the selected classes out."""
+        """Remove the selected classes."""
         for row in sorted({index.row() for index in self.rows.selectedIndexes()}, reverse=True):
             self.rows.removeRow(row)
 
     def accept(self) -> None:
-        """Closes the window when the classes make a table, else says why they don't."""
+        """Close the dialog if the classes make a valid table; otherwise show the fault."""
         try:
             require_table(self.classes())
         except ClassTableError as error:
@@ -125,7 +125,7 @@ class ClassTableEditor(QDialog):
         super().accept()
 
     def classes(self) -> list[ClassRow]:
-        """The classes as they are shown."""
+        """Return the classes as shown."""
         return [self._class(row) for row in range(self.rows.rowCount())]
 
     def _class(self, row: int) -> ClassRow:
@@ -162,7 +162,7 @@ class ClassTableEditor(QDialog):
 
 
 class EditButton(QToolButton):
-    """Opens the table that the box names, or an empty one, and has the box name what was saved."""
+    """Opens the table of a file box, or an empty table. The box then has the path of the saved table."""
 
     def __init__(self, box: QgsFileWidget) -> None:
         super().__init__(box)
@@ -172,7 +172,7 @@ class EditButton(QToolButton):
         box.layout().addWidget(self)
 
     def edit(self) -> None:
-        """Shows the table; what is saved goes into its file, or into one that is asked for."""
+        """Edit the table, and save it to its file or to a file that the user chooses."""
         path = self.parent().filePath()
         try:
             editor = ClassTableEditor(read_rows(path), self.window())
@@ -182,7 +182,7 @@ class EditButton(QToolButton):
             QMessageBox.warning(self.window(), tr("Class table"), worded(error))
 
     def _save(self, classes: list[ClassRow], path: str) -> None:
-        """Raises SemRefError where it can't be written."""
+        """Save the classes. Raises SemRefError if the file can't be written."""
         if not path or is_shipped(path):
             path, _ = QFileDialog.getSaveFileName(self.window(), tr("Save class table"), "", tr("CSV files (*.csv)"))
         if path:

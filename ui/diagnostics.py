@@ -1,4 +1,4 @@
-"""Copy diagnostics: keeps the last messages that speak of SemRef, and puts what a report needs on the clipboard."""
+"""Collect the last log messages about SemRef, and copy them with versions and devices for a bug report."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from .widgets.messages import TAG
 
 _MOST_MESSAGES = 30
 _LONGEST_MESSAGE = 4000
-"""Characters of which the end is kept: of a traceback the end says what went wrong."""
+"""Characters. The end of a message is kept, because the end of a traceback names the error."""
 
 
 class Diagnostics(QObject):
-    """From now on the log is followed, until it is shut down."""
+    """Records log messages about SemRef until ``shut_down``."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -25,7 +25,6 @@ class Diagnostics(QObject):
         QgsApplication.messageLog().messageReceived.connect(self._keep)
 
     def shut_down(self) -> None:
-        """Follows the log no longer."""
         QgsApplication.messageLog().messageReceived.disconnect(self._keep)
 
     @pyqtSlot(str, str, Qgis.MessageLevel)
@@ -34,13 +33,13 @@ class Diagnostics(QObject):
             self._lines.append(f"{tag}: {message[-_LONGEST_MESSAGE:]}")
 
     def copy(self) -> str:
-        """Puts it on the clipboard; a sentence for the user that says so."""
-        # Not at the top: few sessions ask for them.
+        """Copy the diagnostics to the clipboard. Return a sentence for the user."""
+        # Imported here because few sessions need it.
         from ..processing.packages.diagnostics import diagnostics
 
         QgsApplication.clipboard().setText(diagnostics(tuple(self._lines)))
         copied = tr(
-            "Diagnostics are on the clipboard: versions, packages, devices and the last messages. Read them through, "
-            "and paste them into a new issue."
+            "Diagnostics are on the clipboard: versions, packages, devices and the last messages. Check "
+            "them, then paste them into a new issue."
         )
         return f"{copied} {tracker_url()}".strip()

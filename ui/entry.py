@@ -1,4 +1,4 @@
-"""The ways in: button and menu entries – dock, sample project, guide, diagnostics –, options page."""
+"""Ways to open SemRef: toolbar button, menu entries, options page, and files dropped on QGIS."""
 
 from __future__ import annotations
 
@@ -28,25 +28,25 @@ from .widgets.messages import Messages
 MENU = "SemRef"
 
 _VISIBLE_SETTING = "semref/dock/visible"
-"""Whether the dock was open when the plugin was taken away: it then is when the plugin comes back."""
+"""Whether the dock was open when the plugin was unloaded."""
 
 
 class DockEntry:
-    """Adds dock, button, menu entries and options page; ``remove`` takes them away in reverse order."""
+    """Adds dock, button, menu entries and options page. ``remove`` removes them."""
 
     def __init__(self, iface: QgisInterface) -> None:
         self._iface = iface
         window = iface.mainWindow()
         self._action = QAction(QIcon(str(ICON_PATH)), "SemRef", window)
         self._action.setObjectName("SemRefDockAction")
-        self._action.setToolTip(tr("Show or hide the SemRef dock: find where images were taken"))
+        self._action.setToolTip(tr("Show or hide the SemRef dock, which finds the positions of images"))
         iface.addToolBarIcon(self._action)
         iface.addPluginToMenu(MENU, self._action)
         self._menu = [self._action]
         self._dock = SemRefDock(iface.mapCanvas(), iface.messageBar(), window)
         iface.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
         if not QgsSettings().value(_VISIBLE_SETTING, False, type=bool):
-            # setUserVisible would do nothing to a dock that its window has not laid out yet.
+            # setUserVisible has no effect before the window has laid out the dock.
             self._dock.hide()
         self._dock.setToggleVisibilityAction(self._action)
         self._dock.let_open()
@@ -59,7 +59,7 @@ class DockEntry:
         self._add_to_menu("SemRefHelpAction", tr("User guide"), "/mActionHelpContents.svg", _open_user_guide)
         copy = "SemRefDiagnosticsAction", tr("Copy diagnostics"), "/mActionEditCopy.svg"
         self._add_to_menu(*copy, self._copy_diagnostics)
-        # Not the page's: it goes on when the options are closed.
+        # The page does not own them: an installation continues when the options are closed.
         self._installer, self._training_installer = ComponentInstaller(window), ComponentInstaller(window)
         self._options = OptionsFactory(self._installer, self._training_installer, self._diagnostics)
         iface.registerOptionsWidgetFactory(self._options)
@@ -91,14 +91,13 @@ class DockEntry:
 
     def _sample_project(self):
         if self._sample is None:
-            # Not at the top: the plugin has to load where OpenCV is missing.
+            # Imported here because the plugin must load without OpenCV.
             from .sample_project import SampleProject
 
             self._sample = SampleProject(self._iface, self._dock)
         return self._sample
 
     def remove(self) -> None:
-        """Takes everything away again."""
         self._preload.stop()
         for installer in (self._installer, self._training_installer):
             installer.cancel()
@@ -111,7 +110,7 @@ class DockEntry:
             self._sample.shut_down()
             self._sample.deleteLater()
         self._iface.unregisterCustomDropHandler(self._drop)
-        # QGIS deletes it.
+        # QGIS deletes the handler.
         QgsSettings().setValue(_VISIBLE_SETTING, not self._dock.isHidden())
         self._dock.shut_down()
         self._iface.removeDockWidget(self._dock)
@@ -130,7 +129,7 @@ def _open_user_guide() -> None:
 
 
 class DatabaseDrop(QgsCustomDropHandler):
-    """Otherwise QGIS would ask which of the tables it shall add, and add them without names and order."""
+    """Adds dropped databases and results with all layers. QGIS alone would ask for tables and lose names and order."""
 
     def handleFileDrop(self, file):
         return file.lower().endswith(".gpkg") and (_did(_add_database, file) or _did(_add_results, file))
@@ -146,7 +145,7 @@ def _add_results(path: str) -> None:
 
 
 def _did(add: Callable[[str], None], path: str) -> bool:
-    """Whether it is such a file; any other GeoPackage is QGIS's business."""
+    """Return whether the file was added; QGIS handles any other GeoPackage."""
     try:
         add(path)
     except SemRefError:

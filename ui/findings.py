@@ -1,4 +1,4 @@
-"""Results of semref:localizeimages and semref:localizeflight as the dock shows them."""
+"""Results of semref:localizeimages and semref:localizeflight, as the dock shows them."""
 
 from __future__ import annotations
 
@@ -11,23 +11,22 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsPointXY, Qgs
 from ..core.localization import Method, Status
 from ..processing.base.localized_image import ERROR, error_probability, label_image_names
 from ..processing.compat import is_null
-from ..processing.messages.sentences import worded
 from ..processing.translation import tr
 
 Point = tuple[float, float]
 
 BY_FLIGHT = "flight"
-"""Column ``source`` of an image that its flight places, without a fix of its own that agrees."""
+"""Value of the column ``source``: the flight gives the position, not the image itself."""
 
 
 @dataclass(frozen=True)
 class MatchPoints:
-    """Landmarks of an image and of the map that agree, the same number of each; number n is the nth of each.
+    """Matched landmarks of an image and of the map; all three tuples have the same length and order.
 
     Attributes:
-        pixels: (column, row) of the image's.
-        seen: Map (x, y) where the fix puts them.
-        on_map: (x, y) of the map's.
+        pixels: (column, row) in the image.
+        seen: Map (x, y) of the image's landmarks, computed with the position.
+        on_map: Map (x, y) of the map's landmarks.
     """
 
     pixels: tuple[Point, ...]
@@ -37,9 +36,9 @@ class MatchPoints:
 
 @dataclass(frozen=True)
 class Finding:
-    """One image's row of OUTPUT, with its polygons of FOOTPRINTS and ALTERNATIVES; None where there is nothing.
+    """One image's row of OUTPUT, with its polygons of FOOTPRINTS and ALTERNATIVES; None where there is no value.
 
-    Columns are told in docs/reference/file_formats.md#positions.
+    docs/reference/file_formats.md#positions describes the columns.
     """
 
     image: str
@@ -73,48 +72,48 @@ class Finding:
 
     @property
     def name(self) -> str:
-        """Of the image's file."""
+        """File name of the image."""
         return os.path.basename(self.image)
 
     @property
     def is_verified(self) -> bool:
-        """Whether the method checks its own fix; the published one takes the nearest window, whatever it is."""
+        """Whether the method verifies its position; the published method always returns the nearest window."""
         return self.method != Method.TOPOLOGY_VECTOR
 
     @property
     def is_by_flight(self) -> bool:
-        """Whether its place is the flight's: no fix of its own agrees."""
+        """Whether the flight gives the position, because the image has no matching position of its own."""
         return self.source == BY_FLIGHT
 
     @property
     def speaks_against(self) -> str:
-        """What speaks against a fix, in a few words for the user; empty where nothing does. ``reason`` tells it all."""
+        """Evidence against the position in a few words; empty without any. ``reason`` has the details."""
         if self.status != Status.FIX:
             return ""
         if self.gps_distance is not None:
-            return tr("GPS elsewhere")
-        return tr("out of reach") if self.jump else ""
+            return tr("contradicts GPS")
+        return tr("too far from other images") if self.jump else ""
 
     @property
     def is_by_vector(self) -> bool:
-        """Whether it was matched with a window by the published method."""
+        """Whether the published method matched the image with a window."""
         return self.status == Status.FIX and not self.is_verified and not self.track
 
     @property
     def probability(self) -> float | None:
-        """Probability that a fix is right; None without a fix that was verified."""
+        """Probability that a verified position is right; None without one."""
         return self.confidence if self.status == Status.FIX and self.is_verified else None
 
     @property
     def corners(self) -> tuple[Point, ...] | None:
-        """Map (x, y) of the footprint's four corners, the image's upper left first, clockwise; None without heading."""
+        """Map (x, y) of the footprint's corners, clockwise from the image's upper left; None without a heading."""
         if self.center is None or self.heading is None or self.outline is None:
             return None
         return tuple((point.x(), point.y()) for point in self.outline.asPolygon()[0][:4])
 
     @property
     def center(self) -> QgsPointXY | None:
-        """In ``crs``; None without a fix."""
+        """Position in ``crs``; None without one."""
         return None if self.x is None or self.y is None else QgsPointXY(self.x, self.y)
 
 
@@ -124,8 +123,7 @@ _COLUMNS = tuple(
 
 
 class ResultLayers(NamedTuple):
-    """OUTPUT, FOOTPRINTS, ALTERNATIVES and MATCHES of semref:localizeimages, or of semref:localizeflight with TRACK
-    and without ALTERNATIVES; None for what there is not."""
+    """Layers of a run; None for a missing one. Flights have ``track`` and lack ``places`` (ALTERNATIVES)."""
 
     positions: QgsVectorLayer | None = None
     footprints: QgsVectorLayer | None = None
@@ -135,10 +133,10 @@ class ResultLayers(NamedTuple):
 
 
 def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
-    """The findings in the order of the images; none without positions.
+    """Return the findings in the order of the images; an empty list without positions.
 
     Args:
-        labels: The folder LABELS of that run; empty without one.
+        labels: Folder LABELS of the run; empty without one.
     """
     positions, footprints, places, *_ = layers
     if positions is None:
@@ -153,7 +151,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
     files = label_image_names([row[indexes[0]] for row in rows]) if labels else {}
     findings = []
     for values in rows:
-        # Results saved by an older version lack the newest columns.
+        # Results of an older version lack the newest columns.
         cells = [None if index < 0 or is_null(values[index]) else values[index] for index in indexes]
         image = cells[0]
         file = os.path.join(labels, files[image]) if files else ""
@@ -171,7 +169,7 @@ def read_findings(layers: ResultLayers, labels: str = "") -> list[Finding]:
 
 
 def _read_matches(layer: QgsVectorLayer | None) -> dict[str, MatchPoints]:
-    """Those of each image, by its path."""
+    """Return the matches of each image by its path."""
     found: dict[str, list[tuple]] = {}
     for feature in layer.getFeatures() if layer is not None else ():
         place = feature.geometry().asPoint()
@@ -186,16 +184,25 @@ def error_text(finding: Finding) -> str:
 
 
 def status_text(finding: Finding) -> str:
-    """An image's status in words, and what speaks against it; a status this version does not know stands for itself."""
+    """Return the status in words, with evidence against it. An unknown status of a newer version stays as it is."""
     return ", ".join(filter(None, (_status_alone(finding), finding.speaks_against)))
 
 
 def _status_alone(finding: Finding) -> str:
     if finding.status == Status.FIX and finding.is_by_flight:
-        return tr("By the flight, own fix outvoted") if finding.outvoted else tr("By the flight")
+        return (
+            tr("Position from the flight, own position rejected")
+            if finding.outvoted
+            else tr("Position from the flight")
+        )
     if finding.status == Status.FIX and not finding.is_verified:
         return tr("Unverified match")
     if finding.status == ERROR:
         return tr("Unreadable")
-    titles = {status.key: worded(status.title) for status in Status}
+    titles = {
+        Status.FIX.key: tr("Position"),
+        Status.AMBIGUOUS.key: tr("No position: ambiguous"),
+        Status.NO_MATCH.key: tr("No position: no match"),
+        Status.TOO_FEW_REFERENCES.key: tr("No position: too few landmarks"),
+    }
     return titles.get(finding.status, finding.status)

@@ -1,4 +1,4 @@
-"""From layers to the files they show: of the project, or dropped from the layer tree or the browser."""
+"""Files of layers: layers of the project, or dropped from the layer tree or the browser."""
 
 from __future__ import annotations
 
@@ -22,26 +22,26 @@ _COLOR_BANDS = 3
 
 
 def layer_file(layer: QgsMapLayer) -> str:
-    """The file that a layer shows; empty where it shows none, as a web map does."""
+    """Return the file of a layer; empty for layers without a file, such as web maps."""
     return _file_of(layer.providerType(), layer.source())
 
 
 def raster_layers(project: QgsProject) -> list[QgsRasterLayer]:
-    """Those of one file each, in the order of their names."""
+    """Return the raster layers that have a file, sorted by name. Overviews of databases are left out."""
     layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
-    # A database's overview is a raster, too; its file holds other things.
+    # The overview of a database is a raster in a GeoPackage.
     found = [layer for layer in layers if layer_file(layer) and not layer_file(layer).endswith(_DATABASE_SUFFIX)]
     return sorted(found, key=lambda layer: layer.name().lower())
 
 
 def photo_layer(project: QgsProject) -> QgsRasterLayer | None:
-    """The project's one raster file with colors; None where it could be several, and never a label map."""
+    """Return the project's only raster file with colors; None for several. Label maps never count."""
     found = [layer for layer in raster_layers(project) if layer.bandCount() >= _COLOR_BANDS]
     return found[0] if len(found) == 1 else None
 
 
 def label_maps_of(project: QgsProject, extent: QgsReferencedRectangle, pixel_size: float) -> list[QgsRasterLayer]:
-    """Those that have the pixels of a database's map: one band, in its CRS, on its grid."""
+    """Return single-band layers with CRS and grid of a database's map."""
     close = pixel_size / 100
     return [
         layer
@@ -58,14 +58,14 @@ def _edges(extent: QgsRectangle) -> tuple[float, ...]:
 
 
 def drawn_layers(project: QgsProject) -> list[QgsRasterLayer]:
-    """Rasters that are no file of GDAL's, as map tiles are, in the order of their names."""
+    """Return raster layers that are not files, such as map tiles, sorted by name."""
     layers = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
     found = [layer for layer in layers if layer.isValid() and layer.providerType() != "gdal"]
     return sorted(found, key=lambda layer: layer.name().lower())
 
 
 def project_databases(project: QgsProject) -> dict[str, str]:
-    """Names of the reference databases whose layers the project has, by path: that of the group, else of the file."""
+    """Return names by path of the databases with layers in the project: the name of the group or of the file."""
     found: dict[str, str] = {}
     for node in project.layerTreeRoot().findLayers():
         layer = node.layer()
@@ -78,7 +78,7 @@ def project_databases(project: QgsProject) -> dict[str, str]:
 
 
 def dropped_files(data: QMimeData) -> tuple[list[str], list[str]]:
-    """(files and folders, names of layers that are no file) of what was dropped: layers, or files from anywhere."""
+    """Return (dropped files and folders, names of dropped layers that are not files)."""
     if not QgsMimeDataUtils.isUriList(data):
         return [url.toLocalFile() for url in data.urls() if url.isLocalFile()], []
     files, others = [], []

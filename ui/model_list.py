@@ -1,4 +1,4 @@
-"""A list of the models of a folder beside the card of the one that is selected."""
+"""List of the models of a folder, with the card of the selected model."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ _NAME, _CLASSES, _QUALITY = 0, 1, 3
 
 
 class ModelList(QWidget):
-    """The folder, its models, and the card of the selected one.
+    """Folder, its models, and the card of the selected model.
 
-    selected: its path, empty without one that can be used; chosen: the path of one that was double-clicked.
+    selected: path of the selected model, empty if it can't be used; chosen: path of a double-clicked model.
     """
 
     selected = pyqtSignal(str)
@@ -59,20 +59,20 @@ class ModelList(QWidget):
         self.refresh()
 
     def path(self) -> str:
-        """Of the selected model; empty without one that can be used."""
+        """Return the path of the selected model; empty without a usable selected model."""
         item = self.list.currentItem()
         card = None if item is None else item.data(0, _CARD)
         return "" if card is None or card.fault is not None else card.file
 
     def select(self, path: str) -> None:
-        """Selects the model of this path, if it is listed."""
+        """Select the model with this path, if it is listed."""
         for row in range(self.list.topLevelItemCount()):
             item = self.list.topLevelItem(row)
             if item.data(0, _CARD).file == path:
                 self.list.setCurrentItem(item)
 
     def refresh(self) -> None:
-        """Reads the folder again."""
+        """Read the folder again."""
         self.list.clear()
         for card in listed_models(models_folder()):
             item = QTreeWidgetItem(
@@ -86,8 +86,10 @@ class ModelList(QWidget):
         self.list.setCurrentItem(self.list.topLevelItem(0))
 
     def _lay_out(self) -> None:
-        self.list.setHeaderLabels([tr("Model"), tr("Classes"), tr("Pixels"), tr("IoU")])
-        self.list.headerItem().setToolTip(_QUALITY, tr("Mean over classes, on ground that was not trained on"))
+        self.list.setHeaderLabels([tr("Model"), tr("Classes"), tr("Pixel size"), tr("IoU")])
+        self.list.headerItem().setToolTip(
+            _QUALITY, tr("Mean over classes, measured on areas that were not used for training")
+        )
         self.list.setRootIsDecorated(False)
         self.list.setUniformRowHeights(True)
         header = self.list.header()
@@ -124,12 +126,12 @@ class ModelList(QWidget):
 
 
 class ModelsDialog(QDialog):
-    """The list in a window of its own; ``chosen``: the path of the model to be used."""
+    """List of models in a dialog. chosen: path of the model to use."""
 
     chosen = pyqtSignal(str)
 
     def __init__(self, current: str = "", parent: QWidget | None = None, can_use: bool = True) -> None:
-        """``current``: path of the model in use. ``can_use``: whether one can be chosen here, or looked at only."""
+        """``current``: path of the model in use. ``can_use``: whether the user can choose a model here."""
         super().__init__(parent)
         self.setObjectName("SemRefModels")
         self.setWindowTitle(tr("Models for photos"))
@@ -150,7 +152,7 @@ class ModelsDialog(QDialog):
         self.resize(QgsSettings().value(_SIZE_SETTING, self.sizeHint().expandedTo(QSize(*_SMALLEST_PX))))
 
     def done(self, result: int) -> None:
-        """Keeps the size."""
+        """Remember the size."""
         QgsSettings().setValue(_SIZE_SETTING, self.size())
         super().done(result)
 
@@ -160,10 +162,10 @@ class ModelsDialog(QDialog):
 
 
 def _where_to_get_more() -> str:
-    """Rich text."""
+    """Return HTML."""
     text = tr(
-        "More models: train one on your own ground (the button beside the model in the dock), make one from published "
-        "photos, or take a segmentation model of the Deepness plugin. {how}"
+        "To get more models, train one on your own area (button next to the model in the dock) or on "
+        "published photos. You can also use segmentation models of the Deepness plugin. {how}"
     )
-    link = f'<a href="{guide_url("reference/networks.md")}">{escape(tr("How, and under which licenses"))}</a>'
+    link = f'<a href="{guide_url("reference/networks.md")}">{escape(tr("Instructions and licenses"))}</a>'
     return escape(text).replace("{how}", link)

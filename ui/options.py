@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .packages.components_page import ComponentsPage
 
 PAGE = "SemRefOptions"
-"""Name by which QGIS opens the page."""
+"""Name that opens the page."""
 
 
 class OptionsFactory(QgsOptionsWidgetFactory):
@@ -32,7 +32,7 @@ class OptionsFactory(QgsOptionsWidgetFactory):
         self._installer, self._training_installer = installer, training_installer
 
     def createWidget(self, parent=None) -> ComponentsPage:
-        # Not at the top: few sessions open the options.
+        # Imported here because few sessions open the options.
         from .packages.components_page import ComponentsPage
 
         page = ComponentsPage(self._installer, self._training_installer, parent)

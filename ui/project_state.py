@@ -1,4 +1,4 @@
-"""What the dock keeps in the project: read when one is opened, written when it is saved."""
+"""State of the dock in the project file: read when a project is opened, written when it is saved."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ SCOPE = "SemRef"
 DATABASE_SETTING, MODEL_SETTING = "semref/dock/database", "semref/dock/model"
 
 Prior = tuple[float, float, float, float, str]
-"""x, y of the middle, x, y of the edge, and the authid of their CRS."""
+"""Search circle: x, y of its center, x, y of a point on its edge, and the authid of their CRS."""
 
 _LISTED_IMAGES = 1000
-"""A project is no place for the names of more."""
+"""Limit that keeps project files small."""
 
 _METHODS = 4
-"""METHOD has so many options."""
+"""Number of options of METHOD."""
 
 _FARTHEST = 1e9
-"""Map units from the origin."""
+"""Largest coordinate that is accepted, in units of the CRS."""
 
 
 @dataclass(frozen=True)
 class DockState:
-    """What a project keeps.
+    """State of the dock that a project file stores.
 
     Attributes:
-        database: Path, perhaps empty, as are ``model`` and ``results``.
-        model: Of the network for photos.
+        database: Path; may be empty, as ``model`` and ``results``.
+        model: Path of the model for photos.
         method: METHOD of semref:localizeimages.
         images: Files and folders.
-        opacity: Of the labels, percent.
-        results: The GeoPackage that holds them.
-        prior: The circle to search; None for the whole database.
-        is_flight: The images are of one flight.
+        opacity: Opacity of the labels in percent.
+        results: GeoPackage of the results.
+        prior: Search circle; None for the whole database.
+        is_flight: Whether the images are one flight.
     """
 
     database: str = ""
@@ -51,7 +51,7 @@ class DockState:
 
 
 def write_state(project: QgsProject, state: DockState) -> None:
-    """Paths are kept as the project keeps those of its layers: relative to its file, unless it says otherwise."""
+    """Write the state. Paths are relative or absolute, as the project is set up for its layers."""
     project.writeEntry(SCOPE, "/database", project.writePath(state.database))
     project.writeEntry(SCOPE, "/model", project.writePath(state.model))
     project.writeEntry(SCOPE, "/results", project.writePath(state.results))
@@ -63,7 +63,7 @@ def write_state(project: QgsProject, state: DockState) -> None:
 
 
 def read_state(project: QgsProject) -> DockState | None:
-    """None of a project that was never saved with the dock."""
+    """Read the state; None for a project that was never saved with the dock."""
     database, known = project.readEntry(SCOPE, "/database")
     if not known:
         return None
@@ -95,7 +95,7 @@ def _prior_of(entries: list[str]) -> Prior | None:
         *numbers, authid = entries
         x, y, edge_x, edge_y = map(float, numbers)
     except ValueError:
-        # Another version's, or somebody's own.
+        # Written by another version, or edited.
         return None
     if not all(abs(number) < _FARTHEST for number in (x, y, edge_x, edge_y)):
         return None
@@ -103,5 +103,5 @@ def _prior_of(entries: list[str]) -> Prior | None:
 
 
 def remembered_database() -> str:
-    """The path chosen last, in any session; empty where none ever was."""
+    """Return the path of the database that was chosen last in any session; may be empty."""
     return QgsSettings().value(DATABASE_SETTING, "", type=str)

@@ -1,4 +1,4 @@
-"""What the dialogs that the dock opens begin with: the orthophoto and the annotation that the project has."""
+"""First values of dialogs that the dock opens: orthophoto and land-cover layer of the project."""
 
 from __future__ import annotations
 
@@ -20,10 +20,9 @@ _MOST_READ = 100_000
 
 
 def annotation_at_hand(project: QgsProject) -> dict[str, str]:
-    """INPUT, CLASS_FIELD or CLASS, PRIORITY_FIELD and CLASS_TABLE, as far as there is one that they can only be.
+    """Return INPUT, CLASS_FIELD or CLASS, PRIORITY_FIELD and CLASS_TABLE where the project leaves no choice.
 
-    The project's one polygon layer, or its one with a field ``class``; QGIS would begin with the layer that is
-    selected.
+    INPUT is the only polygon layer, or the only one with a field such as ``class``. QGIS would take the selected layer.
     """
     layers = [layer for layer in project.mapLayers().values() if _may_be_annotation(layer)]
     named = [layer for layer in layers if named_class_field(layer)]
@@ -41,17 +40,16 @@ def annotation_at_hand(project: QgsProject) -> dict[str, str]:
 
 
 def training_at_hand(project: QgsProject, model: str = "") -> dict[str, object]:
-    """The annotation and what suits it: IMAGE, BASE_MODEL, UNLABELED, RESOLUTION, and OUTPUT in the folder of models.
+    """Return values for *Train model*: the land-cover layer, IMAGE, BASE_MODEL, UNLABELED, RESOLUTION and OUTPUT.
 
     Args:
-        project: What is open.
-        model: The dock's; where it fits it is the base, else the only one of the folder of models that does.
+        model: Model of the dock. It becomes the base if it fits; otherwise the only fitting one of the models folder.
     """
     found = annotation_at_hand(project)
     names = _class_names(project, found)
     more: dict[str, object] = {"OUTPUT": new_model_file("model")}
     if len(names) == 1:
-        # There is nothing to tell the only class apart from, unless all other ground is “other”.
+        # A network needs two classes: all other ground becomes “other”.
         more["UNLABELED"] = SOMETHING_ELSE
     photo = photo_layer(project)
     if photo is None:
@@ -65,7 +63,7 @@ def training_at_hand(project: QgsProject, model: str = "") -> dict[str, object]:
 
 
 def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
-    """The annotation's classes, in small letters: the one of all, of a table beside it, or what its text field says."""
+    """Return the layer's class names in lower case: from CLASS, from the class table, or from the text field."""
     if "CLASS" in found:
         return {found["CLASS"]}
     if "CLASS_TABLE" in found:
@@ -75,7 +73,7 @@ def _class_names(project: QgsProject, found: dict[str, str]) -> set[str]:
             return set()
     layer = project.mapLayer(found.get("INPUT", ""))
     field = found.get("CLASS_FIELD", "")
-    # Nobody waits for a dialog until a large layer is read.
+    # Reading a large layer would delay the dialog.
     if layer is None or field not in _text_fields(layer) or layer.featureCount() > _MOST_READ:
         return set()
     values = layer.uniqueValues(layer.fields().indexOf(field))

@@ -1,4 +1,4 @@
-"""The sample project: copied from the plugin, its database built, opened with the dock ready on its photos."""
+"""Create and open the sample project: copy its files, build its database, and fill the dock."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from .widgets.messages import TAG, Messages
 from .widgets.progress import RemainingBar
 
 FOLDER = "semref_sample"
-"""Made in the folder that the user picks, unless that one is empty."""
+"""Folder that is created in the chosen folder, unless the chosen folder is empty."""
 
 SAMPLE = Path(__file__).resolve().parents[1] / "sample"
-"""The files that ship; in a checkout, ``python -m tools.sample`` makes them."""
+"""Files that ship with the plugin; in a checkout, ``python -m tools.sample`` creates them."""
 
 MARKER, ANNOTATION_FILE, ORTHOPHOTO_FILE, PHOTOS_FOLDER = "sample.json", "landcover.shp", "orthophoto.tif", "photos"
 LABEL_MAP_FILE, DATABASE_FILE, PROJECT_FILE = "label_map.tif", "reference_database.gpkg", "semref_sample.qgz"
@@ -36,13 +36,13 @@ CLASS_FIELD, PRIORITY_FIELD = "class", "zorder"
 PIXEL_SIZE_M, WINDOW_SIZE_M, STRIDE_M, MINIMUM_AREA_M2 = 1.0, 640, 160, 50
 
 LAND_COVER_OPACITY = 0.5
-"""The orthophoto below stays visible."""
+"""Keeps the orthophoto below visible."""
 
 _FOLDER_SETTING = "semref/sample_folder"
 
 
 class SampleProject(QObject):
-    """Asks for a folder, makes there what is missing, and opens it; ``shut_down`` before it is deleted."""
+    """Asks for a folder, creates the sample project there, and opens it. Call ``shut_down`` before deleting it."""
 
     ended = pyqtSignal()
 
@@ -64,7 +64,7 @@ class SampleProject(QObject):
 
     def ask(self) -> None:
         if self.run.running:
-            self._messages.info(tr("The sample project is being made."))
+            self._messages.info(tr("SemRef is already creating the sample project."))
             return
         last = QgsSettings().value(_FOLDER_SETTING, "", type=str)
         picked = QFileDialog.getExistingDirectory(
@@ -75,7 +75,7 @@ class SampleProject(QObject):
             self.make(Path(picked))
 
     def make(self, picked: Path) -> None:
-        """In a folder that the user picked; what an earlier run finished is kept."""
+        """Create the project in the chosen folder; files of an earlier run stay."""
         if not (SAMPLE / MARKER).exists():
             self._messages.error(tr("This copy of SemRef has no sample area. Install SemRef from its zip file."))
             return
@@ -86,18 +86,18 @@ class SampleProject(QObject):
             self._messages.error(worded(error))
             return
         except OSError:
-            self._messages.error(tr("{folder} can’t be read; choose another folder.").format(folder=picked))
+            self._messages.error(tr("The folder {folder} can’t be read. Choose another folder.").format(folder=picked))
             return
         if (self._folder / DATABASE_FILE).exists():
             self._open()
             return
         self._show_bar()
-        self.run.start_algorithm(MAKE_DATABASE, parameters(self._folder), tr("Making the sample project"))
+        self.run.start_algorithm(MAKE_DATABASE, parameters(self._folder), tr("Creating the sample project"))
 
     def _show_bar(self) -> None:
-        """What is being done, how far, and a way to stop it; the user may close it and let the work go on."""
+        """Show progress and a *Cancel* button in the message bar. Closing the message does not stop the work."""
         bar = self._iface.messageBar()
-        item = bar.createMessage(TAG, tr("Making the sample project"))
+        item = bar.createMessage(TAG, tr("Creating the sample project"))
         progress, cancel = RemainingBar(), QPushButton(tr("Cancel"))
         progress.begin()
         for widget in (progress, cancel):
@@ -120,22 +120,22 @@ class SampleProject(QObject):
         if read_state(QgsProject.instance()) is None:
             photos = sorted(str(path) for path in (self._folder / PHOTOS_FOLDER).glob("*.jpg"))
             self._dock.prepare(str(self._folder / DATABASE_FILE), str(MODEL), photos)
-            # Only now does the project know what the dock shows.
+            # The project file stores the state of the dock as well.
             QgsProject.instance().write(str(project))
         else:
             self._dock.setUserVisible(True)
-        self._messages.info(tr("Press “Localize” in the dock to find where the photos were taken."))
+        self._messages.info(tr("Press “Localize” in the dock to find the positions of the photos."))
 
 
 def sample_folder(picked: Path) -> Path:
-    """Where the sample project is to be: the picked folder if it is empty or holds one, else a new one in it."""
+    """Return the chosen folder if it is empty or has a sample project; otherwise a new folder in it."""
     if (picked / MARKER).exists() or not any(picked.iterdir()):
         return picked
     return picked / FOLDER
 
 
 def copy_sample(folder: Path) -> None:
-    """Copy the shipped files into a new or empty folder; a folder that has them already is left unchanged.
+    """Copy the shipped files into a new or empty folder. A folder that has them stays unchanged.
 
     Raises:
         ParameterError: The folder has other files or can't be written to.
@@ -150,7 +150,7 @@ def copy_sample(folder: Path) -> None:
 
 
 def parameters(folder: Path) -> dict:
-    """Of the algorithm that makes the label map and the database."""
+    """Return the parameters of the algorithm that creates label map and database."""
     return {
         "INPUT": str(folder / ANNOTATION_FILE),
         "CLASS_FIELD": CLASS_FIELD,
@@ -166,7 +166,7 @@ def parameters(folder: Path) -> dict:
 
 
 def fill_project(project: QgsProject, folder: Path) -> QgsReferencedRectangle:
-    """Adds the sample's layers, styled, to an empty project; gives the sample's extent."""
+    """Add the sample's styled layers to an empty project. Return their extent."""
     photo = QgsRasterLayer(str(folder / ORTHOPHOTO_FILE), tr("Orthophoto"))
     labels = QgsRasterLayer(str(folder / LABEL_MAP_FILE), tr("Label map"))
     annotation = QgsVectorLayer(str(folder / ANNOTATION_FILE), tr("Land cover"), "ogr")
@@ -176,7 +176,7 @@ def fill_project(project: QgsProject, folder: Path) -> QgsReferencedRectangle:
     annotation.setOpacity(LAND_COVER_OPACITY)
     project.setTitle(tr("SemRef sample project"))
     project.setCrs(annotation.crs())
-    # Bottom first.
+    # From bottom to top.
     for layer in (photo, labels, annotation):
         project.addMapLayer(layer)
     add_database_to_map(str(folder / DATABASE_FILE), project)

@@ -112,7 +112,7 @@ def test_the_page_keeps_which_python_trains(page):
 
     from semref.processing.packages.training_environment import PYTHON_SETTING
 
-    assert "no environment" in page.training.state.text()
+    assert "no training environment" in page.training.state.text()
     assert page.training.make.isEnabled() and not page.training.remove.isEnabled()
     page.training.python.setFilePath("/opt/torch/bin/python")
     page.apply()
@@ -202,7 +202,7 @@ def test_a_package_that_brings_a_device_is_installed_from_the_index_or_a_folder(
     actions[3].trigger()
     assert asked == [("onnxruntime-gpu", ""), ("onnxruntime-openvino", str(tmp_path))]
     page._installer.installed.emit()
-    assert "once QGIS has been restarted" in page.state.text()
+    assert "Restart QGIS" in page.state.text()
 
 
 # --- diagnostics ---

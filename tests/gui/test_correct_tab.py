@@ -125,10 +125,10 @@ def test_information_can_be_left_out_and_what_is_done_is_kept(tab):
     tab.places.selectRow(0)
     tab.done.click()
     assert tab.progress.text() == "1 of 4 done"
-    tab.mend.click()
+    tab.problems.click()
     shown = [tab.places.item(row, 2).text() for row in range(tab.places.rowCount())]
     assert shown == ["1", "3"] and tab.progress.text() == "0 of 2 done"
-    tab.mend.click()
+    tab.problems.click()
     assert tab.places.rowCount() == 4 and tab.progress.text() == "1 of 4 done"
 
 

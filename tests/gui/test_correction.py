@@ -258,7 +258,7 @@ def test_a_label_map_that_the_update_made_old_is_offered_to_be_rasterized_again(
     monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *given: asked.append(given) or QDialog())
     mend(annotation)
     press(dock, box)
-    assert messages(iface) == ["The label map “Label map” is older than the database now."]
+    assert messages(iface) == ["The label map “Label map” is now older than the database."]
     (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Rasterize it again…"]
     button.click()
     ((name, given),) = asked

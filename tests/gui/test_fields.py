@@ -52,7 +52,7 @@ def test_databases_of_the_project_the_dock_and_those_used_last_are_offered_once(
         dock.content.database.file.setFilePath(str(tmp_path / f"{name}.gpkg"))
     add_database_to_map(area.database, QgsProject.instance())
     wrapper = wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE")
-    assert offered(wrapper) == ["In the project", "area", "Chosen in the dock", "newer", "Used last", "older"]
+    assert offered(wrapper) == ["In the project", "area", "Chosen in the dock", "newer", "Used recently", "older"]
     entry = wrapper.known.files.actions()[1]
     entry.trigger()
     assert wrapper.parameterValue() == area.database

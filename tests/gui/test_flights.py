@@ -52,7 +52,7 @@ def flown(dock, tab, database, flight):
 def test_a_flight_is_shown_with_its_track_and_what_each_image_rests_on(flown, dock, iface):
     rows = table(dock)
     assert [row[0] for row in rows] == [f"{n}.png" for n in range(COUNT)]
-    assert rows[BLANK][4] == "By the flight" and rows[BLANK - 1][4] == "Fix"
+    assert rows[BLANK][4] == "Position from the flight" and rows[BLANK - 1][4] == "Position"
     track = flown.hit.track.drawn("track").asPolyline()
     truth = WEST + 60 + SIZE / 2 + STEP * np.arange(COUNT)
     assert [point.x() for point in track] == pytest.approx(truth[-len(track) :], abs=12)

@@ -42,7 +42,7 @@ def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, 
     layer = add_raster_layer(area.image, "aerial image")
     assert dropped(tab.images.list, from_the_layer_tree(layer, issues))
     assert tab.images.paths() == [area.image]
-    assert "issues: not added" in messages(iface)[0]
+    assert "not image files: issues" in messages(iface)[0]
 
 
 @pytest.fixture
@@ -91,7 +91,7 @@ def test_the_report_of_a_training_is_opened_from_a_message_and_not_in_qgis_s_res
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda address: opened.append(address.toLocalFile()))
     page = str(tmp_path / "report.html")
     training_dialog.algorithmFinished.emit(True, {"OUTPUT": str(tmp_path / "own.onnx"), "REPORT": page})
-    assert messages(iface) == ["The model is trained, and chosen in the dock."]
+    assert messages(iface) == ["The model is trained and selected in the dock."]
     (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Open report"]
     button.click()
     assert opened == [page]
@@ -151,9 +151,9 @@ def test_a_folder_without_images_is_refused_before_a_run(dock, area, tab, tmp_pa
 def test_what_is_found_out_about_images_does_not_replace_the_end_of_a_run(dock, area, tab, photo_folder):
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.add([str(photo_folder)])
-    tab.state.show_text("2 of 3 images have a fix.")
+    tab.state.show_text("2 of 3 images have a position.")
     wait_until(lambda: tab.images.title() == "Images (3)", "the count")
-    assert tab.state.text_shown == "2 of 3 images have a fix."
+    assert tab.state.text_shown == "2 of 3 images have a position."
 
 
 @pytest.mark.parametrize("content", [b"<html>no database</html>", b"", None], ids=["html", "empty", "of others"])

@@ -33,7 +33,7 @@ def test_a_project_of_version_1_brings_dock_layers_and_results_back(dock, iface,
     assert (Path(state.results), state.opacity) == (kept / "results.gpkg", 35)
     assert state.prior == (600200.0, 5199600.0, 600700.0, 5199600.0, "EPSG:25832")
     assert [row[0] for row in table(dock)] == ["here.png", "nothing.png"]
-    assert table(dock)[0][4] == "Fix" and table(dock)[1][4] != "Fix"
+    assert table(dock)[0][4] == "Position" and table(dock)[1][4] != "Position"
     assert tab.results.table.selected().confidence > 0.9
     assert shown_outline(iface) is not None
     layers = {layer.name(): layer for layer in project.mapLayers().values()}
@@ -49,5 +49,5 @@ def test_a_project_of_version_1_can_be_worked_with(dock, tab, kept):
     settle()
     tab.localize_button.click()
     wait_until(lambda: not tab.run.running, "the end of the run")
-    assert tab.state.text_shown == "1 of 2 images have a fix."
+    assert tab.state.text_shown == "1 of 2 images have a position."
     assert dock.content.database.path() == str(kept / "database.gpkg")

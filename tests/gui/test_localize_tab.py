@@ -47,7 +47,10 @@ def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
     photo.write_bytes(b"")
     dock.content.database.file.setFilePath(area.database)
     tab.images.list.add([str(photo)])
-    assert tab.state.text_shown == "These are photos: choose a model. Otherwise colors are taken for classes."
+    assert (
+        tab.state.text_shown
+        == "These are photos: choose a model. Without a model, SemRef reads colors as class values."
+    )
     tab.images.model.setFilePath(str(tmp_path / "model.onnx"))
     assert tab.state.text_shown == "Ready to localize."
 
@@ -55,7 +58,7 @@ def test_photos_without_a_model_are_not_ready(dock, area, tab, tmp_path):
 def test_an_image_cut_from_a_window_is_found_there(dock, area, tab):
     localize(dock, area.database, [area.image])
     assert table(dock) == [["on_window.tif", "", "", "", "Unverified match", "150_250", "0.000"]]
-    assert tab.state.text() == "1 of 1 images have a fix."
+    assert tab.state.text() == "1 of 1 images have a position."
     details = tab.results.details.toPlainText()
     assert "x, y: 400250.00, 5399650.00 (EPSG:25832)" in details
     assert "lon, lat: 7.6" in details
@@ -186,7 +189,7 @@ def test_only_the_circle_drawn_on_the_map_is_searched(dock, area, away_m, fixes,
     middle = cut_extent().center()
     middle = QgsPointXY(middle.x() + away_m, middle.y())
     tab.prior.set_circle(middle, QgsPointXY(middle.x() + 60, middle.y()))
-    assert tab.prior.text.text_shown == "Search: within 60 m"
+    assert tab.prior.text.text_shown == "Search area: radius 60 m"
     localize(dock, area.database, [area.image])
     assert tab.state.text().startswith(f"{fixes} of 1")
     tab.prior.clear.click()
@@ -220,7 +223,7 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
     image = write_raster(tmp_path / "image.tif", twins[200:400, 50:250], False)
     choose_method(dock, CONSTELLATION)
     localize(dock, parameters["DATABASE"], [image])
-    assert table(dock)[0][4] == "Ambiguous"
+    assert table(dock)[0][4] == "No position: ambiguous"
     (places,) = rubber_bands(iface, "Polygon")
     lefts = sorted(part.boundingBox().xMinimum() - ORIGIN[0] for part in places.asGeometryCollection())
     assert lefts == pytest.approx([50, 350], abs=2)
@@ -230,7 +233,7 @@ def test_the_places_where_an_ambiguous_image_may_lie_are_outlined(dock, iface, r
 
 def test_the_published_methods_runners_up_are_outlined_paler(dock, iface, area, tab):
     localize(dock, area.database, [area.image])
-    wait_until(lambda: "next best" in tab.results.details.toPlainText(), "the runners-up")
+    wait_until(lambda: "next most similar" in tab.results.details.toPlainText(), "the runners-up")
     bands = [band for name, band in tab.hit.highlight._bands.items() if "runner" in name]
     extents = [band.asGeometry().boundingBox() for band in bands]
     assert len(extents) == 4
@@ -297,4 +300,4 @@ def test_what_a_run_says_is_in_the_log_panel_and_a_hidden_dock_tells_the_outcome
     wait_until(lambda: not tab.run.running, "the end of the run")
     log.messageReceived[str, str, "Qgis::MessageLevel"].disconnect(note)
     assert any("on_window.tif: 400250.0" in text for text, tag, *_ in logged if tag == "SemRef")
-    assert messages(iface) == ["1 of 1 images have a fix."]
+    assert messages(iface) == ["1 of 1 images have a position."]

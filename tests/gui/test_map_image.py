@@ -69,12 +69,12 @@ def test_a_place_framed_on_a_tile_map_is_drawn_and_found(dock, iface, area, tab,
     west, north = ORIGIN[0] + 180, ORIGIN[1] - 200
     iface.canvas.setExtent(QgsRectangle(west, north - 260, west + 260, north))
     middle = iface.canvas.extent().center()
-    assert ask_to_draw(tab) == "Aerial map: what the map shows"
+    assert ask_to_draw(tab) == "Aerial map: current map view"
     wait_until(lambda: tab.images.paths(), "the drawn image")
-    assert "What the map shows is an image of the list now" in messages(iface)[-1]
+    assert "The map view is now in the list of images" in messages(iface)[-1]
     choose_method(dock, CONSTELLATION)
     localize(dock, area.database, [])
-    assert table(dock)[0][4] == "Fix"
+    assert table(dock)[0][4] == "Position"
     details = tab.results.details.toPlainText()
     x, y = (float(part) for part in details.split("x, y: ")[1].split(" (")[0].split(", "))
     assert (x, y) == pytest.approx((middle.x(), middle.y()), abs=2)

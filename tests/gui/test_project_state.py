@@ -68,7 +68,7 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     assert before.opacity == 35 and before.prior[:2] == (400_100, 5_399_900) and before.results == saved
     assert table(dock) == shown
     assert corners(shown_outline(iface)) is not None
-    assert tab.prior.text.text_shown == "Search: within 60 m"
+    assert tab.prior.text.text_shown == "Search area: radius 60 m"
 
 
 def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, area, tmp_path, monkeypatch, tab):
@@ -155,7 +155,7 @@ def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab
     from qgis.core import QgsProject
 
     tab.images.trained.emit("/models/report.html")
-    assert messages(iface) == ["The model is trained, and chosen in the dock."]
+    assert messages(iface) == ["The model is trained and selected in the dock."]
     QgsProject.instance().clear()
     settle()
     assert messages(iface) == []
@@ -194,8 +194,8 @@ def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list
     drawn = []
     monkeypatch.setattr(tab.hit._picture_reader, "read", lambda *given: drawn.append(given[2].image))
     tab.show_state(replace(state, images=[]))
-    assert drawn == [] and "not in their folder" in tab.results.image.canvas._text
+    assert drawn == [] and "not in the folder of the results" in tab.results.image.canvas._text
     tab.hit.drape(tab.results.table.selected())
-    assert any("not in their folder" in text for text in messages(iface))
+    assert any("not in the folder of the results" in text for text in messages(iface))
     tab.show_state(replace(state, images=[area.image]))
     assert drawn == [area.image]

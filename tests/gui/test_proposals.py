@@ -192,10 +192,10 @@ def test_the_dialog_shows_how_many_epochs_fit_in_the_time_limit(ground, project,
     ground([5.0, 12.0, 12.0])
     wrappers = open_dialog("trainmodel", training_at_hand(project)).mainWidget().wrappers
     line = wrappers["MINUTES"].wrappedWidget().findChild(QLabel, "SemRefEpochs")
-    assert line.text() == "Epochs that fit on this computer: about 69"
+    assert line.text() == "Epochs within the time limit on this computer: about 69"
     wrappers["MINUTES"].setParameterValue(1, QgsProcessingContext())
-    assert line.text() == "Epochs that fit: about 1. Choose a longer time or a coarser resolution."
+    assert line.text().startswith("Epochs within the time limit: about 1. ")
     wrappers["MINUTES"].setParameterValue(0.4, QgsProcessingContext())
-    assert line.text() == "Less than one epoch fits. Choose a longer time or a coarser resolution."
+    assert line.text().startswith("The time limit is too short for one epoch.")
     wrappers["MINUTES"].setParameterValue(0, QgsProcessingContext())
     assert line.text() == ""

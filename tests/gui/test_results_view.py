@@ -37,7 +37,14 @@ def test_a_wide_dock_has_all_columns_that_say_something(dock, iface, found):
     as_wide_as(dock, iface, 800)
     table = found.results.table
     assert not table.is_narrow and table.horizontalHeader().isVisible()
-    assert headings(table) == ["Image", "Status", "Longitude, latitude", "Radius (m)", "Error probability", "Heading"]
+    assert headings(table) == [
+        "Image",
+        "Status",
+        "Longitude, latitude",
+        "Radius (m)",
+        "Error probability",
+        "Heading",
+    ]
     assert table.horizontalScrollBar().maximum() == 0
 
 
@@ -50,7 +57,7 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_error_probab
     from semref.ui.tabs.localize.results_model import SUMMARY
 
     first, second = (table.model().index(row, SUMMARY).data().split("\n") for row in range(2))
-    assert first[0] == "on_window.tif · Fix · error below 1 in 10,000"
+    assert first[0] == "on_window.tif · Position · error below 1 in 10,000"
     assert first[1].startswith("7.6") and " ± " in first[1] and first[1].endswith(" m")
     assert second[0] == "broken.tif · Unreadable" and "can't be read" in second[1]
 
@@ -64,13 +71,13 @@ def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, widt
     table = found.results.table
     metrics, room = table.fontMetrics(), table.viewport().width() - _ICON_AND_MARGINS_PX
     for name in ("photo_01.jpg", "DJI_20261122_143201_0018_Wide_Mission_7.JPG"):
-        above, below = fitted(f"{name} · Fix · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split("\n")
+        above, below = fitted(f"{name} · Position · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split("\n")
         assert above.endswith(f" · {odds}") and above[:2] == name[:2]
         assert max(metrics.horizontalAdvance(line) for line in (above, below)) <= room
     assert not table.horizontalScrollBar().isVisible()
 
 
-@pytest.mark.parametrize("status", ["Fix", "Position trouvée", "Posición encontrada"])
+@pytest.mark.parametrize("status", ["Position", "Position trouvée", "Posición encontrada"])
 def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface, found, status):
     from semref.ui.tabs.localize.results_table import fitted
 
@@ -99,7 +106,11 @@ def test_photos_of_a_flight_are_told_apart_where_their_names_do_not_fit(dock, if
 
 
 @pytest.mark.parametrize(
-    ("doubt", "status"), [({"gps_distance": 42_000.0}, "Fix, GPS elsewhere"), ({"jump": True}, "Fix, out of reach")]
+    ("doubt", "status"),
+    [
+        ({"gps_distance": 42_000.0}, "Position, contradicts GPS"),
+        ({"jump": True}, "Position, too far from other images"),
+    ],
 )
 @pytest.mark.parametrize("width", [320, 800])
 def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, found, doubt, status, width):
@@ -120,7 +131,7 @@ def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, foun
             icon = table.model().index(row, column).data(Qt.ItemDataRole.DecorationRole)
             assert icon.pixmap(16).toImage() == mark.pixmap(16).toImage()
     statuses = [table.model().index(row, STATUS).data() for row in range(2)]
-    assert statuses == ["Fix", status]
+    assert statuses == ["Position", status]
     # Of two lines the second, whose beginning is never cut off.
     _, below = table.model().index(1, SUMMARY).data().split("\n")
     assert below.startswith(f"{status} · 7.6")
@@ -163,9 +174,9 @@ def test_the_details_have_one_decimal_sign(found):
     finally:
         QLocale.setDefault(before)
     lines = found.results.details.toPlainText().splitlines()
-    told = [line for line in lines if "within" in line or "heading" in line]
+    told = [line for line in lines if "error probability" in line or "heading" in line]
     assert len(told) == 2 and all("," in line for line in told)
-    assert "." not in told[0].partition("within")[2] and "." not in told[1]
+    assert "." not in told[0].partition("95 %")[2] and "." not in told[1]
 
 
 def test_the_image_is_zoomed_by_keys(dock, iface, area, tab, qgis_app):

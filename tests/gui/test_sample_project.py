@@ -124,7 +124,7 @@ def test_the_sample_project_opens_styled_with_the_dock_ready_on_the_first_photo(
     wait_until(lambda: not dock.content.localize.run.running, "the localization")
     settle()
     state = dock.content.localize.state
-    assert state.text().startswith("2 of 2 images have a fix.") and "tiles a second" in state.toolTip()
+    assert state.text().startswith("2 of 2 images have a position.") and "tiles per second" in state.toolTip()
 
     # The project's own file knows the dock: opened as any project is, it brings all of it back.
     project.clear()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-SAID, ASIDE = "2 of 2 images have a fix.", "CPU, 11.6 tiles a second."
+SAID, ASIDE = "2 of 2 images have a position.", "CPU, 11.6 tiles per second."
 
 
 @pytest.fixture
@@ -31,4 +31,4 @@ def test_a_narrow_line_leaves_what_is_said_beside_to_the_tool_tip(line):
 
 def test_a_line_too_narrow_for_either_is_shortened_in_the_middle(line):
     line.resize(line.fontMetrics().horizontalAdvance(SAID) // 2, 20)
-    assert "…" in line.text() and line.text().startswith("2 of") and line.text().endswith("fix.")
+    assert "…" in line.text() and line.text().startswith("2 of") and line.text().endswith("ition.")

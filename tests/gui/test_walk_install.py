@@ -117,7 +117,7 @@ def test_every_algorithm_opens_and_the_toolbox_says_where_to_install_what_is_mis
 
 def test_the_button_installs_the_packages_and_the_dock_fills_itself(whole_walk):
     state, log = whole_walk["packages"]
-    assert "QGIS need not be restarted" in state, log
+    assert "You do not need to restart QGIS" in state, log
     assert whole_walk["filled"]
     assert [text for text in whole_walk["left"] if "needs" in text] == []
 

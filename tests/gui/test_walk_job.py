@@ -27,7 +27,7 @@ def test_the_sample_closed_and_reopened_shows_what_was_found(walks):
 
 
 def test_own_photos_are_found_and_laid_on_the_map(walks):
-    assert walks["own_photos"] == {"listed": 3, "statuses": ["Fix"] * 3, "layers": 1}
+    assert walks["own_photos"] == {"listed": 3, "statuses": ["Position"] * 3, "layers": 1}
 
 
 def test_windows_are_inspected_in_turn_by_name_and_on_the_map(walks):
@@ -49,7 +49,7 @@ def test_a_route_is_planned_and_the_file_for_the_aircraft_written(walks):
 def test_a_flight_is_placed_as_a_whole(walks):
     walked = walks["flown"]
     assert walked["is_flight"] and len(walked["statuses"]) == walked["listed"] == 6
-    assert all(status in ("Fix", "By the flight") for status in walked["statuses"])
+    assert all(status in ("Position", "Position from the flight") for status in walked["statuses"])
 
 
 def test_a_batch_is_opened_from_its_file_and_runs(walks):

@@ -1,1 +1,1 @@
-"""What SemRef draws on the map canvas, and the tools that pick places on it."""
+"""Marks on the map canvas, and map tools."""

@@ -1,4 +1,4 @@
-"""Images laid on the map as their fixes say."""
+"""Add localized images to the map."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ OPACITY = 0.6
 
 
 def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
-    """Georeferences an image, in the background.
+    """Georeference an image. For a background thread.
 
     Args:
         corners: Map (x, y) of its four corners (``Finding.corners``).
-        crs_wkt: What they are in.
+        crs_wkt: CRS of the corners.
 
     Returns:
-        The raster that QGIS opens, which lasts as long as QGIS runs.
+        Path of a raster that exists as long as QGIS runs.
 
     Raises:
         LabelMapError: The image can't be read.
     """
-    # Not at the top: the dock has to open, and say so, where OpenCV is missing.
+    # Imported here because the dock must open without OpenCV.
     from ...storage.georeferenced_vrt import write_draped
 
     target = QgsProcessingUtils.generateTempFilename("image.vrt")
@@ -32,20 +32,20 @@ def place_image(image: str, corners: tuple, crs_wkt: str) -> str:
 
 
 def add_placed(placed: str, name: str, crs_wkt: str, database: str, project: QgsProject) -> QgsRasterLayer:
-    """Adds what ``place_image`` gave to the project, half-transparent, above all other layers.
+    """Add the raster of ``place_image`` to the project, half-transparent, above all other layers.
 
-    Label values get the colors of ``database``. Raises LabelMapError.
+    Label images get the colors of ``database``. Raises LabelMapError.
     """
     layer = QgsRasterLayer(placed, name, "gdal")
     if not layer.isValid():
         raise LabelMapError("{image} can’t be shown on the map.", image=name)
     if layer.bandCount() == 1:
-        # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
+        # Imported here because it loads GDAL's arrays, which would delay the opening of the dock.
         from ...processing.layers.class_styles import apply_overview_style
 
         apply_overview_style(layer, database)
     if not layer.crs().isValid():
-        # QGIS asks nobody about a layer that SemRef has placed itself.
+        # QGIS must not ask for the CRS of a layer that SemRef georeferenced.
         layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(crs_wkt))
     layer.setOpacity(OPACITY)
     place_on_top(layer, project)

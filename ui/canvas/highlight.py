@@ -1,4 +1,4 @@
-"""The selected hit on the canvas: the ground it shows, where its top points to, and how sure its position is."""
+"""Selected result on the canvas: footprint, heading and 95 % circle."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from ..findings import Finding
 from .marks import ORANGE, POINTS_A_SIDE, RED, RIM, Marks, band, square, to_canvas, with_opacity
 
 _PALEST, _PALE = 90, 180
-"""Opacity of the last and the first runner-up's outline, of 255."""
+"""Opacity (0–255) of the outlines of the last and the first similar window."""
 
 _ZOOM_MARGIN = 2.0
-"""The canvas shows this many times the window's size, so that its surroundings can be seen."""
+"""Factor by which the visible extent exceeds the footprint."""
 
 _ARROW_HEAD = 0.12
-"""Length of the heading arrow's barbs, as a share of its shaft."""
+"""Length of the barbs of the heading arrow, as a share of its shaft."""
 
 
 class HitHighlight(Marks):
-    """Outline, heading arrow, 95 % circle and center of a fix; where there is none, the places it may be at."""
+    """Footprint, heading arrow, 95 % circle and center of a position; without one, its possible places."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(
@@ -43,7 +43,7 @@ class HitHighlight(Marks):
         self._center: QgsVertexMarker | None = _center_marker(canvas)
 
     def show(self, finding: Finding | None) -> bool:
-        """Shows the finding's hit, or the places it may be at; nothing for None. False where the CRS can't show it."""
+        """Show a finding's position or possible places; nothing for None. False if the canvas's CRS can't show it."""
         shown = finding is not None and (finding.center is not None or finding.possible)
         self._hit = finding if shown else None
         if self._hit is None:
@@ -52,14 +52,14 @@ class HitHighlight(Marks):
         return self.draw(_shapes(self._hit), self._hit.crs)
 
     def show_runners_up(self, windows: Sequence[LookAlike]) -> None:
-        """Outlines the windows that come after the shown one, the paler the farther behind."""
+        """Outline the next most similar windows, paler with each rank."""
         if self._hit is not None:
             squares = {_runner_up(rank): square(*window.center_xy, window.size) for rank, window in enumerate(windows)}
             self.draw({**self._shapes, **squares}, self._hit.crs)
 
     def zoom(self) -> None:
-        """Moves the canvas to the hit, if one is shown."""
-        # An image has a fix or possible places, never both.
+        """Move the canvas to the shown position or places, if any."""
+        # An image has a position or possible places, never both.
         self.zoom_to("possible" if self.drawn("outline").isEmpty() else "outline", _ZOOM_MARGIN)
 
     def remove(self) -> None:
@@ -98,13 +98,13 @@ def _center_marker(canvas: QgsMapCanvas) -> QgsVertexMarker:
 
 def _pale_band(canvas: QgsMapCanvas, rank: int):
     pale = band(canvas, POLYGON_GEOMETRY, with_opacity(RED, _PALE - (_PALE - _PALEST) * rank // max(RUNNERS_UP - 1, 1)))
-    # Below the winning window.
+    # Below the matched window.
     pale.setZValue(pale.zValue() - 1)
     return pale
 
 
 def _shapes(hit: Finding) -> dict[str, QgsGeometry]:
-    """What is drawn of a hit, in its own CRS, by the names of the bands."""
+    """Return the shapes of a finding in its CRS, by the names of their bands."""
     outline = QgsGeometry() if hit.outline is None else hit.outline.densifyByCount(POINTS_A_SIDE)
     possible = [geometry.densifyByCount(POINTS_A_SIDE) for geometry in hit.possible]
     return {
@@ -116,7 +116,7 @@ def _shapes(hit: Finding) -> dict[str, QgsGeometry]:
 
 
 def _arrow(hit: Finding) -> QgsGeometry:
-    """From the center to where the image's top edge is, on the map; empty where the heading is not known."""
+    """Return an arrow from the center to the image's top edge; empty without a heading."""
     if hit.heading is None or hit.outline is None:
         return QgsGeometry()
     length, center = sqrt(hit.outline.area()) / 2, hit.center
@@ -131,7 +131,7 @@ def _away(point: QgsPointXY, heading_deg: float, distance: float) -> QgsPointXY:
 
 
 def _error_circle(hit: Finding) -> QgsGeometry:
-    """Holds the position in 95 % of fixes; empty where the method tells no error."""
+    """Return the circle of the 95 % radius; empty without a radius."""
     if hit.error_95 is None:
         return QgsGeometry()
     return QgsGeometry.fromPointXY(hit.center).buffer(hit.error_95, POINTS_A_SIDE)

@@ -1,4 +1,4 @@
-"""What every mark on the canvas shares: rubber bands that follow the canvas's CRS, can be hidden and be taken away."""
+"""Base of all marks on the canvas: rubber bands that follow the CRS of the canvas and can be hidden and removed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from qgis.PyQt.QtGui import QColor
 
 from ...processing.compat import POLYGON_GEOMETRY
 
-# Red with a white rim stands out on land-cover colors, aerial images, white and black alike.
+# Red with a white rim is visible on land-cover colors, aerial images, white and black.
 RED = QColor("#e8344e")
 BLUE = QColor("#1f6fd6")
 ORANGE = QColor("#e69f00")
@@ -26,21 +26,19 @@ RIM = QColor("#ffffff")
 
 _PLACE_MARGIN = 3.0
 _CLOSEST_SCALE = 500
-"""Specks are shown with some ground around them: not nearer than 1:500."""
+"""Largest scale (1:500), so that small places are shown with their surroundings."""
 
 POINTS_A_SIDE = 16
-"""Straight sides are curves in another CRS: so many points are put on each."""
+"""Number of points on each side, because straight sides are curves in another CRS."""
 
 
 class Marks(QObject):
-    """Shapes on the canvas, each drawn by a rubber band of its own. ``remove`` takes them off the canvas for good."""
+    """Shapes on the canvas, each drawn by its own rubber band. Call ``remove`` before deleting it."""
 
     def __init__(self, canvas: QgsMapCanvas, bands: Mapping[str, QgsRubberBand]) -> None:
-        """Draws nothing yet.
-
-        Args:
-            canvas: The map canvas to draw on.
-            bands: The rubber bands by the names of the shapes they will draw.
+        """Args:
+        canvas: Map canvas to draw on.
+        bands: Rubber bands by the names of their shapes.
         """
         super().__init__()
         self._canvas = canvas
@@ -51,39 +49,39 @@ class Marks(QObject):
         canvas.destinationCrsChanged.connect(self._place)
 
     def draw(self, shapes: Mapping[str, QgsGeometry], crs: QgsCoordinateReferenceSystem) -> bool:
-        """Draws these shapes instead of those drawn before.
+        """Replace the drawn shapes.
 
         Args:
-            shapes: Geometries by the names of their bands; bands without one are emptied.
-            crs: What the geometries are in.
+            shapes: Geometries by the names of their bands; other bands become empty.
+            crs: CRS of the geometries.
 
         Returns:
-            False where the canvas's CRS has no such place.
+            False if the shapes can't be transformed to the canvas's CRS.
         """
         self._shapes, self._crs = dict(shapes), crs
         return self._place()
 
     def clear(self) -> None:
-        """Draws nothing any more."""
+        """Remove all shapes."""
         self.draw({}, self._crs)
 
     def set_visible(self, visible: bool) -> None:
-        """Hides the marks, or brings them back."""
+        """Hide or show the marks."""
         self._visible = visible
         self._place()
 
     def drawn(self, name: str) -> QgsGeometry:
-        """What a band shows now, in the canvas's CRS; an empty geometry where it shows nothing."""
+        """Return the shape that a band shows in the canvas's CRS; an empty geometry if it is empty."""
         return self._bands[name].asGeometry()
 
     def zoom_to(self, name: str, factor: float) -> None:
-        """Moves the canvas to a drawn shape, so that it shows ``factor`` times its extent; not for an empty one."""
+        """Move the canvas to a drawn shape and show ``factor`` times its extent; nothing for an empty shape."""
         extent = self.drawn(name).boundingBox()
         if not extent.isEmpty():
             show_extent(self._canvas, extent, factor)
 
     def remove(self) -> None:
-        """Takes everything off the canvas for good."""
+        """Remove the bands from the canvas for good."""
         self._canvas.destinationCrsChanged.disconnect(self._place)
         for band in self._bands.values():
             self._canvas.scene().removeItem(band)
@@ -92,12 +90,12 @@ class Marks(QObject):
     def _place(self) -> bool:
         placed = self._on_canvas() if self._visible else {}
         for name, band in self._bands.items():
-            # An empty geometry empties the band.
+            # An empty geometry clears the band.
             band.setToGeometry((placed or {}).get(name) or QgsGeometry())
         return placed is not None
 
     def _on_canvas(self) -> dict[str, QgsGeometry] | None:
-        """The shapes in the canvas's CRS; None where that has no such place."""
+        """Return the shapes in the canvas's CRS; None if they can't be transformed."""
         transform = to_canvas(self._canvas, self._crs)
         placed = {name: QgsGeometry(shape) for name, shape in self._shapes.items() if not shape.isEmpty()}
         try:
@@ -111,14 +109,14 @@ class Marks(QObject):
 def band(
     canvas: QgsMapCanvas, kind: int, color: QColor, width: int = 2, filled: int = 0, rim: bool = True
 ) -> QgsRubberBand:
-    """An empty rubber band.
+    """Return an empty rubber band.
 
     Args:
         kind: ``POLYGON_GEOMETRY`` or ``LINE_GEOMETRY`` of ``processing.compat``.
-        color: Of its line; the rim is as opaque as it.
-        width: Of its line, in pixels.
-        filled: Opacity of its inside, of 255; by default the map's colors inside stay what they are.
-        rim: Whether a white rim sets it off.
+        color: Color of the line; the rim has the same opacity.
+        width: Width of the line in pixels.
+        filled: Opacity (0–255) of the interior.
+        rim: Whether the line has a white rim.
     """
     made = QgsRubberBand(canvas, kind)
     made.setStrokeColor(color)
@@ -130,31 +128,31 @@ def band(
 
 
 def with_opacity(color: QColor, opacity: int) -> QColor:
-    """The color with another opacity, of 255."""
+    """Return the color with another opacity (0–255)."""
     return QColor(color.red(), color.green(), color.blue(), opacity)
 
 
 def to_canvas(canvas: QgsMapCanvas, crs: QgsCoordinateReferenceSystem) -> QgsCoordinateTransform:
-    """From a CRS to the canvas's."""
+    """Return the transformation from a CRS to that of the canvas."""
     return QgsCoordinateTransform(crs, canvas.mapSettings().destinationCrs(), QgsProject.instance())
 
 
 def show_extent(canvas: QgsMapCanvas, extent: QgsRectangle, factor: float) -> None:
-    """Moves the canvas so that it shows ``factor`` times an extent in its CRS."""
+    """Move the canvas to ``factor`` times an extent in its CRS."""
     extent.scale(factor)
     canvas.setExtent(extent)
     canvas.refresh()
 
 
 def square(x: float, y: float, size: float) -> QgsGeometry:
-    """A square around (x, y) with edges of ``size``, ready to be drawn in any CRS."""
+    """Return a square around (x, y) with edges of ``size``, with points on its sides for other CRSs."""
     half = size / 2
     outline = QgsGeometry.fromRect(QgsRectangle(x - half, y - half, x + half, y + half))
     return outline.densifyByCount(POINTS_A_SIDE)
 
 
 class PlaceMark(Marks):
-    """A polygon of a check's findings."""
+    """Polygon of a place to check."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas, {"place": band(canvas, POLYGON_GEOMETRY, RED, filled=40, rim=False)})
@@ -163,7 +161,7 @@ class PlaceMark(Marks):
         self.draw({"place": place}, crs)
 
     def zoom(self, least_extent: float) -> None:
-        """Moves the canvas to the place; ``least_extent``, in its units, is added, as points and lines have none."""
+        """Move the canvas to the place, enlarged by ``least_extent`` in CRS units because points have no extent."""
         extent = self.drawn("place").boundingBox()
         if self.drawn("place").isEmpty():
             return

@@ -1,5 +1,4 @@
-"""Landmarks on the canvas that agree with the image's: numbered as in the image view, joined with where the fix puts
-the image's."""
+"""Matched landmarks on the canvas, numbered as in the image view, with lines to the image's landmarks."""
 
 from __future__ import annotations
 
@@ -18,9 +17,9 @@ _REACH_PX = 12.0
 
 
 class MatchMarks(Marks):
-    """The pairs of landmarks that agree.
+    """Pairs of matched landmarks.
 
-    pointed: the number of the landmark under the mouse, 0 for none.
+    pointed: number of the landmark under the mouse; otherwise 0.
     """
 
     pointed = pyqtSignal(int)
@@ -33,11 +32,11 @@ class MatchMarks(Marks):
 
     @property
     def pairs(self) -> list[tuple[QgsPointXY, QgsPointXY]]:
-        """(where the fix puts it, the map's landmark) of each match in the canvas's CRS, as drawn."""
+        """(image's landmark, map's landmark) of each match, as drawn, in the canvas's CRS."""
         return self._item.pairs
 
     def show(self, matches: MatchPoints, crs: QgsCoordinateReferenceSystem) -> None:
-        """Draws matches whose map coordinates are in ``crs``."""
+        """Draw matches with map coordinates in ``crs``."""
         self._matches, self._crs = matches, crs
         self._place()
 
@@ -46,7 +45,7 @@ class MatchMarks(Marks):
         self._place()
 
     def point_at(self, number: int) -> None:
-        """Stresses one landmark; 0 for none."""
+        """Highlight one landmark; 0 clears the highlight."""
         self._item.point_at(number)
 
     def remove(self) -> None:
@@ -77,7 +76,7 @@ class MatchMarks(Marks):
 
 
 class _Item(QgsMapCanvasItem):
-    """Paints the pairs that ``MatchMarks`` gives it."""
+    """Paints the pairs of ``MatchMarks``."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
@@ -96,7 +95,7 @@ class _Item(QgsMapCanvasItem):
             self.update()
 
     def places(self) -> list[tuple[int, QPointF]]:
-        """Numbers and pixels of the map's landmarks."""
+        """Return numbers and canvas pixels of the map's landmarks."""
         return [(number, self.toCanvasCoordinates(on_map)) for number, (_, on_map) in enumerate(self.pairs, start=1)]
 
     # --- QgsMapCanvasItem ---

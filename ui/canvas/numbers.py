@@ -1,4 +1,4 @@
-"""Numbers beside dots: what is number 7 in the image is number 7 on the map."""
+"""Numbers next to landmarks, the same in the image and on the map."""
 
 from __future__ import annotations
 
@@ -16,13 +16,12 @@ _CELL_PX = 16.0
 
 
 def paint_numbers(painter: QPainter, font: QFont, places: Iterable[tuple[int, QPointF]], pointed: int) -> None:
-    """Writes each number beside its place (pixels of ``painter``), the pointed one always, the others where there is
-    room: where landmarks crowd, zooming in shows more."""
+    """Write each number next to its place (pixels of ``painter``); numbers that would overlap are left out."""
     small = QFont(font)
     small.setPointSizeF(max(font.pointSizeF() * 0.85, 6.0))
     metrics = QFontMetricsF(small)
     taken: set[tuple[int, int]] = set()
-    # The pointed one first, so that it finds room.
+    # The pointed one first, so that it gets room.
     for number, place in sorted(places, key=lambda entry: entry[0] != pointed):
         text = str(number)
         box = QRectF(
@@ -41,7 +40,7 @@ def paint_numbers(painter: QPainter, font: QFont, places: Iterable[tuple[int, QP
 
 
 def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) -> None:
-    """A ring with a rim, in the painter's pixels."""
+    """Paint a ring with a rim, in the painter's pixels."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for pen_color, width in ((RIM, 3.5), (color, 1.5)):
         painter.setPen(QPen(pen_color, width))
@@ -49,14 +48,14 @@ def paint_ring(painter: QPainter, place: QPointF, radius: float, color: QColor) 
 
 
 def nearest_number(places: Iterable[tuple[int, QPointF]], position: QPointF, reach: float) -> int | None:
-    """The number of the place nearest to a position, None where none is within reach."""
+    """Return the number of the nearest place within ``reach``; None without one."""
     away = [((place.x() - position.x()) ** 2 + (place.y() - position.y()) ** 2, number) for number, place in places]
     squared, number = min(away, default=(float("inf"), None))
     return number if squared <= reach**2 else None
 
 
 def _cells(box: QRectF) -> set[tuple[int, int]]:
-    """Of a grid, those that a box touches."""
+    """Return the cells of a grid that a box touches."""
     columns = range(int(box.left() // _CELL_PX), int(box.right() // _CELL_PX) + 1)
     rows = range(int(box.top() // _CELL_PX), int(box.bottom() // _CELL_PX) + 1)
     return {(column, row) for column in columns for row in rows}

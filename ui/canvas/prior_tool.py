@@ -1,4 +1,4 @@
-"""The map tool that draws where images are known to be: press at the middle, drag to the edge."""
+"""Map tool that draws the search area: press at its center and drag to its edge."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from .marks import BLUE, POINTS_A_SIDE, Marks, band, to_canvas
 
 
 class CircleMark(Marks):
-    """A circle on the canvas, round in whatever CRS the canvas has."""
+    """Circle that is round in the CRS of the canvas."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas, {"circle": band(canvas, POLYGON_GEOMETRY, BLUE, filled=30, rim=False)})
         self._ends: tuple | None = None
 
     def show(self, middle: QgsPointXY, edge: QgsPointXY, crs: QgsCoordinateReferenceSystem) -> None:
-        """Draws a circle around ``middle`` through ``edge``, both in ``crs``."""
+        """Draw a circle around ``middle`` through ``edge``, both in ``crs``."""
         self._ends, self._crs = (middle, edge), crs
         self._place()
 
@@ -39,7 +39,7 @@ class CircleMark(Marks):
 
 
 class PriorTool(QgsMapTool):
-    """Emits ``drawn`` with the middle and a point of the edge in the canvas's CRS. ``remove`` before it is deleted."""
+    """Emits ``drawn`` with center and edge point in the canvas's CRS. Call ``remove`` before deleting it."""
 
     drawn = pyqtSignal(QgsPointXY, QgsPointXY)
 
@@ -50,7 +50,7 @@ class PriorTool(QgsMapTool):
         self.circle = CircleMark(canvas)
 
     def remove(self) -> None:
-        """Takes the circle off the canvas for good."""
+        """Remove the circle from the canvas for good."""
         self.circle.remove()
 
     # --- QgsMapTool ---

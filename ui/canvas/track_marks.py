@@ -1,4 +1,4 @@
-"""A flight on the canvas: a line from image to image, and a dot at each, fixes of their own and others told apart."""
+"""A flight on the canvas: lines between images, and dots colored by the source of the position."""
 
 from __future__ import annotations
 
@@ -15,10 +15,9 @@ _DOT_PX, _WIDTH_PX = 9, 2
 
 
 class TrackMarks(Marks):
-    """Tracks of a flight's findings; nothing for findings of images each by itself."""
+    """Tracks of flights; nothing for single images."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
-        """Draws nothing yet; ``canvas``: to draw on."""
         super().__init__(
             canvas,
             {
@@ -30,7 +29,7 @@ class TrackMarks(Marks):
         )
 
     def show(self, findings: Sequence[Finding]) -> None:
-        """Shows the tracks of these findings, in their order."""
+        """Show the tracks of these findings, in their order."""
         placed = [finding for finding in findings if finding.track and finding.center is not None]
         if not placed:
             self.clear()

@@ -1,4 +1,4 @@
-"""The inspected window on the canvas: its outline, landmarks and look-alikes, and the map tool that picks one."""
+"""The inspected window on the canvas with landmarks and similar windows, and the map tool that picks a window."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _ZOOM_MARGIN = 1.6
 
 
 class WindowMarks(Marks):
-    """A window of a database, joined with the landmarks of its vector, and what looks like it elsewhere."""
+    """A window of the database, lines to the landmarks of its vector, and similar windows."""
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(
@@ -28,7 +28,7 @@ class WindowMarks(Marks):
         )
 
     def show(self, window: InspectedWindow, crs: QgsCoordinateReferenceSystem) -> None:
-        """Draws a window whose coordinates are in ``crs``."""
+        """Draw a window with coordinates in ``crs``."""
         center = QgsPointXY(*window.center_xy)
         star = [[center, QgsPointXY(*end)] for end in window.ends_xy]
         look_alikes = [square(*other.center_xy, other.size) for other in window.look_alikes]
@@ -40,13 +40,13 @@ class WindowMarks(Marks):
         self.draw(shapes, crs)
 
     def zoom(self) -> None:
-        """Moves the canvas to the window when it is not in view as a whole."""
+        """Move the canvas to the window unless all of it is visible."""
         if not self._canvas.extent().contains(self.drawn("window").boundingBox()):
             self.zoom_to("window", _ZOOM_MARGIN)
 
 
 class WindowTool(QgsMapToolEmitPoint):
-    """Emits ``picked`` with the point in the canvas's CRS; Escape gives the tool before back."""
+    """Emits ``picked`` with the point in the canvas's CRS; Escape returns to the previous tool."""
 
     picked = pyqtSignal(QgsPointXY)
 

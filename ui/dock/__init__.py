@@ -1,1 +1,1 @@
-"""The dock: a shell that is there from the start, and its content, made when it is opened."""
+"""The dock: a shell that exists from the start, and content that is created when the dock opens."""

@@ -1,4 +1,4 @@
-"""What is in the dock: the database on top, below it a tab for each way to work with it."""
+"""Content of the dock: the database, and one tab each to localize, inspect and correct."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ from ..widgets.layouts import narrow, row_of
 from ..widgets.messages import Messages
 
 LOCALIZE, INSPECT, CORRECT = range(3)
-"""The tabs."""
+"""Indexes of the tabs."""
 
 _TAB_SETTING = "semref/dock/tab"
 
 _LEAST_WIDTH_PX = 300
-"""Narrower the dock's texts are shortened beyond reading, though nothing of it asks for more."""
+"""Least width at which the texts are readable."""
 
 
 class DockContent(QWidget):
-    """Joins the tabs with the database and with each other. ``shut_down`` before it is deleted."""
+    """Connects the tabs with the database and with each other. Call ``shut_down`` before deleting it."""
 
     resetAsked = pyqtSignal()
 
@@ -54,7 +54,7 @@ class DockContent(QWidget):
 
     def _lay_out(self) -> None:
         self.tabs.setDocumentMode(True)
-        # All three are seen however long their names are: shortened rather than behind an arrow.
+        # Long titles are shortened, so that all tabs stay visible.
         self.tabs.setUsesScrollButtons(False)
         self.tabs.setElideMode(Qt.TextElideMode.ElideRight)
         for page, title in (
@@ -65,7 +65,7 @@ class DockContent(QWidget):
             self.tabs.setTabToolTip(self.tabs.addTab(_scrolling(page), title), title)
         self.help = tool_button("/mActionHelpContents.svg", tr("User guide"))
         self.help.setAutoRaise(True)
-        self.reset = tool_button("/mActionRefresh.svg", tr("Reset SemRef: empty the dock, forget its settings…"))
+        self.reset = tool_button("/mActionRefresh.svg", tr("Reset SemRef: clear the dock and delete its settings…"))
         self.reset.setAutoRaise(True)
         corner = QWidget()
         corner.setLayout(narrow(row_of(self.reset, self.help), 0))
@@ -96,7 +96,7 @@ class DockContent(QWidget):
         return QSize(max(least.width(), _LEAST_WIDTH_PX), least.height())
 
     def shut_down(self) -> None:
-        """Cancels what runs, waits for what is being read, and clears the canvas."""
+        """Cancel runs and background reading, and clear the canvas."""
         self._reader.shut_down()
         for part in (self.localize, self.database, self.inspect, self.correct):
             part.shut_down()
@@ -107,7 +107,7 @@ class DockContent(QWidget):
         self.correct.updating.use_database(self.database.path())
 
     def _read_database(self) -> None:
-        """The inspected database, in the background."""
+        """Read the database for the tab *Inspect* in the background."""
         if not self.database.path():
             self._messages.info(tr("Choose a database."))
             return
@@ -120,17 +120,17 @@ class DockContent(QWidget):
             self._messages.error(worded(error))
 
     def _show_updated(self, path: str) -> None:
-        """A database that was replaced: on the map, and in the tabs that have read it."""
+        """Reload a replaced database on the map and in the tabs."""
         reload_database(path, QgsProject.instance())
         if path == self.database.path():
             self.database.choose(path)
 
     def _offer_label_map(self, layer: str, parameters: dict) -> None:
-        sentence = tr("The label map “{layer}” is older than the database now.").format(layer=layer)
+        sentence = tr("The label map “{layer}” is now older than the database.").format(layer=layer)
         self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, parameters))
 
     def _rasterize(self, parameters: dict) -> None:
-        """Open the dialog of *Rasterize annotation*, beside which QGIS can be used."""
+        """Open the dialog of *Rasterize annotation*. It is not modal."""
         from processing import createAlgorithmDialog
 
         self.rasterizing = createAlgorithmDialog(RASTERIZE, parameters)
@@ -141,7 +141,7 @@ class DockContent(QWidget):
 
 
 class _Page(QScrollArea):
-    """As wide as its page asks at least, with whatever font."""
+    """Scroll area that is never narrower than its page, whatever the font."""
 
     def minimumSizeHint(self) -> QSize:
         least = super().minimumSizeHint()
@@ -150,10 +150,10 @@ class _Page(QScrollArea):
 
 
 def _scrolling(page: QWidget) -> QScrollArea:
-    """The dock can be made lower than a page's content, but not narrower."""
+    """Return a scroll area for the page: the dock can be lower than a page, but not narrower."""
     area = _Page()
     area.setFrameShape(QFrame.Shape.NoFrame)
-    # The Tab key stops at what is in it, not at it.
+    # The Tab key goes to the widgets inside, not to the area.
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     area.setWidgetResizable(True)
     area.setWidget(page)

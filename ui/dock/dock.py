@@ -1,4 +1,4 @@
-"""The dock's shell: QGIS has it from the start; its content is made when it is opened and nothing for it is missing."""
+"""Shell of the dock. Its content is created when the dock opens and the required packages are installed."""
 
 from __future__ import annotations
 
@@ -25,29 +25,28 @@ if TYPE_CHECKING:
 
 
 SETTINGS = "semref"
-"""All of SemRef's settings lie below it."""
+"""Group of all settings of SemRef."""
 
 
 FIRST_WIDTH_PX, LEAST_WINDOW_PX = 400, 1200
-"""Of the dock that is opened for the first time, so that titles of tabs and rows of results have room, beside a map
-that keeps its own; then QGIS keeps the width that its user gives it."""
+"""Width of the dock when it opens for the first time, in windows of at least this width. Later QGIS restores it."""
 
 _SIZED_SETTING = f"{SETTINGS}/dock/sized"
 
 
 class SemRefDock(QgsDockWidget):
-    """``shut_down`` before it is deleted: it cancels what runs and clears the canvas."""
+    """Dock widget. Call ``shut_down`` before deleting it."""
 
     def __init__(self, canvas: QgsMapCanvas, message_bar: QgsMessageBar, parent: QWidget | None = None) -> None:
         super().__init__("SemRef", parent)
-        # QGIS restores a dock's place by this name.
+        # QGIS restores the place of a dock by this name.
         self.setObjectName("SemRefDock")
         self.messages = Messages(message_bar)
         self.notice = MissingNotice()
         whole = QWidget()
         self._layout = narrow(QVBoxLayout(whole))
         self._layout.addWidget(self.notice)
-        # Keeps the notice on top while there is no content.
+        # Keeps the notice at the top while there is no content.
         self._layout.addStretch()
         self.setWidget(whole)
         self._canvas = canvas
@@ -65,20 +64,20 @@ class SemRefDock(QgsDockWidget):
         self.visibilityChanged.connect(self._follow_visibility)
 
     def let_open(self) -> None:
-        """From now on the dock has its content made when it is shown; QGIS shows each dock once when it is added."""
+        """Create the content whenever the dock is shown from now on. QGIS shows each dock once when it is added."""
         self._opens = True
         if not self.isHidden():
             self.fill()
 
     def fill(self) -> None:
-        """Shows the content, or what has to be installed for it."""
+        """Show the content, or the packages that it needs."""
         self.notice.refresh()
         if not self.notice.blocks:
             self.content.show()
 
     @property
     def content(self) -> DockContent:
-        """Made now, if it was not yet: its modules take a while to load, and many sessions never open the dock."""
+        """Content; created on first use, because its modules load slowly and many sessions never open the dock."""
         if self._content is None:
             self._content = self._make_content()
         return self._content
@@ -88,7 +87,7 @@ class SemRefDock(QgsDockWidget):
 
         content = DockContent(self._canvas, self.messages, self._shelf)
         content.resetAsked.connect(self._ask_to_reset)
-        content.localize.found.connect(self._tell_found)
+        content.localize.found.connect(self._show_found)
         content.localize.modelChosen.connect(self.notice.use_model)
         self.notice.use_model(content.localize.images.model_path())
         self._layout.addWidget(content, 1)
@@ -97,7 +96,7 @@ class SemRefDock(QgsDockWidget):
         return content
 
     def reset(self) -> None:
-        """As new: nothing chosen, everything where it was at first, all of SemRef's settings forgotten."""
+        """Delete all settings of SemRef and replace the content with a new one."""
         QgsSettings().remove(SETTINGS)
         self._wanted_state = None
         if self._content is not None:
@@ -107,7 +106,7 @@ class SemRefDock(QgsDockWidget):
             self.content.show()
 
     def shut_down(self) -> None:
-        """Cancels what runs and clears the canvas."""
+        """Cancel runs and clear the canvas."""
         self.visibilityChanged.disconnect(self._follow_visibility)
         self._leave_project()
         OPENED.database.disconnect(self.choose_database)
@@ -117,7 +116,7 @@ class SemRefDock(QgsDockWidget):
             self._content.shut_down()
 
     def prepare(self, database: str, model: str, images: list[str]) -> None:
-        """Shows the dock with these images, the first one selected, ready to be localized by the automatic method."""
+        """Show the dock with database, model and images, and the automatic method."""
         from .content import LOCALIZE
 
         localize = self.content.localize
@@ -128,7 +127,7 @@ class SemRefDock(QgsDockWidget):
         self.content.tabs.setCurrentIndex(LOCALIZE)
 
     def choose_database(self, path: str) -> None:
-        """Works with this database from now on; also with one that was replaced under the same name."""
+        """Choose a database, also one that was replaced under the same name."""
         QgsSettings().setValue(DATABASE_SETTING, path)
         if self._content is not None:
             self._content.database.choose(path)
@@ -136,22 +135,22 @@ class SemRefDock(QgsDockWidget):
             self._wanted_state = replace(self._wanted_state, database=path)
 
     def _reload_raster(self, path: str) -> None:
-        """A label map that is made again is on the map as it is now."""
+        """Reload a label map that was created again."""
         reload_raster(path, QgsProject.instance())
 
     def refresh_notice(self) -> None:
-        """Looks again which packages are missing."""
+        """Check again which packages are missing."""
         if self._opens and not self.isHidden():
             self.fill()
 
     # --- the project ---
 
     def _state_now(self) -> DockState | None:
-        """Of a dock that was never opened: what its project had."""
+        """Return the state; for a dock that was never opened, the state that its project had."""
         return self._wanted_state if self._content is None else self._content.localize.state_now()
 
     def _restore(self, *_document) -> None:
-        """As it was when the project that is opened now was saved."""
+        """Restore the state of the opened project."""
         state = read_state(QgsProject.instance())
         if self._content is None:
             self._wanted_state = state
@@ -176,7 +175,7 @@ class SemRefDock(QgsDockWidget):
         project.cleared.disconnect(self._forget)
 
     def _forget(self) -> None:
-        """Nothing of a project stays for the next one: neither its marks and results nor its database."""
+        """Clear database, marks and results when the project is closed."""
         self._wanted_state = None
         if self._content is not None:
             opacity = self._content.localize.results.image.opacity.value()
@@ -189,7 +188,7 @@ class SemRefDock(QgsDockWidget):
             self.fill()
             if not QgsSettings().value(_SIZED_SETTING, False, type=bool):
                 QgsSettings().setValue(_SIZED_SETTING, True)
-                # Its window has not laid it out yet.
+                # Later, when the window has laid out the dock.
                 QTimer.singleShot(0, self._widen)
         super().showEvent(event)
 
@@ -199,20 +198,20 @@ class SemRefDock(QgsDockWidget):
             window.resizeDocks([self], [FIRST_WIDTH_PX], Qt.Orientation.Horizontal)
 
     def _follow_visibility(self) -> None:
-        # A dock behind another one's tab is not hidden: its hit stays.
+        # A dock behind the tab of another dock is not hidden: its marks stay.
         if self._content is not None:
             self._content.localize.hit.set_visible(not self.isHidden())
 
     def _ask_to_reset(self) -> None:
         text = tr(
-            "Empty the dock and forget all settings of SemRef? Files, layers and installed packages stay as they are."
+            "Clear the dock and delete all settings of SemRef? Files, layers and installed packages do not change."
         )
         buttons = QMessageBox.StandardButton
         if QMessageBox.question(self, TAG, text, buttons.Reset | buttons.Cancel) == buttons.Reset:
-            # Not in the midst of a click on what is taken away.
+            # Later: the click comes from a button that the reset deletes.
             QTimer.singleShot(0, self.reset)
 
-    def _tell_found(self, sentence: str) -> None:
-        # Whoever has the dock open sees it there.
+    def _show_found(self, sentence: str) -> None:
+        # An open dock shows the sentence itself.
         if not self.isUserVisible():
             self.messages.success(sentence)

@@ -1,4 +1,4 @@
-"""Loads the dock's modules one at a time while nobody waits, so that the dock opens at once."""
+"""Load the dock's modules one by one while QGIS is idle, so that the dock opens without delay."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ _MODULES = (
     "tabs.localize.tab",
     "dock.content",
 )
-"""The small ones first: each then takes a few milliseconds."""
+"""In this order each module takes a few milliseconds."""
 
 
 class Preload(QObject):
-    """Begins when Qt has nothing else to do; ``stop`` ends it."""
+    """Starts when Qt is idle; ``stop`` ends it."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -40,7 +40,7 @@ class Preload(QObject):
         self._timer.start(_PAUSE_MS)
 
     def stop(self) -> None:
-        """What is not loaded yet is loaded when it is needed."""
+        """Stop; remaining modules load when they are needed."""
         self._timer.stop()
 
     def _load_next(self) -> None:

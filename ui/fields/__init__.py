@@ -1,1 +1,1 @@
-"""File boxes that offer what is at hand: databases and models, in the dock and in the dialogs of algorithms."""
+"""Boxes for databases, models, fields and classes, in the dock and in the dialogs of algorithms."""

@@ -1,7 +1,7 @@
 """Widgets of SemRef's parameters in the dialogs of Processing: single runs, batches and the model designer.
 
-QGIS imports a class by the name that ``processing/base/parameters.py`` states, calls it with (parameter, dialog,
-row, column) and takes what comes for the widget's wrapper.
+QGIS imports a class by the name in ``processing/base/parameters.py`` and calls it with (parameter, dialog, row,
+column). The result is the wrapper of the widget.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ from .guess_fields import ClassNameBox, class_field_of, class_of_all
 from .recent_files import DATABASE, MODEL, KnownButton, chosen
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
-"""Processing's own dialogs, by which it tells them apart itself."""
+"""Class names of Processing's dialogs, which Processing itself uses to distinguish them."""
 
 
 class _Widget(QgsAbstractProcessingParameterWidgetWrapper):
-    """A box of a dialog; the model designer has QGIS's own, which also offers the model's inputs and earlier steps."""
+    """Widget in a dialog. The model designer uses QGIS's own widget, which also offers inputs and earlier steps."""
 
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
         if type(dialog).__name__ != _MODELER:
@@ -54,27 +54,27 @@ class _Widget(QgsAbstractProcessingParameterWidgetWrapper):
 
     def _kept(self, box: QWidget) -> QWidget:
         box.setToolTip(self.parameterDefinition().toolTip())
-        # QGIS takes the box over without keeping Python's half of it, which its destructor looks for: the connection
-        # keeps that half until the box is gone.
+        # QGIS owns the box, but the Python object must live as long, because the destructor uses it: this connection
+        # keeps it.
         box.destroyed.connect(lambda *_, half=box: None)
         return box
 
-    def _tell(self, *_value) -> None:
+    def _report(self, *_value) -> None:
         self.widgetValueHasChanged.emit(self)
 
 
 class ClassTableWidget(_Widget):
-    """QGIS's file box with a button that shows the class table in a window, to be edited."""
+    """File box with a button that opens the class table in an editor."""
 
     def button(self, box: QgsFileWidget) -> QWidget:
-        """The button beside the box."""
+        """Return the button beside the box."""
         return EditButton(box)
 
     def createWidget(self):
         box = QgsFileWidget()
         box.setDialogTitle(self.parameterDefinition().description())
         box.setFilter(self.parameterDefinition().createFileFilter())
-        box.fileChanged.connect(self._tell)
+        box.fileChanged.connect(self._report)
         self.known = self.button(box)
         return self._kept(box)
 
@@ -86,7 +86,7 @@ class ClassTableWidget(_Widget):
 
 
 class DatabaseWidget(ClassTableWidget):
-    """A file box that offers the databases at hand; a dialog begins with the one that the dock has."""
+    """File box that lists known databases; a dialog starts with the database of the dock."""
 
     KIND = DATABASE
 
@@ -104,13 +104,13 @@ class DatabaseWidget(ClassTableWidget):
 
 
 class ModelWidget(DatabaseWidget):
-    """A file box that offers the models at hand."""
+    """File box that lists known models."""
 
     KIND = MODEL
 
 
 class OpenWidget(_Widget):
-    """QGIS's box, ticked in the dialog of a single run, where somebody sees what is opened."""
+    """QGIS's check box, checked in the dialog of a single run, where the user sees the opened result."""
 
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
         if type(dialog).__name__ == _MODELER:
@@ -123,7 +123,7 @@ class OpenWidget(_Widget):
 
 
 class _LayerWidget(_Widget):
-    """A box that follows the annotation layer of its dialog; a value that is given afterwards stays."""
+    """Box that follows the land-cover layer of its dialog; a value that is set afterwards stays."""
 
     _layer: QgsVectorLayer | None = None
 
@@ -136,7 +136,7 @@ class _LayerWidget(_Widget):
 
     def _use_layer_of(self, wrapper) -> None:
         definition, value = wrapper.parameterDefinition(), wrapper.parameterValue()
-        # A layer that is a file alone lives as long as its context.
+        # A layer outside the project lives as long as its context.
         context = QgsProcessingContext()
         context.setProject(QgsProject.instance())
         layer = QgsProcessingParameters.parameterAsVectorLayer(definition, {definition.name(): value}, context)
@@ -145,17 +145,17 @@ class _LayerWidget(_Widget):
             self.show_layer(layer)
 
     def show_layer(self, layer: QgsVectorLayer | None) -> None:
-        """Shows what the layer begins with."""
+        """Show the first value for the layer."""
         raise NotImplementedError
 
 
 class ClassFieldWidget(_LayerWidget):
-    """A box of the layer's fields that begins with the one that tells classes, not with the first one."""
+    """Box of the layer's fields that starts with the class field, not with the first field."""
 
     def createWidget(self):
         box = QgsFieldComboBox()
         box.setAllowEmptyFieldName(True)
-        box.fieldChanged.connect(self._tell)
+        box.fieldChanged.connect(self._report)
         return self._kept(box)
 
     def show_layer(self, layer):
@@ -163,7 +163,7 @@ class ClassFieldWidget(_LayerWidget):
         self._box().setField("" if layer is None else class_field_of(layer))
 
     def _box(self) -> QgsFieldComboBox:
-        """The widget, which QGIS gives back as a box of any texts."""
+        """Return the widget, which QGIS returns as a QComboBox."""
         return sip.cast(self.wrappedWidget(), QgsFieldComboBox)
 
     def setWidgetValue(self, value, context):
@@ -174,13 +174,13 @@ class ClassFieldWidget(_LayerWidget):
 
 
 class ClassNameWidget(_LayerWidget):
-    """A box for the class of all polygons, which a layer of buildings begins with; a class disables the field's box."""
+    """Box for the class of all polygons. A layer of buildings has one; a class disables the box of the field."""
 
     _fields: QWidget | None = None
 
     def createWidget(self):
         box = ClassNameBox()
-        box.currentTextChanged.connect(self._tell)
+        box.currentTextChanged.connect(self._report)
         return self._kept(box)
 
     def postInitialize(self, wrappers):
@@ -188,7 +188,7 @@ class ClassNameWidget(_LayerWidget):
             if wrapper.parameterDefinition().name() == parameters.CLASS_FIELD:
                 self._fields = wrapper.wrappedWidget()
         super().postInitialize(wrappers)
-        self._tell()
+        self._report()
 
     def show_layer(self, layer):
         self.wrappedWidget().setCurrentText("" if layer is None else class_of_all(layer))
@@ -199,14 +199,14 @@ class ClassNameWidget(_LayerWidget):
     def widgetValue(self):
         return self.wrappedWidget().currentText().strip() or None
 
-    def _tell(self, *_value) -> None:
+    def _report(self, *_value) -> None:
         if self._fields is not None:
             self._fields.setEnabled(self.widgetValue() is None)
-        super()._tell()
+        super()._report()
 
 
 class PhotoWidget(_Widget):
-    """A box of rasters that begins with the project's only photo, otherwise empty: QGIS would take the first raster."""
+    """Box of rasters that starts with the project's only photo or empty; QGIS would take the first raster."""
 
     def __init__(self, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0) -> None:
         photo = photo_layer(QgsProject.instance())
@@ -215,11 +215,11 @@ class PhotoWidget(_Widget):
         super().__init__(parameter, dialog)
 
     def createWidget(self):
-        # The box of an optional layer has an empty entry, and begins with it.
+        # The box of an optional layer starts with an empty entry.
         optional = self.parameterDefinition().clone()
         optional.setFlags(optional.flags() | QgsProcessingParameterDefinition.FlagOptional)
         box = QgsProcessingMapLayerComboBox(optional, self.type())
-        box.valueChanged.connect(self._tell)
+        box.valueChanged.connect(self._report)
         return self._kept(box)
 
     def _box(self) -> QgsProcessingMapLayerComboBox:
@@ -238,7 +238,7 @@ class PhotoWidget(_Widget):
 
 
 class TimeLimitWidget(_Widget):
-    """A box of minutes above a line with the epochs of training that fit in, by the other values of the dialog."""
+    """Box of minutes above a line that estimates the epochs within that time from the other values."""
 
     def createWidget(self):
         widget = QWidget()
@@ -246,7 +246,7 @@ class TimeLimitWidget(_Widget):
         self._minutes.setRange(0, 100_000)
         self._minutes.setValue(self.parameterDefinition().defaultValue())
         self._minutes.setClearValue(self.parameterDefinition().defaultValue())
-        self._minutes.valueChanged.connect(self._tell)
+        self._minutes.valueChanged.connect(self._report)
         self._line = QLabel()
         self._line.setWordWrap(True)
         self._line.setObjectName("SemRefEpochs")
@@ -270,8 +270,8 @@ class TimeLimitWidget(_Widget):
     def widgetValue(self):
         return self._minutes.value()
 
-    def _tell(self, *_value) -> None:
-        super()._tell()
+    def _report(self, *_value) -> None:
+        super()._report()
         self._show()
 
     def _show(self, *_value) -> None:
@@ -280,7 +280,7 @@ class TimeLimitWidget(_Widget):
 
 
 def _same(layer: QgsVectorLayer, before: QgsVectorLayer | None) -> bool:
-    """Whether both are one; what is a file alone is opened anew whenever a dialog's value is told."""
+    """Return whether both are the same layer. A file that is not in the project is opened again for each value."""
     if before is None or QgsProject.instance().mapLayer(layer.id()) is not None:
         return before is not None and before.id() == layer.id()
     return before.source() == layer.source()

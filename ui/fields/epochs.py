@@ -1,4 +1,4 @@
-"""How many epochs of training fit in a time limit, as the values of “Train model” are now."""
+"""Estimate the epochs of training within a time limit for the current values of *Train model*."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from ...processing.translation import tr
 from ...training.job import LITE0, SMALL
 
 TRAINING_VALUES = ("IMAGE", "INPUT", "LABELS", "RESOLUTION", "VALIDATION_FRACTION", "NETWORK")
-"""Parameters that the number of epochs depends on, beside the time limit."""
+"""Parameters other than the time limit that the number of epochs depends on."""
 
 ENOUGH = 5
-"""Fewer epochs make a poor network."""
+"""Fewer epochs give a poor network."""
 
 
 def epochs_text(minutes: float, values: dict[str, Any]) -> str:
-    """A sentence on the epochs that fit; empty without an image or a limit."""
+    """Return a sentence with the number of epochs; empty without an image or a limit."""
     context = QgsProcessingContext()
     context.setProject(QgsProject.instance())
     image = _layer(values.get("IMAGE"), context)
@@ -43,11 +43,14 @@ def epochs_text(minutes: float, values: dict[str, Any]) -> str:
     encoder = SMALL if values.get("NETWORK") == 1 else LITE0
     found = epochs_within(minutes, shape, 0.2 if fraction is None else float(fraction), encoder)
     if found < 1:
-        return tr("Less than one epoch fits. Choose a longer time or a coarser resolution.")
+        return tr("The time limit is too short for one epoch. Choose a longer time or a coarser resolution.")
     if found < ENOUGH:
-        text = tr("Epochs that fit: about {count}. Choose a longer time or a coarser resolution.")
+        text = tr(
+            "Epochs within the time limit: about {count}. For a better model, choose a longer time or a "
+            "coarser resolution."
+        )
         return text.format(count=int(found))
-    return tr("Epochs that fit on this computer: about {count}").format(count=int(found))
+    return tr("Epochs within the time limit on this computer: about {count}").format(count=int(found))
 
 
 def _layer(value: Any, context: QgsProcessingContext) -> QgsMapLayer | None:
@@ -57,7 +60,7 @@ def _layer(value: Any, context: QgsProcessingContext) -> QgsMapLayer | None:
 
 
 def _shape(image: QgsRasterLayer, labels: QgsMapLayer | None, resolution_cm: Any) -> tuple[int, int] | None:
-    """(height, width) in pixels of the ground that image and labels share; None where that is unknown."""
+    """Return (height, width) in pixels of the area that image and labels share; None if it is unknown."""
     context = QgsProject.instance().transformContext()
     crs = image.crs()
     if not is_metric(crs):

@@ -1,4 +1,4 @@
-"""Guess which field of a layer has its classes or priorities: one rule for all dialogs."""
+"""Guess the class field and the priority field of a layer, by one rule for all dialogs."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ from ...processing.translation import tr
 _CLASS_FIELDS = ("class", "fclass", "landcover", "land_cover", "landuse", "klasse", "clase", "classe")
 _OFTEN_CLASS_FIELDS = ("type", "code")
 _PRIORITY_FIELDS = ("priority", "zorder", "z_order", "draw_order", "layer")
-"""What people call them, the likeliest first."""
+"""Typical names, most likely first."""
 
 BUILDING = "building"
-"""The class of a layer of buildings, and the field that OpenStreetMap gives one: its values are kinds of buildings."""
+"""Class of a layer of buildings, and OpenStreetMap's field in such layers, which has kinds of buildings."""
 
 _BUILDINGS = re.compile(r"building|house|footprint|geb(ä|ae)ude|edific|b(â|a)timent|建筑", re.IGNORECASE)
 _IS_NO_CLASS = re.compile(r"name|.*id|.*name|note|comment|description|source", re.IGNORECASE)
 _ANSWERS = {"yes", "no", "true", "false"}
 
 _READ = 1000
-"""Number of features that are read."""
+"""Largest number of features that are read."""
 _MOST_CLASSES = 64
 _FEW_FEATURES = 20
-"""Up to so many, each may be of a class of its own."""
+"""Up to this number of features, each may have its own class."""
 _NEARLY_AS_MANY = 0.8
-"""Share of the most classes that a field tells apart: the first field with so many is taken."""
+"""The first field with this share of the largest number of classes is taken."""
 
 
 def class_field_of(layer: QgsVectorLayer) -> str:
-    """Return the field that the layer's style uses, else one with such a name or such values; or empty.
+    """Return the field of the layer's style, or one with a typical name or typical values; otherwise empty.
 
-    A key or another field that numbers the features is never taken.
+    Keys and other fields that number the features never count.
     """
     renderer = layer.renderer()
     is_by_class = renderer is not None and renderer.type() == "categorizedSymbol"
@@ -47,28 +47,28 @@ def class_field_of(layer: QgsVectorLayer) -> str:
     if named or _is_of_buildings(layer):
         return named
     values = _values_of(layer)
-    return next((name for name in _named(values, _OFTEN_CLASS_FIELDS) if _tells_classes(values[name])), "") or (
+    return next((name for name in _named(values, _OFTEN_CLASS_FIELDS) if _may_be_classes(values[name])), "") or (
         _by_values({name: found for name, found in values.items() if not _IS_NO_CLASS.fullmatch(name)})
     )
 
 
 def named_class_field(layer: QgsVectorLayer) -> str:
-    """Return a field with a typical name, such as “class”; empty for none."""
+    """Return a field with a typical name, such as “class”; otherwise empty."""
     return _field_of(layer, _CLASS_FIELDS)
 
 
 def class_of_all(layer: QgsVectorLayer) -> str:
-    """The class of all polygons of a layer of buildings without a class field; otherwise empty."""
+    """Return “building” for a layer of buildings without a class field; otherwise empty."""
     return BUILDING if _is_of_buildings(layer) and not class_field_of(layer) else ""
 
 
 def priority_field_of(layer: QgsVectorLayer) -> str:
-    """A field of numbers that is called so; empty for none."""
+    """Return a numeric field with a typical name of priorities; otherwise empty."""
     return _field_of(layer, _PRIORITY_FIELDS, True)
 
 
 def _is_of_buildings(layer: QgsVectorLayer) -> bool:
-    """Whether the layer's name says that it holds buildings, or a field of OpenStreetMap's does."""
+    """Return whether the layer's name or a field of OpenStreetMap indicates buildings."""
     return bool(_BUILDINGS.search(layer.name())) or bool(_field_of(layer, (BUILDING,)))
 
 
@@ -83,7 +83,7 @@ def _named(fields: Sequence[str], names: tuple[str, ...]) -> list[str]:
 
 
 def _values_of(layer: QgsVectorLayer) -> dict[str, list]:
-    """What the first features have in each field that is no key, of texts where there are none; NULL as None."""
+    """Return the first features' values by field, NULL as None. Keys are left out, and numbers of empty layers too."""
     request = QgsFeatureRequest()
     request.setFlags(QgsFeatureRequest.NoGeometry)
     rows = [feature.attributes() for feature in islice(layer.getFeatures(request), _READ)]
@@ -93,19 +93,19 @@ def _values_of(layer: QgsVectorLayer) -> dict[str, list]:
 
 
 def _by_values(values: dict[str, list]) -> str:
-    """The first of the fields of texts that tell the most classes apart, else of those of small numbers."""
+    """Return the first text field, or field of small numbers, with about the largest number of classes."""
     for kind in (str, int):
-        telling = {name: len(set(found)) for name, found in values.items() if _tells_classes(found, kind)}
-        several = [name for name, count in telling.items() if count > 1]
-        most = max(telling.values(), default=0)
-        for name in several or (telling if len(telling) == 1 and kind is str else ()):
-            if telling[name] >= _NEARLY_AS_MANY * most:
+        candidates = {name: len(set(found)) for name, found in values.items() if _may_be_classes(found, kind)}
+        several = [name for name, count in candidates.items() if count > 1]
+        most = max(candidates.values(), default=0)
+        for name in several or (candidates if len(candidates) == 1 and kind is str else ()):
+            if candidates[name] >= _NEARLY_AS_MANY * most:
                 return name
     return ""
 
 
-def _tells_classes(column: list, kind: type = object) -> bool:
-    """Whether values may be classes: of most features, few, of several features each, and no yes and no."""
+def _may_be_classes(column: list, kind: type = object) -> bool:
+    """Return whether values may be classes: few different values, each of several features, and not yes and no."""
     found = [value for value in column if value is not None]
     if 2 * len(found) < len(column) or not all(isinstance(value, kind) for value in found):
         return False
@@ -117,14 +117,14 @@ def _tells_classes(column: list, kind: type = object) -> bool:
 
 
 class ClassNameBox(QComboBox):
-    """Takes any name and offers “building”; empty where a field has the classes."""
+    """Combo box for any class name that offers “building”; empty if a field has the classes."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setEditable(True)
         self.addItems(["", BUILDING])
-        self.lineEdit().setPlaceholderText(tr("Only if all are of one class, such as “building”"))
+        self.lineEdit().setPlaceholderText(tr("Only if all polygons have one class, such as “building”"))
 
     def class_name(self) -> str:
-        """The name; empty without one."""
+        """Return the name, possibly empty."""
         return self.currentText().strip()

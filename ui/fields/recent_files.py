@@ -1,4 +1,4 @@
-"""The reference databases and models at hand – of the project, the dock, a folder, used last – and their button."""
+"""Known databases and models – of the project, the dock, the models folder, recent use – and their button."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..widgets.texts import plain_tip
 
 _RECENT = {"database": "semref/recent/databases", "model": "semref/recent/models"}
 _MOST_RECENT = 8
-"""As many as QGIS lists of its projects."""
+"""As many as QGIS lists of recent projects."""
 
 DATABASE, MODEL = _RECENT
 
@@ -32,14 +32,14 @@ class Known(NamedTuple):
 
 
 def note_used(kind: str, path: str) -> None:
-    """Puts a file that the user works with on top of those used last."""
+    """Put a file on top of the recently used ones."""
     if path and os.path.isfile(path):
         others = [known for known in _recent(kind) if known != path]
         QgsSettings().setValue(_RECENT[kind], [path, *others][:_MOST_RECENT])
 
 
 def known_files(kind: str) -> list[Known]:
-    """What is at hand, each file once, under the first heading that has it; headings without files are left out."""
+    """Return the known files, each once, under the first heading that applies; empty headings are left out."""
     if kind == DATABASE:
         of_project = [(name, path) for path, name in project_databases(QgsProject.instance()).items()]
         first = Known(tr("In the project"), of_project), Known(tr("Chosen in the dock"), _named([chosen(kind)]))
@@ -48,7 +48,7 @@ def known_files(kind: str) -> list[Known]:
         first = Known(tr("Chosen in the dock"), _named([chosen(kind)])), Known(tr("Models folder"), _named(folder))
     seen: set[str] = set()
     found = []
-    for heading, files in (*first, Known(tr("Used last"), _named(_recent(kind)))):
+    for heading, files in (*first, Known(tr("Used recently"), _named(_recent(kind)))):
         fresh = [(name, path) for name, path in files if os.path.realpath(path) not in seen]
         seen.update(os.path.realpath(path) for _, path in fresh)
         if fresh:
@@ -57,14 +57,14 @@ def known_files(kind: str) -> list[Known]:
 
 
 def chosen(kind: str) -> str:
-    """The file that the dock works with, or worked with last; empty where there is none any more."""
+    """Return the file that the dock uses or used last; empty if it does not exist."""
     path = remembered_database() if kind == DATABASE else QgsSettings().value(MODEL_SETTING, "", type=str)
     return path if os.path.isfile(path) else ""
 
 
 def _recent(kind: str) -> list[str]:
     stored = QgsSettings().value(_RECENT[kind], [])
-    # Qt keeps a list of one as a text.
+    # Qt stores a list of one entry as a text.
     return [stored] if isinstance(stored, str) else [path for path in stored or [] if isinstance(path, str)]
 
 
@@ -73,12 +73,16 @@ def _named(paths: list[str]) -> list[tuple[str, str]]:
 
 
 class KnownButton(QToolButton):
-    """Its menu lists the files of a kind when it is opened; the chosen one goes into the box."""
+    """Button with a menu of known files; the chosen file goes into the box."""
 
     def __init__(self, box: QgsFileWidget, kind: str) -> None:
         super().__init__(box)
         self._kind = kind
-        text = tr("Databases at hand") if kind == DATABASE else tr("Models at hand")
+        text = (
+            tr("Choose a database from the project or from recent ones")
+            if kind == DATABASE
+            else tr("Choose a model from the models folder or from recent ones")
+        )
         tool_button("/mActionOpenTable.svg" if kind == MODEL else "/mIconDbSchema.svg", text, made=self)
         self.setObjectName("SemRefKnown")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -89,13 +93,13 @@ class KnownButton(QToolButton):
         box.layout().addWidget(self)
 
     def list_files(self) -> None:
-        """Lists what is at hand now."""
+        """Fill the menu with the files that are known now."""
         self.files.clear()
         icon = QgsApplication.getThemeIcon("/mIconVector.svg" if self._kind == DATABASE else "/mIconFile.svg")
         for heading, files in known_files(self._kind):
             self.files.addSection(heading)
             for name, path in files:
-                # An ampersand would underline what follows.
+                # A single ampersand would underline the next letter.
                 action = self.files.addAction(icon, name.replace("&", "&&"))
                 action.setToolTip(plain_tip(path))
                 action.setCheckable(True)

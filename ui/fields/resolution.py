@@ -1,4 +1,4 @@
-"""The size of the pixels that a network learns at, proposed from the buildings that it has to find."""
+"""Propose the pixel size for training a network from the sizes of the buildings."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ from ...processing.layers.reference_systems import metric_crs
 from .guess_fields import BUILDING
 
 SMALLEST_PERCENT, PIXELS_WIDE = 10, 14
-"""The smallest typical building is wider than so many percent of all; it shall be so many pixels wide."""
+"""The building at this percentile of widths shall be this number of pixels wide."""
 
 STEPS_CM = (5, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100)
 _FINER = 0.8
-"""Pixels of the photo that are nearly as large are taken as they are."""
+"""Pixels of the photo that are at least this share of the proposed size are used as they are."""
 _READ = 2000
 
 
 def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], photo: QgsRasterLayer) -> int | None:
-    """Centimeters a pixel; None where the photo is not finer, or without buildings in the annotation.
+    """Return a pixel size in cm; None if the photo is not finer, or the layer has no buildings.
 
     Args:
-        given: Its CLASS or CLASS_FIELD.
-        photo: What is learned from.
+        given: CLASS or CLASS_FIELD of the layer.
+        photo: Photo for training.
     """
     crs = photo.crs()
     if layer is None or not crs.isValid() or not layer.crs().isValid():
@@ -56,7 +56,7 @@ def proposed_resolution_cm(layer: QgsVectorLayer | None, given: dict[str, str], 
 
 
 def _widths(layer: QgsVectorLayer, given: dict[str, str], moved: QgsCoordinateTransform) -> list[float]:
-    """The shorter side of the rectangle around each building, in meters."""
+    """Return the shorter side of each building's smallest rectangle, in m."""
     field, is_all = given.get("CLASS_FIELD", ""), given.get("CLASS", "").casefold() == BUILDING
     request = QgsFeatureRequest()
     request.setSubsetOfAttributes([field] if field else [], layer.fields())

@@ -1,1 +1,1 @@
-"""Missing Python packages: the options page and the installer."""
+"""Options page for Python packages, devices and training, and the installer."""

@@ -1,4 +1,4 @@
-"""Runs what installs Python packages: one process after the other, without holding up QGIS."""
+"""Install Python packages: run one process after the other without blocking QGIS."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ _KILLED_WITHIN_MS = 5000
 
 
 class ComponentInstaller(QObject):
-    """``start``, then one of installed, failed, broke or canceled; meanwhile began and said.
+    """Runs an installation. It ends with one of installed, failed, broke and canceled.
 
-    began: what is being done; said: what a process printed; failed: a sentence for the user; broke: a bug's traceback.
+    began: description of the current step; said: output of the process; failed: a sentence for the user; broke: a bug's
+    traceback.
     """
 
     began = pyqtSignal(str)
@@ -33,24 +34,24 @@ class ComponentInstaller(QObject):
         self._process: QProcess | None = None
         self._output = ""
         self.log = ""
-        """All that was printed since the last start."""
+        """Output since the last start."""
 
     @property
     def running(self) -> bool:
         return self._commands is not None
 
     def start(self, packages: list[Package], wheels: str = "") -> None:
-        """``wheels``: a folder of wheels to install from instead of the package index."""
+        """Install packages. ``wheels``: folder of wheels to use instead of the package index."""
         self.follow(installing(packages, wheels))
 
     def follow(self, commands: Commands) -> None:
-        """Runs these commands."""
+        """Run these commands."""
         self.log = ""
         self._commands = commands
         self._go_on(None)
 
     def cancel(self) -> None:
-        """Ends what runs; of the package in work nothing stays."""
+        """Stop the installation and remove the incomplete package."""
         if self._commands is None:
             return
         process, self._process = self._process, None
@@ -76,7 +77,7 @@ class ComponentInstaller(QObject):
 
     def _end(self, signal, *arguments) -> None:
         self._commands = None
-        # Packages installed before one that failed count, too.
+        # Packages that were installed before a failure are usable.
         add_components_to_path()
         signal.emit(*arguments)
 
@@ -96,7 +97,7 @@ class ComponentInstaller(QObject):
         self._process.start(command.program, command.arguments)
 
     def _read(self) -> None:
-        # One that was canceled has nothing more to say.
+        # None after a cancel.
         if self._process is not None:
             text = bytes(self._process.readAllStandardOutput()).decode("utf-8", "replace")
             self._output += text
@@ -110,7 +111,7 @@ class ComponentInstaller(QObject):
         self._go_on(Answer(-1 if crashed else status, self._output))
 
     def _take_error(self, error: QProcess.ProcessError) -> None:
-        # All others are followed by finished.
+        # After all other errors Qt emits finished.
         if error == QProcess.ProcessError.FailedToStart:
             reason = self._process.errorString()
             self._forget_process()

@@ -1,4 +1,4 @@
-"""The options page: which Python packages are there, what they are for, and how to get those that are missing."""
+"""Options page: Python packages with their purpose and state, and the installation of missing ones."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ _WHEELS_SETTING = "semref/options/wheels_folder"
 
 
 class ComponentsPage(QgsOptionsPageWidget):
-    """``installer`` outlives the page: what it does when the options are opened again is shown again."""
+    """Options page. ``installer`` outlives it, so a page that is opened later shows a running installation."""
 
     removed = pyqtSignal()
     diagnosticsAsked = pyqtSignal()
@@ -66,15 +66,15 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.training = None if training_installer is None else TrainingGroup(training_installer)
         self.devices = DeviceGroup()
         self._is_variant = False
-        headings = tr("Package"), tr("What for"), tr("State"), tr("Tested versions")
+        headings = tr("Package"), tr("Purpose"), tr("State"), tr("Tested versions")
         self.list = PackageList(headings, wrapped=1)
         self.install = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Install"))
         self.install_wheels = QPushButton(tr("Install from a folder of wheels…"))
         self.copy = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy command"))
-        self.remove = QPushButton(tr("Remove what SemRef installed"))
+        self.remove = QPushButton(tr("Remove SemRef’s packages"))
         self.models = QPushButton(tr("Show models…"))
         self.diagnostics = QPushButton(QgsApplication.getThemeIcon("/mActionEditCopy.svg"), tr("Copy diagnostics"))
-        self.diagnostics.setToolTip(tr("What a report of a fault needs, onto the clipboard"))
+        self.diagnostics.setToolTip(tr("Copy the information that a bug report needs"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
         self.state = QLabel()
@@ -85,7 +85,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._add_to_log(installer.log)
 
     def apply(self) -> None:
-        """Keeps the device and which Python trains; nothing else waits for OK: each button acts at once."""
+        """Store the device and the Python for training. All buttons act at once, without OK."""
         self.devices.apply()
         if self.training is not None:
             self.training.apply()
@@ -93,14 +93,14 @@ class ComponentsPage(QgsOptionsPageWidget):
     def _lay_out(self) -> None:
         explanation = QLabel(
             tr(
-                "QGIS does not bring these Python packages everywhere. SemRef can install them for this QGIS into a "
-                "folder of its own; what QGIS has, above all numpy, is left as it is."
+                "Some QGIS installations lack these Python packages. SemRef can install them for this QGIS into "
+                "a separate folder. The packages of QGIS itself, such as NumPy, do not change."
             )
         )
         explanation.setWordWrap(True)
         self.state.setWordWrap(True)
         self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        # Busy: pip does not tell how far it is.
+        # Busy indicator: pip reports no progress.
         self.progress.setRange(0, 0)
         self.log.setReadOnly(True)
         self.log.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
@@ -120,7 +120,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(self.state)
         layout.addLayout(row_of((self.progress, 1), self.cancel))
         layout.addWidget(self.log, _LOG_STRETCH)
-        # Keeps the rest together while there is no log.
+        # Keeps the widgets at the top while there is no log.
         layout.addStretch(1)
         whole = QWidget()
         layout = QVBoxLayout(whole)
@@ -129,8 +129,10 @@ class ComponentsPage(QgsOptionsPageWidget):
         layout.addWidget(self.devices)
         if self.training is not None:
             layout.addWidget(self.training)
-        layout.addLayout(row_of((QLabel(tr("The folder of your models, and what each is good for:")), 1), self.models))
-        # Longer than the dialog is on small screens.
+        layout.addLayout(
+            row_of((QLabel(tr("Folder of your models, with a description of each model:")), 1), self.models)
+        )
+        # The page is higher than the dialog on small screens.
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -156,7 +158,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._installer.broke.connect(self._show_bug)
         self._installer.canceled.connect(self._show_canceled)
 
-    # --- what is there ---
+    # --- state ---
 
     def _show_packages(self) -> None:
         self.list.clear()
@@ -174,7 +176,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._enable()
 
     def _chosen(self) -> list[Package]:
-        """The missing packages that are ticked."""
+        """Return the missing packages that are checked."""
         items = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
         packages = [(item.data(0, Qt.ItemDataRole.UserRole), item.checkState(0)) for item in items]
         return [package for package, check in packages if is_missing(package) and check == Qt.CheckState.Checked]
@@ -190,7 +192,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.cancel.setVisible(running)
         self.log.setVisible(bool(self.log.toPlainText()))
 
-    # --- what can be done ---
+    # --- actions ---
 
     def _install(self) -> None:
         self._start(self._chosen(), "")
@@ -206,7 +208,7 @@ class ComponentsPage(QgsOptionsPageWidget):
             self._start([package], folder, is_variant=True)
 
     def _asked_folder(self) -> str:
-        """A folder of wheels; empty where the user thought better of it."""
+        """Ask for a folder of wheels; empty if the user cancels."""
         last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
         folder = QFileDialog.getExistingDirectory(self.window(), tr("Choose a folder with wheels (*.whl)"), last)
         if folder:
@@ -233,10 +235,10 @@ class ComponentsPage(QgsOptionsPageWidget):
         except ComponentError as error:
             self._show_end(worded(error))
         else:
-            self._show_end(tr("Removed; what is in use stays in memory until QGIS is closed."))
+            self._show_end(tr("Removed. Packages in use stay in memory until you close QGIS."))
         self.removed.emit()
 
-    # --- what came of it ---
+    # --- results ---
 
     def _add_to_log(self, text: str) -> None:
         self.log.moveCursor(QTextCursor.MoveOperation.End)
@@ -245,13 +247,13 @@ class ComponentsPage(QgsOptionsPageWidget):
 
     def _show_installed(self) -> None:
         if self._is_variant:
-            self._show_end(tr("Installed; it is used once QGIS has been restarted."))
+            self._show_end(tr("Installed. Restart QGIS to use it."))
         else:
-            self._show_end(tr("Installed and ready; QGIS need not be restarted."))
+            self._show_end(tr("Installed. You do not need to restart QGIS."))
 
     def _show_bug(self, report: str) -> None:
         self._add_to_log(report)
-        self._show_end(tr("An error in SemRef stopped the installation; please report what stands below."))
+        self._show_end(tr("An error in SemRef stopped the installation. Please report the text below."))
 
     def _show_canceled(self) -> None:
         self._show_end(tr("Canceled."))
@@ -273,5 +275,5 @@ def _state(package: Package) -> str:
         return tr("Missing")
     version = installed_version(package)
     if version and not is_tested(version, package.tested(np.__version__)):
-        return tr("{version}, which was not tested").format(version=version)
+        return tr("{version} (not tested)").format(version=version)
     return tr("Installed by SemRef") if is_own(package) else tr("Ready")

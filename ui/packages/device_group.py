@@ -1,4 +1,4 @@
-"""The part of the options page about devices: what networks run on, and how to get what is not there."""
+"""Part of the options page: the device that runs models, and packages for further devices."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ..widgets.layouts import row_of
 
 
 class DeviceGroup(QGroupBox):
-    """installAsked: a package that brings a device, and whether it comes from a folder of wheels."""
+    """installAsked: package for a device, and whether to install it from a folder of wheels."""
 
     installAsked = pyqtSignal(object, bool)
 
@@ -37,19 +37,19 @@ class DeviceGroup(QGroupBox):
         self.show_devices(chosen_device())
 
     def apply(self) -> None:
-        """Keeps which device networks run on."""
+        """Store the chosen device."""
         choose_device(self.device.currentData())
 
     def _lay_out(self) -> None:
         explanation = QLabel(
             tr(
-                "What networks run on. A device that does not start is replaced by the processor; the log and the "
-                "results say so, and how many tiles a second there were."
+                "Device that runs the models. If it does not start, SemRef uses the processor. The log and the "
+                "results show the device and the tiles per second."
             )
         )
         for label in (explanation, self.missing):
             label.setWordWrap(True)
-        label = QLabel(tr("Networks run on"))
+        label = QLabel(tr("Run models on"))
         label.setBuddy(self.device)
         layout = QVBoxLayout(self)
         layout.addWidget(explanation)
@@ -61,7 +61,7 @@ class DeviceGroup(QGroupBox):
             row.addStretch(1)
 
     def show_devices(self, chosen: str) -> None:
-        """Shows what can be chosen now, and chooses one by its key."""
+        """List the devices, and select the one with this key."""
         there = available_devices()
         self.device.clear()
         self.device.addItem(tr("Auto"), AUTO)
@@ -74,9 +74,7 @@ class DeviceGroup(QGroupBox):
         self.device.setCurrentIndex(max(0, self.device.findData(chosen)))
         lacking = [device for device in DEVICES if device not in there]
         each = ", ".join(f"{device.title} ({package_name(device)})" for device in lacking)
-        self.missing.setText(
-            tr("Not available, with the Python package that each needs: {devices}.").format(devices=each)
-        )
+        self.missing.setText(tr("Not available (required Python package in brackets): {devices}.").format(devices=each))
         self.missing.setVisible(bool(lacking))
         self._offer([device for device in lacking if package_of(device) is not None])
 
@@ -91,6 +89,6 @@ class DeviceGroup(QGroupBox):
 
 
 def _where(device: Device) -> str:
-    """Which package brings a device."""
-    text = tr("{device} is not there: it comes with the Python package {package}.")
+    """Return the package that a device needs."""
+    text = tr("{device} is not available. It needs the Python package {package}.")
     return text.format(device=device.title, package=package_name(device))

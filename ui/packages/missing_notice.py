@@ -1,4 +1,4 @@
-"""The line at the top of the dock while a Python package is missing; all there is where nothing works without it."""
+"""Notice at the top of the dock while a Python package is missing."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _ICON_PX = 16
 
 
 class MissingNotice(QFrame):
-    """Shown only while something is missing that is needed; ``refresh`` looks again.
+    """Visible while a needed package is missing; ``refresh`` checks again.
 
-    blocks: nothing can be done before it is installed.
+    blocks: the dock can't work without the missing packages.
     """
 
     installAsked = pyqtSignal()
@@ -38,7 +38,7 @@ class MissingNotice(QFrame):
         self.refresh()
 
     def use_model(self, model: str) -> None:
-        """Tells the path of the network that photos are to be segmented with; empty for label images."""
+        """Set the path of the model for photos; empty for label images."""
         if bool(model) != self._photos:
             self._photos = bool(model)
             self.refresh()
@@ -50,6 +50,6 @@ class MissingNotice(QFrame):
             sentence = tr("SemRef needs Python packages that this QGIS does not have yet: {packages}.")
         else:
             lacking = missing([ONNXRUNTIME]) if self._photos else []
-            sentence = tr("{packages} is missing; without it the model can’t make labels of photos.")
+            sentence = tr("{packages} is missing. The model needs it to segment photos.")
         self.setVisible(bool(lacking))
         self.sentence.setText(sentence.format(packages=", ".join(package.title for package in lacking)))

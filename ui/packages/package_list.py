@@ -1,4 +1,4 @@
-"""The list of packages on the options page: all of it is seen, what each is for on as many lines as that takes."""
+"""List of packages on the options page, without scroll bars and with wrapped texts."""
 
 from __future__ import annotations
 
@@ -12,23 +12,22 @@ from ..widgets.tables import changes_font
 
 
 class _Wrapped(QStyledItemDelegate):
-    """Asks for the height that a text takes in its column; Qt's trees ask for one line, whatever its width."""
+    """Delegate that returns the height of wrapped text; Qt's trees return the height of one line."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
-        """As Qt tells it, for the width that there is."""
-        # Qt heeds the width of a rectangle that has a height alone.
+        # Qt uses the width only if the rectangle has a height.
         option.rect = QRect(0, 0, self.parent().columnWidth(index.column()), option.fontMetrics.height())
         return super().sizeHint(option, index)
 
 
 class PackageList(QTreeWidget):
-    """Never scrolls: one column is as wide as the others leave it, and the list as high as its rows."""
+    """List as high as its rows; one column with wrapped texts takes the remaining width."""
 
     def __init__(self, headings: Sequence[str], wrapped: int) -> None:
-        """Without rows.
+        """Create an empty list.
 
         Args:
-            wrapped: The column whose texts are wrapped.
+            wrapped: Index of the column with wrapped texts.
         """
         super().__init__()
         self.setHeaderLabels(headings)
@@ -44,8 +43,8 @@ class PackageList(QTreeWidget):
         header.sectionResized.connect(self.fit)
 
     def fit(self, *_what_changed) -> None:
-        """Makes it as high as its rows are now."""
-        # Rows keep the heights that they had before the column's width changed, else.
+        """Set the height to the height of the rows."""
+        # Otherwise rows keep their heights after the column width changed.
         self.doItemsLayout()
         rows = (self.visualItemRect(self.topLevelItem(n)).height() for n in range(self.topLevelItemCount()))
         self.setFixedHeight(self.header().sizeHint().height() + sum(rows) + 2 * self.frameWidth())

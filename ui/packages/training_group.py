@@ -1,4 +1,4 @@
-"""The part of the options page about training: which Python trains networks, and how to get one."""
+"""Part of the options page: the Python for training, and creating a training environment."""
 
 from __future__ import annotations
 
@@ -32,18 +32,18 @@ from .component_installer import ComponentInstaller
 
 
 class TrainingGroup(QGroupBox):
-    """``installer`` outlives the page: what it does when the options are opened again is shown again."""
+    """``installer`` outlives the page, so a page that is opened later shows a running installation."""
 
     def __init__(self, installer: ComponentInstaller) -> None:
         super().__init__(tr("Training"))
         self._installer = installer
         self.python = QgsFileWidget()
         self.python.setFilePath(QgsSettings().value(PYTHON_SETTING, "", type=str))
-        self.python.lineEdit().setPlaceholderText(tr("SemRef’s own environment"))
-        self.make = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Make environment"))
-        self.make_from_wheels = QPushButton(tr("Make it from a folder of wheels…"))
+        self.python.lineEdit().setPlaceholderText(tr("Training environment of SemRef"))
+        self.make = QPushButton(QgsApplication.getThemeIcon("/mActionAdd.svg"), tr("Create environment"))
+        self.make_from_wheels = QPushButton(tr("Create it from a folder of wheels…"))
         self.remove = QPushButton(tr("Remove environment"))
-        self.small = QCheckBox(tr("Without graphics cards: about a fifth of the size"))
+        self.small = QCheckBox(tr("Without GPU support (about one fifth of the size)"))
         self.cancel = QPushButton(tr("Cancel"))
         self.progress = QProgressBar()
         self.state = QLabel()
@@ -52,27 +52,28 @@ class TrainingGroup(QGroupBox):
         self._show_state()
 
     def apply(self) -> None:
-        """Keeps which Python trains."""
+        """Store the Python for training."""
         QgsSettings().setValue(PYTHON_SETTING, self.python.filePath().strip())
 
     def _lay_out(self) -> None:
         explanation = QLabel(
             tr(
-                "“Train model” needs a Python of its own with torch. SemRef can make one in your profile: about 1.5 GB "
-                "on disk, and up to 7 GB with support for NVIDIA’s graphics cards. Or name a Python that has it."
+                "“Train model” needs a training environment: a separate Python with torch. SemRef can create one "
+                "in your profile. It needs about 1.5 GB on disk, or up to 7 GB with support for NVIDIA GPUs. You "
+                "can also choose another Python that has torch."
             )
         )
         for label in (explanation, self.state):
             label.setWordWrap(True)
         self.state.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        # Busy: pip does not tell how far it is.
+        # Busy indicator: pip reports no progress.
         self.progress.setRange(0, 0)
-        # Elsewhere the common index has builds for processors alone.
+        # On other systems the package index has builds without GPU support only.
         self.small.setVisible(sys.platform.startswith("linux"))
         self.small.setChecked(True)
         layout = QVBoxLayout(self)
         layout.addWidget(explanation)
-        chosen = QLabel(tr("Python that trains")), self.python
+        chosen = QLabel(tr("Python for training")), self.python
         for row in (chosen, (self.make, self.remove), (self.make_from_wheels,)):
             layout.addLayout(row_of(*row))
         layout.addWidget(self.small)
@@ -100,7 +101,7 @@ class TrainingGroup(QGroupBox):
             self._start(folder)
 
     def _start(self, wheels: str) -> None:
-        # isHidden, not isVisible: the page itself may not be shown yet.
+        # Not isVisible: the page itself may not be shown yet.
         is_small = self.small.isChecked() and not self.small.isHidden()
         self._installer.follow(making_environment(wheels, is_small))
         self._enable()
@@ -113,7 +114,7 @@ class TrainingGroup(QGroupBox):
         else:
             self._show_state()
 
-    # --- what is there ---
+    # --- state ---
 
     def _show_step(self, sentence: str) -> None:
         self.state.setText(sentence)
@@ -125,13 +126,11 @@ class TrainingGroup(QGroupBox):
             self.state.setToolTip(lines[-1])
 
     def _show_state(self) -> None:
-        ready = tr("The environment is ready: {folder}").format(folder=environment_folder())
-        self._show_end(ready if is_environment_ready() else tr("There is no environment for training yet."))
+        ready = tr("The training environment is ready: {folder}").format(folder=environment_folder())
+        self._show_end(ready if is_environment_ready() else tr("There is no training environment yet."))
 
     def _show_bug(self, report: str) -> None:
-        self._show_end(
-            tr("An error in SemRef stopped the installation; please report what stands below.") + f"\n{report}"
-        )
+        self._show_end(tr("An error in SemRef stopped the installation. Please report the text below.") + f"\n{report}")
 
     def _show_end(self, sentence: str) -> None:
         self.state.setText(sentence)

@@ -1,1 +1,1 @@
-"""Algorithms and reading in the background."""
+"""Algorithms and file reading in the background."""

@@ -1,4 +1,4 @@
-"""One algorithm in the background, as signals."""
+"""Run one algorithm in the background and report by signals."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from qgis.PyQt.QtCore import QObject, QTimer, pyqtSignal
 from ...processing.translation import tr
 
 UNLOAD_WAIT_MS = 2000
-"""A cancel takes effect within a second; unloading waits no longer than this."""
+"""Longest wait when the plugin is unloaded. A cancel takes effect within a second."""
 
 BEGINS_WITHIN_MS = 3000
-"""A task that QGIS has not begun by then, while none runs, will never begin."""
+"""QGIS never starts a task that is still queued after this time while no task runs."""
 
 _BUG_REPORT_BEGINS = "Traceback"
-"""How QGIS passes on a Python exception that is not meant for the user."""
+"""Start of the text by which QGIS reports an unexpected Python exception."""
 
 
 class BeginWatch(QObject):
-    """Watches over one task that was given to QGIS.
+    """Detects that QGIS will never start a task.
 
-    QGIS takes a task that has ended out of its threads' queue by an address, at which a new one may wait by then: that
-    one never begins (seen in 3.44, once in some hundred walks).
+    QGIS removes ended tasks from its queue by their address. A new task at the same address is removed as well and
+    never starts (seen in 3.44, once in some hundred runs).
 
-    lost: the task will never begin. Whoever hears it gives up the task and starts another.
+    lost: the task will never start; start another one.
     """
 
     lost = pyqtSignal()
@@ -43,12 +43,12 @@ class BeginWatch(QObject):
         self._timer.timeout.connect(self._look)
 
     def watch(self, task: QgsTask) -> None:
-        """Watches over this task instead of the one before."""
+        """Watch this task instead of the previous one."""
         self._task = task
         self._timer.start(BEGINS_WITHIN_MS)
 
     def stop(self) -> None:
-        """To be called before the task is deleted, that is when it ends."""
+        """Stop watching; call it when the task ends, before it is deleted."""
         self._task = None
         self._timer.stop()
 
@@ -57,17 +57,17 @@ class BeginWatch(QObject):
             return
         tasks = QgsApplication.taskManager().activeTasks()
         if any(task.status() == QgsTask.TaskStatus.Running for task in tasks):
-            # It waits for its turn.
+            # The task waits for a running one.
             self._timer.start(BEGINS_WITHIN_MS)
             return
         self.lost.emit()
 
 
 class AlgorithmRun(QObject):
-    """One run. After ``start`` returned True exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
+    """One run. If it starts, it ends with exactly one of ``done``, ``failed``, ``broke`` and ``canceled``.
 
-    said: what is being done; logged: detail for the log panel; done: the results (dict) and the context that holds
-    layers in memory; failed: a sentence for the user; broke: a bug's traceback.
+    said: current step; logged: line for the log panel; done: results (dict), and the context with layers in memory;
+    failed: a sentence for the user; broke: a bug's traceback.
     """
 
     progressed = pyqtSignal(float)
@@ -86,7 +86,7 @@ class AlgorithmRun(QObject):
         self._cancel_asked = False
         self._asked: tuple[str, dict, str] = ("", {}, "")
         self._watch = BeginWatch(self)
-        self._watch.lost.connect(self._begin_anew)
+        self._watch.lost.connect(self._restart)
 
     @property
     def running(self) -> bool:
@@ -94,14 +94,19 @@ class AlgorithmRun(QObject):
 
     @property
     def title(self) -> str:
-        """What QGIS calls the task that was started last."""
+        """Title of the last task in QGIS's task manager."""
         return self._asked[2]
 
     def start_algorithm(self, algorithm_id: str, parameters: dict, title: str) -> bool:
-        """False when it can't even begin; then ``failed`` has said why."""
+        """Start a run. Returns False after emitting ``failed`` if it can't start."""
         algorithm = QgsApplication.processingRegistry().algorithmById(algorithm_id)
         if algorithm is None:
-            self.failed.emit(tr("The Processing provider SemRef is switched off; switch it on in the options."))
+            self.failed.emit(
+                tr(
+                    "The Processing provider SemRef is not active. Activate it under Settings ▸ Options ▸ Processing "
+                    "▸ Providers."
+                )
+            )
             return False
         able, reason = algorithm.canExecute()
         if not able:
@@ -116,11 +121,11 @@ class AlgorithmRun(QObject):
         self._feedback.progressChanged.connect(self.progressed)
         self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback, *_flags())
         self._task.setDescription(title)
-        # The task uses both to its end, which may come after this object's.
+        # The task uses both until it ends, possibly after this object is deleted.
         self._feedback.setParent(self._task)
         self._feedback.context = self._context
         if self._task.isCanceled():
-            # It could not be prepared. Such a task never starts, and never says so.
+            # Preparation failed. Such a task never starts and emits no signal.
             QTimer.singleShot(0, self._end_unprepared)
         else:
             self._task.executed.connect(self._finish)
@@ -129,8 +134,8 @@ class AlgorithmRun(QObject):
             self._watch.watch(self._task)
         return True
 
-    def _begin_anew(self) -> None:
-        """QGIS has lost the task."""
+    def _restart(self) -> None:
+        """Start the run again, because QGIS lost its task."""
         if self._task is None or self._cancel_asked:
             return
         task, self._task = self._task, None
@@ -144,7 +149,7 @@ class AlgorithmRun(QObject):
             self._task.cancel()
 
     def abandon(self) -> None:
-        """Cancels, says nothing more, and waits until no code of the plugin runs in the background any more."""
+        """Cancel without signals, and wait until the background thread has ended."""
         if self._task is None:
             return
         self.blockSignals(True)
@@ -162,12 +167,12 @@ class AlgorithmRun(QObject):
         context, error = self._context, self._feedback.last_error
         self._task = self._feedback = self._context = None
         if self._cancel_asked:
-            # Also where it had ended already: what follows a cancel, another project say, wants none of its results.
+            # Also if the run has just succeeded: after a cancel its results are not wanted.
             self.canceled.emit()
         elif succeeded:
             self.done.emit(results, context)
         elif not error:
-            # Canceled in QGIS's own list of tasks.
+            # Canceled in QGIS's task manager.
             self.canceled.emit()
         elif error.startswith(_BUG_REPORT_BEGINS):
             self.broke.emit(error)
@@ -176,17 +181,17 @@ class AlgorithmRun(QObject):
 
 
 def _flags() -> tuple:
-    """QGIS reports canceled tasks as failed; from 3.26 a task can be silent."""
+    """Return flags that suppress QGIS's message about canceled tasks, which exist from QGIS 3.26 on."""
     silent = getattr(QgsTask.Flag, "Silent", None)
     return () if silent is None else (QgsTask.Flag.CanCancel | silent,)
 
 
 class _Feedback(QgsProcessingFeedback):
-    """Passes on what is being done; called in the worker thread, so it only emits and stores."""
+    """Forwards messages. QGIS calls it in the worker thread, so it only emits signals and stores texts."""
 
     said = pyqtSignal(str)
     logged = pyqtSignal(str)
-    shows_time_left = True  # The dock's bar does.
+    shows_time_left = True  # The dock's progress bar shows the remaining time.
 
     def __init__(self) -> None:
         super().__init__(False)
@@ -203,8 +208,8 @@ class _Feedback(QgsProcessingFeedback):
         self.logged.emit(warning)
 
     def reportError(self, error, fatalError=False):
-        # A bug's report is logged when the run ends.
+        # The dock logs bug reports when the run ends.
         if not fatalError and not error.startswith(_BUG_REPORT_BEGINS):
             self.logged.emit(error)
-        # What ends a run is reported last.
+        # The last reported error is the one that ended the run.
         self.last_error = error

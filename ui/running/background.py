@@ -1,4 +1,4 @@
-"""Reading in the background: the main thread only starts it and takes the answer."""
+"""Run functions in the background; the main thread only starts them and takes the results."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 class Reader(QObject):
-    """One reading at a time; a new one makes the answer of the one before unwanted, and waits until that has ended.
+    """Runs one function at a time. A new one discards the result of the previous one and waits until that has ended.
 
-    So whoever goes through hundreds of images with a key held down has two of them read, not hundreds at a time.
-    ``shut_down`` before it is deleted.
+    Thus, stepping through hundreds of images with a key held down reads two of them. Call ``shut_down`` before
+    deleting it.
 
-    answered: what the function returned; failed: a sentence for the user; broke: a bug's traceback.
+    answered: result of the function; failed: a sentence for the user; broke: a bug's traceback.
     """
 
     answered = pyqtSignal(object)
@@ -37,11 +37,11 @@ class Reader(QObject):
         self._next: tuple | None = None
         self._is_wanted = False
         self._watch = BeginWatch(self)
-        self._watch.lost.connect(self._begin_anew)
+        self._watch.lost.connect(self._restart)
 
     @property
     def reading(self) -> bool:
-        """Whether an answer is to come."""
+        """Whether a result is still expected."""
         return self._is_wanted or self._next is not None
 
     def read(self, title: str, function: Callable, *arguments) -> None:
@@ -51,14 +51,14 @@ class Reader(QObject):
             self._start()
 
     def forget(self) -> None:
-        """The answer of what runs is not wanted any more."""
+        """Discard the result of the running function."""
         self._next = None
         self._is_wanted = False
 
     def shut_down(self) -> None:
-        """Forgets, and waits until no code of the plugin runs in the background any more."""
+        """Discard the result, and wait until the background thread has ended."""
         self.forget()
-        task = self._given_up()
+        task = self._give_up()
         if task is not None:
             task.waitForFinished(UNLOAD_WAIT_MS)
 
@@ -70,8 +70,8 @@ class Reader(QObject):
         QgsApplication.taskManager().addTask(self._task)
         self._watch.watch(self._task)
 
-    def _given_up(self) -> _Task | None:
-        """The task, which says nothing any more."""
+    def _give_up(self) -> _Task | None:
+        """Disconnect, cancel and return the task."""
         self._watch.stop()
         task, self._task = self._task, None
         if task is not None:
@@ -79,9 +79,9 @@ class Reader(QObject):
             task.cancel()
         return task
 
-    def _begin_anew(self) -> None:
-        """QGIS has lost the task; what is wanted by now is read instead."""
-        self._given_up()
+    def _restart(self) -> None:
+        """Start again with the latest request, because QGIS lost the task."""
+        self._give_up()
         if self._next is None and self._is_wanted:
             self._next = self._asked
         if self._next is not None:
@@ -105,12 +105,12 @@ class Reader(QObject):
 
 
 class _Task(QgsTask):
-    """``done`` comes in the main thread, also of one that was canceled in QGIS's own list of tasks."""
+    """Emits ``done`` in the main thread, also after a cancel in QGIS's task manager."""
 
     done = pyqtSignal()
 
     def __init__(self, title: str, function: Callable, arguments: tuple) -> None:
-        # Whoever quits QGIS is not asked about them.
+        # QGIS does not ask about these tasks when it quits.
         super().__init__(title, QgsTask.Flag.CanCancel | QgsTask.Flag.CancelWithoutPrompt | _hidden())
         self._function, self._arguments = function, arguments
         self.answer = None
@@ -126,30 +126,30 @@ class _Task(QgsTask):
         return True
 
     def finished(self, result):
-        # In the main thread.
+        # QGIS calls this in the main thread.
         self.done.emit()
 
 
 def _hidden():
-    """Reading a picture is no task worth a line in the status bar; QGIS can hide it from 3.26."""
+    """Return the flag that hides short tasks from the status bar, which exists from QGIS 3.26 on."""
     return getattr(QgsTask.Flag, "Hidden", QgsTask.Flag.CanCancel)
 
 
 class DatabaseShelf:
-    """The database read last; read again when its file has changed. For background threads."""
+    """Keeps the last database, and reads it again if its file has changed. For background threads."""
 
     def __init__(self) -> None:
         self._held: tuple = (None, None)
 
     def read(self, path: str) -> ReferenceDatabase:
-        """Raises DatabaseError."""
+        """Return the database. Raises DatabaseError."""
         key = path, os.path.getmtime(path) if os.path.exists(path) else None
         known, database = self._held
         if key != known:
-            # Not at the top: reading brings numpy and GDAL, and QGIS shall start at once.
+            # Imported here because it loads NumPy and GDAL, which would delay the start of QGIS.
             from ...storage.database.reader import read_database
 
             database = read_database(path)
-            # One assignment: another thread sees the old pair or the new one.
+            # One assignment, so that another thread sees the old pair or the new one.
             self._held = key, database
         return database

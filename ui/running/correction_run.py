@@ -1,4 +1,4 @@
-"""From a corrected annotation to the updated database in the background: rasterized, updated, put in its place."""
+"""Update a database from a corrected land-cover layer in the background: rasterize, update, replace."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ if TYPE_CHECKING:
 RASTERIZE, UPDATE = "semref:rasterizeannotation", "semref:updatedatabase"
 
 _RASTERIZED_PERCENT = 50
-"""The share of the first of both in the bar; which one takes longer depends on the map."""
+"""Share of rasterizing in the progress bar; the real share depends on the map."""
 
 
 @dataclass(frozen=True)
 class Correction:
-    """What is to be done.
+    """Input of an update.
 
     Attributes:
-        database: Path of the one to update.
-        annotation: Its polygons, as they are now.
-        class_field: Field with their class; empty for none.
-        priority_field: That decides where they overlap; empty for none.
-        class_of_all: The class of all of them; empty where the field counts.
-        places: The layer of findings that was gone through; None without one.
+        database: Path of the database.
+        annotation: Corrected land-cover layer.
+        class_field: Field with the class; may be empty.
+        priority_field: Field that decides where polygons overlap; may be empty.
+        class_of_all: Class of all polygons; empty if ``class_field`` has the classes.
+        places: Layer of issues or disagreements; None without one.
     """
 
     database: str
@@ -57,13 +57,13 @@ class Correction:
 
 @dataclass(frozen=True)
 class _Known:
-    """What the last update brought into a database.
+    """State of the last update, from which the next one finds what changed.
 
     Attributes:
-        of: Database, annotation and how it is read.
-        checksums: Of the database before the update, and of the updated one after it.
-        drawn: The annotation's features, as of ``RasterizePlan``.
-        labels: Path of its label map.
+        of: Database, layer, and how its classes are read.
+        checksums: Checksums of the database; those of the updated one after the update.
+        drawn: Features of the layer, as in ``RasterizePlan``.
+        labels: Path of the label map.
     """
 
     of: tuple
@@ -73,19 +73,17 @@ class _Known:
 
 
 class CorrectionRun(QObject):
-    """The first update of a database by an annotation compares the whole map; the next ones rasterize and compare only
-    where features were changed since.
+    """Updates a database from a layer. After the first update, only changed areas are rasterized and compared.
 
-    One correction at a time. After ``start`` exactly one of ``done``, ``failed``, ``broke`` and ``canceled`` comes.
+    One update at a time. It ends with exactly one of ``done``, ``failed``, ``broke`` and ``canceled``. Call
+    ``shut_down`` before deleting it.
 
-    ``shut_down`` before it is deleted.
+    Attributes:
+        rasterizing: Parameters of *Rasterize annotation* in the last update.
+        asked: Parameters of *Update reference database* in the last update.
 
-    rasterizing: parameters of *Rasterize annotation* in the last run.
-
-    asked: parameters of *Update reference database* in the last run.
-
-    said: what is being done; progressed: percent; done: the path of the database; failed: a sentence for the user;
-    broke: a bug's traceback.
+    said: current step; progressed: percent; done: path of the database; failed: a sentence for the user; broke: a bug's
+    traceback.
     """
 
     said = pyqtSignal(str)
@@ -122,18 +120,18 @@ class CorrectionRun(QObject):
 
     @property
     def title(self) -> str:
-        """What QGIS calls the task that was started last."""
+        """Title of the last task in QGIS's task manager."""
         return self._run.title
 
     def shut_down(self) -> None:
-        """Cancels, and waits until no code of the plugin runs in the background any more."""
+        """Cancel, and wait until the background thread has ended."""
         self._reader.shut_down()
         self._run.abandon()
         self._stop()
 
     def start(self, wanted: Correction) -> None:
-        """Begins. The annotation may be edited and removed once it is being rasterized."""
-        # Not at the top: it reads databases, and the dock shall open at once.
+        """Start an update. The layer may be edited or removed as soon as rasterizing runs."""
+        # Imported here because it reads databases, which would delay the opening of the dock.
         from ...processing.inspection.correction import LayerGround, plan_rasterizing
 
         self.running, self._wanted = True, wanted
@@ -149,17 +147,17 @@ class CorrectionRun(QObject):
         self._reader.read(text, plan_rasterizing, wanted.database, grounds, self._folder, context, *read)
 
     def cancel(self) -> None:
-        """Leaves the database as it is."""
+        """Cancel; the database does not change."""
         if self._run.running:
             self._run.cancel()
         elif self.running:
             self._reader.forget()
             self._cancel()
 
-    # --- one after the other ---
+    # --- steps ---
 
     def _go_on(self, answer: object) -> None:
-        """The next step; a bug in it ends the run, which would be shown for good else."""
+        """Run the next step. A bug in it ends the run."""
         try:
             self._next(answer)
         except Exception:
@@ -184,10 +182,10 @@ class CorrectionRun(QObject):
         asked = self.rasterizing
         if part is not None:
             self._next, asked = self._paste, {**asked, "EXTENT": part}
-        self._run.start_algorithm(RASTERIZE, asked, tr("Rasterizing the correction"))
+        self._run.start_algorithm(RASTERIZE, asked, tr("Rasterizing the corrected layer"))
 
     def _part(self, plan: RasterizePlan, of: tuple) -> QgsReferencedRectangle | None:
-        """The part of the map where features are others than in the database; None for all of it."""
+        """Return the part of the map where features changed since the last update; None for the whole map."""
         from ...processing.inspection.correction import changed_bounds, part_to_rasterize
 
         known, self._changed = self._known, None
@@ -199,7 +197,7 @@ class CorrectionRun(QObject):
         if not changed or not os.path.isfile(known.labels):
             return None
         context = QgsProject.instance().transformContext()
-        # The layer may be gone when the database is updated.
+        # The layer may be deleted before the database is updated.
         crs = self._wanted.annotation.crs()
         part = part_to_rasterize(plan.grid, changed, crs, context)
         self._changed = None if part is None else _layer_of(changed, crs)
@@ -209,7 +207,7 @@ class CorrectionRun(QObject):
         from ...storage.label_map_file import paste_labels
 
         self._next = lambda _nothing: self._update({"OUTPUT": self._known.labels})
-        text = tr("Rasterizing the correction")
+        text = tr("Rasterizing the corrected layer")
         self._reader.read(text, paste_labels, self._known.labels, rasterized["OUTPUT"])
 
     def _update(self, rasterized: dict) -> None:
@@ -228,7 +226,7 @@ class CorrectionRun(QObject):
         self._reader.read(title, replace_keeping, self._wanted.database, self._updated, of)
 
     def _beside(self, database: str) -> str:
-        """A path in a private folder beside the database, from where a file is moved without a copy; empty for none."""
+        """Return a path in a private folder next to the database, from where moving needs no copy; may be empty."""
         from ...core.errors import SemRefError
         from ...storage.atomic_output import Batch
         from ...storage.database.schema import TABLES
@@ -237,7 +235,7 @@ class CorrectionRun(QObject):
         try:
             return self._workplace.file(database, tables=TABLES)
         except SemRefError:
-            # The same is raised, and shown, where the database is to be replaced.
+            # Replacing the database raises and shows the same error.
             return ""
 
     def _stop(self) -> None:
@@ -250,7 +248,7 @@ class CorrectionRun(QObject):
         self._stop()
         self.done.emit(self._wanted.database)
 
-    # --- ends before its time ---
+    # --- early end ---
 
     def _fail(self, sentence: str) -> None:
         self._known = None

@@ -1,4 +1,4 @@
-"""semref:localizeimages or semref:localizeflight in the background."""
+"""Run semref:localizeimages or semref:localizeflight in the background."""
 
 from __future__ import annotations
 
@@ -17,15 +17,17 @@ from .run_history import KeptRun, begin_run, destination, labels_folder
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 
 _KEYS = "OUTPUT", "FOOTPRINTS", "ALTERNATIVES", "MATCHES", "TRACK"
-"""As the tables of results are."""
+"""Outputs, in the order of TABLES."""
 
 
 class LocalizationRun(AlgorithmRun):
-    """An AlgorithmRun that says ``found`` when it is done.
+    """AlgorithmRun that emits ``found`` when it is done.
 
-    found: the ResultLayers, the receiver's; the folder of the photos' label images, empty without photos. ``file``: the
-    GeoPackage that holds them, empty where they are in memory only. ``pace``: a sentence on what ran the network and
-    how fast; empty without one.
+    found: ResultLayers, which the receiver owns, and the folder of the photos' label images, empty without photos.
+
+    Attributes:
+        file: GeoPackage of the results; empty for layers in memory.
+        pace: Sentence on device and speed of the model; empty without a model.
     """
 
     found = pyqtSignal(object, str)
@@ -37,12 +39,15 @@ class LocalizationRun(AlgorithmRun):
         self.pace = self.file = ""
 
     def start(self, database: str, images: list[str], method: int, settings: dict, is_flight: bool = False) -> bool:
-        """``method``: METHOD of the algorithm; ``settings``: others of its parameters; ``is_flight``: of one flight.
+        """Start a run. Returns False after emitting ``failed`` if it can't start.
 
-        False when it can't even begin; then ``failed`` has said why.
+        Args:
+            method: METHOD of the algorithm.
+            settings: Further parameters.
+            is_flight: Whether the images are one flight.
         """
         run = begin_run(database, settings.get("MODEL", ""), len(images))
-        # QGIS can't name a table of a file with an apostrophe in its path.
+        # QGIS can't write tables to a file with an apostrophe in its path.
         self._kept = None if run is None or "'" in run.folder else run
         left_out = "ALTERNATIVES" if is_flight else "TRACK"
         outputs = {
@@ -63,7 +68,7 @@ class LocalizationRun(AlgorithmRun):
     def _take_layers(self, results: dict, context: QgsProcessingContext) -> None:
         self.pace, self.file = "", "" if self._kept is None else self._kept.file
         if results.get("DEVICE"):
-            text = tr("{device}, {rate:.3g} tiles a second.")
+            text = tr("{device}, {rate:.3g} tiles per second.")
             self.pace = LocalTemplate(text).format(device=results["DEVICE"], rate=results["TILES_PER_SECOND"])
         if self._kept is None:
             layers = [context.takeResultLayer(results.get(key, "")) for key in _KEYS]
@@ -71,14 +76,14 @@ class LocalizationRun(AlgorithmRun):
             try:
                 layers = named_results(self.file)
             except ParameterError as error:
-                # Somebody was quicker, and removed it.
+                # Another program removed the file.
                 self.failed.emit(worded(error))
                 return
         self.found.emit(ResultLayers(*layers), results.get("LABELS", ""))
 
 
 def named_results(file: str) -> list[QgsVectorLayer | None]:
-    """The layers of results, with names for the user. Raises ParameterError."""
+    """Open the layers of a results file, with names for the user. Raises ParameterError."""
     layers = list(open_results(file))
     for layer, title in zip(layers, _titles()):
         if layer is not None:
@@ -87,7 +92,7 @@ def named_results(file: str) -> list[QgsVectorLayer | None]:
 
 
 def _titles() -> list[str]:
-    """What the layers are called, as TABLES are."""
+    """Return the names of the layers, in the order of TABLES."""
     return [
         tr("SemRef positions"),
         tr("SemRef footprints"),

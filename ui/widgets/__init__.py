@@ -1,1 +1,1 @@
-"""Small parts that several rooms of the interface share."""
+"""Widgets and layouts that all parts of the dock share."""

@@ -1,4 +1,4 @@
-"""Buttons with a picture, buttons with a menu, shortcuts, and a box of choices that may be narrow."""
+"""Icon buttons, buttons with a menu, shortcuts, and a combo box that may be narrow."""
 
 from __future__ import annotations
 
@@ -18,17 +18,16 @@ from qgis.PyQt.QtWidgets import (
 
 _LEAST_LETTERS = 8
 _BESIDE_ICON_PX, _MARGINS_PX = 4, 2
-"""As Qt's styles leave them."""
+"""Widths that Qt's styles use."""
 
 
 def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton | None = None) -> QToolButton:
-    """A button that is a picture only.
+    """Return a button with an icon only.
 
     Args:
-        icon: Of QGIS's theme, such as ``/mActionAdd.svg``.
-        text: What it does, told to the mouse and to screen readers.
-        checkable: Whether it stays pressed.
-        made: The button itself where it is one of a class of its own.
+        icon: Icon of QGIS's theme, such as ``/mActionAdd.svg``.
+        text: Tool tip and name for screen readers.
+        made: Button to set up; by default a new one.
     """
     button = QToolButton() if made is None else made
     button.setIcon(QgsApplication.getThemeIcon(icon))
@@ -39,7 +38,7 @@ def tool_button(icon: str, text: str, checkable: bool = False, made: QToolButton
 
 
 def split_button(text: str, help_text: str) -> QToolButton:
-    """A button with an arrow for more of its kind."""
+    """Return a button with a menu beside it."""
     button = QToolButton()
     button.setText(text)
     button.setToolTip(help_text)
@@ -49,14 +48,14 @@ def split_button(text: str, help_text: str) -> QToolButton:
 
 
 def shortcut(keys: str, parent: QWidget) -> QShortcut:
-    """Keys that work wherever the focus is in ``parent``; ``parent`` keeps the shortcut."""
+    """Return a shortcut that works wherever the focus is in ``parent``, which owns it."""
     made = QShortcut(QKeySequence(keys), parent)
     made.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
     return made
 
 
 class ChoiceBox(QComboBox):
-    """Shortens the choice that it shows to what fits; Qt would cut it off."""
+    """Combo box that elides its text; Qt would cut it off."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

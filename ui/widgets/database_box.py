@@ -1,4 +1,4 @@
-"""Which database the dock works with: a file, or one whose layers the project has."""
+"""Choose the reference database: a file, or a database with layers in the project."""
 
 from __future__ import annotations
 
@@ -24,16 +24,16 @@ from .layouts import FoldingBox, content_of, name_fold, narrow, row_of
 MAKE_DATABASE = "semref:annotationtodatabase"
 
 _FOLD_PX = 48
-"""The triangle beside the title, and margins."""
+"""Width of the triangle beside the title, with margins."""
 
 
 class DatabaseBox(FoldingBox):
-    """The chosen database, remembered from session to session.
+    """The chosen database, remembered between sessions; a file or layer can be dropped on it.
 
-    A file, or one whose layers the project has; a file or layer can be dropped. ``shut_down`` before it is deleted.
+    Call ``shut_down`` before deleting it.
 
-    fault: why the file is no database, empty while that is not known; replaced: the chosen file has another content;
-    checked: it was looked at.
+    fault: why the file is not a database, empty while that is unknown; replaced: the file has new content; checked: the
+    file was checked.
     """
 
     changed = pyqtSignal()
@@ -44,7 +44,7 @@ class DatabaseBox(FoldingBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Reference database"), parent)
         self.setObjectName("SemRefDatabase")
-        # Folded away after a run, not for ever.
+        # Collapsed after a run, but not in the next session.
         self.setSaveCollapsedState(False)
         self.collapsedStateChanged.connect(self._show_folded)
         self.setAcceptDrops(True)
@@ -55,16 +55,16 @@ class DatabaseBox(FoldingBox):
         self.file.lineEdit().setAccessibleName(tr("Reference database"))
         self.file.setFilePath(remembered_database())
         self.in_project = ChoiceBox()
-        self.in_project.setToolTip(tr("Databases whose layers are in the project"))
-        self.in_project.setAccessibleName(tr("Databases whose layers are in the project"))
+        self.in_project.setToolTip(tr("Databases with layers in the project"))
+        self.in_project.setAccessibleName(tr("Databases with layers in the project"))
         self.add_to_map = tool_button("/mActionAddLayer.svg", tr("Add database to map"))
-        self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Make a reference database of polygons…"))
+        self.make = tool_button("/mActionNewGeoPackageLayer.svg", tr("Build a reference database from polygons…"))
         self.making: QWidget | None = None
         self.fault = ""
         self.fault_label = QLabel()
         self.fault_label.setWordWrap(True)
         self.fault_label.setMinimumWidth(1)
-        # It has the name of a file, whatever that looks like.
+        # A file name may look like HTML.
         self.fault_label.setTextFormat(Qt.TextFormat.PlainText)
         self.fault_label.setVisible(False)
         layout = narrow(QVBoxLayout(content_of(self)), 0)
@@ -80,7 +80,7 @@ class DatabaseBox(FoldingBox):
         self._reader.answered.connect(lambda _nothing: self._show_fault(""))
         self._reader.failed.connect(self._show_fault)
         self._check()
-        # Layers come into the project before they come into its tree, which has the names of their groups.
+        # Layers join the project before they join the layer tree, which has the group names.
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self.list_databases)
@@ -90,7 +90,7 @@ class DatabaseBox(FoldingBox):
         self.list_databases()
 
     def shut_down(self) -> None:
-        """Stops following the project."""
+        """Disconnect from the project, and stop background reading."""
         project = QgsProject.instance()
         project.layersAdded.disconnect(self._list_soon)
         project.layersRemoved.disconnect(self._list_soon)
@@ -98,11 +98,11 @@ class DatabaseBox(FoldingBox):
         self._reader.shut_down()
 
     def path(self) -> str:
-        """Of the chosen database; empty without one."""
+        """Return the path of the chosen database; may be empty."""
         return self.file.filePath().strip()
 
     def choose(self, path: str) -> None:
-        """Chooses a database; says ``changed`` also where it is the chosen one, whose content may be another."""
+        """Choose a database. Emits ``changed`` also for the chosen one, because its content may be new."""
         if path == self.path():
             self._check()
             self.replaced.emit()
@@ -111,7 +111,7 @@ class DatabaseBox(FoldingBox):
             self.file.setFilePath(path)
 
     def _make_database(self) -> None:
-        """Opens the dialog, beside which QGIS can be used; the database is opened, and chosen here, when it is made."""
+        """Open a dialog, not modal, that builds a database. The result is opened and chosen here."""
         from processing import createAlgorithmDialog
 
         self.making = createAlgorithmDialog(MAKE_DATABASE, annotation_at_hand(QgsProject.instance()))
@@ -121,7 +121,7 @@ class DatabaseBox(FoldingBox):
         self._soon.start(0)
 
     def list_databases(self) -> None:
-        """Offers the databases whose layers the project has now; nothing is shown where it has none."""
+        """List the databases with layers in the project; hide an empty list."""
         self.in_project.clear()
         self.in_project.addItem(tr("In the project…"), "")
         for path, name in project_databases(QgsProject.instance()).items():
@@ -131,7 +131,7 @@ class DatabaseBox(FoldingBox):
         self._show_in_project()
 
     def _show_folded(self, *_) -> None:
-        """What is seen of the box as it is, folded or not: layers may come at any time."""
+        """Show or hide the list of databases; layers may join the project at any time."""
         self.in_project.setVisible(self.in_project.count() > 1)
         self._show_title()
 
@@ -146,7 +146,7 @@ class DatabaseBox(FoldingBox):
         name_fold(self)
         path = self.path()
         if path:
-            # A project that is cleared takes its database along, but not what the next session begins with.
+            # Clearing a project clears the database, but the next session starts with it.
             QgsSettings().setValue(DATABASE_SETTING, path)
             note_used(DATABASE, path)
         self._check()
@@ -157,14 +157,14 @@ class DatabaseBox(FoldingBox):
         self.changed.emit()
 
     def _check(self) -> None:
-        """Look at the file in the background: it may be of any kind, and on a slow disk."""
+        """Check the file in the background: it may be of any kind, and on a slow disk."""
         self._reader.forget()
         self._show_fault("")
         if self.path():
             self._reader.read(tr("Reading the database"), require_database, self.path())
 
     def _show_fault(self, sentence: str) -> None:
-        # The name is enough where the path is shown above.
+        # The path is shown above.
         self.fault = sentence.replace(self.path(), os.path.basename(self.path()))
         self.fault_label.setText(self.fault)
         self.fault_label.setVisible(bool(self.fault))
@@ -174,7 +174,7 @@ class DatabaseBox(FoldingBox):
         self.checked.emit()
 
     def _show_title(self, *_) -> None:
-        """With the file's name while the box that shows it is folded away."""
+        """Show the file's name in the title while the box is collapsed."""
         name = Path(self.path()).stem
         if not self.isCollapsed() or not name:
             self.setTitle(tr("Reference database"))
@@ -188,7 +188,7 @@ class DatabaseBox(FoldingBox):
     # --- QWidget ---
 
     def minimumSizeHint(self) -> QSize:
-        # A long name of a file shall not keep the dock wide.
+        # A long file name must not widen the dock.
         least = super().minimumSizeHint()
         return QSize(min(least.width(), self.layout().minimumSize().width()), least.height())
 

@@ -1,4 +1,4 @@
-"""Rows, margins and folding boxes that are the same all over the dock."""
+"""Rows, margins and collapsible boxes of the dock."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QToolButton, QVBoxLayou
 from ...processing.translation import tr
 
 MARGIN_PX = 5
-"""Around the content of the dock and of its boxes: width is scarce in a dock."""
+"""Margin around the dock's content and its boxes; docks are narrow."""
 
 
 def row_of(*widgets: QWidget | tuple[QWidget, int]) -> QHBoxLayout:
-    """Widgets side by side.
+    """Return a layout with widgets side by side.
 
     Args:
-        *widgets: From left to right; (widget, stretch) for one that takes what room is left.
+        *widgets: From left to right; (widget, stretch) for a widget that takes the remaining room.
     """
     made = QHBoxLayout()
     for entry in widgets:
@@ -27,7 +27,7 @@ def row_of(*widgets: QWidget | tuple[QWidget, int]) -> QHBoxLayout:
 
 
 class FoldingBox(QgsCollapsibleGroupBox):
-    """QGIS's box forgets what it was told while it was hidden, such as behind another tab: it stays as it looked."""
+    """Collapsible box that also collapses while it is hidden behind another tab; QGIS's box ignores that."""
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -36,7 +36,7 @@ class FoldingBox(QgsCollapsibleGroupBox):
 
 
 class FoldingRow(QWidget):
-    """Widgets that share the width side by side, and one below the other where there is no room for that."""
+    """Places widgets side by side, or below each other where the width is too small."""
 
     def __init__(self, *parts: QWidget) -> None:
         super().__init__()
@@ -54,7 +54,7 @@ class FoldingRow(QWidget):
         self._fold()
 
     def event(self, event: QEvent) -> bool:
-        # A part has another text now.
+        # The text of a part has changed.
         if event.type() == QEvent.Type.LayoutRequest:
             self._fold()
         return super().event(event)
@@ -73,15 +73,15 @@ def _least_width(part: QWidget) -> int:
 
 
 def narrow(layout: QBoxLayout, margin: int = MARGIN_PX) -> QBoxLayout:
-    """The layout with margins as narrow as a dock needs them."""
+    """Return the layout with narrow margins."""
     layout.setContentsMargins(margin, margin, margin, margin)
     return layout
 
 
 def content_of(box: QgsCollapsibleGroupBox) -> QWidget:
-    """Make the one child of a box that folds, to be laid out.
+    """Return the only child of a collapsible box, for the box's content.
 
-    QGIS shows every child of the box when it unfolds: widgets that are hidden, and dialogs that were closed.
+    QGIS shows every child of a box when it opens, also hidden widgets and closed dialogs.
     """
     content = QWidget()
     narrow(QVBoxLayout(box)).addWidget(content)
@@ -89,6 +89,6 @@ def content_of(box: QgsCollapsibleGroupBox) -> QWidget:
 
 
 def name_fold(box: QgsCollapsibleGroupBox) -> None:
-    """Gives the triangle that folds a box a name for screen readers, which QGIS does not."""
+    """Name the triangle of a collapsible box for screen readers; QGIS gives it no name."""
     for button in box.findChildren(QToolButton, "collapseButton"):
         button.setAccessibleName(tr("Fold or unfold: {title}").format(title=box.title()))

@@ -1,4 +1,4 @@
-"""What the dock tells the user: one sentence in the message bar, the whole of a bug in the log."""
+"""Messages for the user: one sentence in the message bar, details of bugs in the log."""
 
 from __future__ import annotations
 
@@ -23,32 +23,27 @@ class Messages:
         self._bar = message_bar
 
     def info(self, sentence: str) -> None:
-        """Something to know."""
         self._bar.pushInfo(TAG, _shown(sentence))
 
     def success(self, sentence: str) -> None:
-        """Something that was done."""
         self._bar.pushSuccess(TAG, _shown(sentence))
 
     def log(self, line: str) -> None:
-        """Only for the log panel."""
+        """Write a line to the log panel only."""
         QgsMessageLog.logMessage(line, TAG, Qgis.MessageLevel.Info, False)
 
     def warning(self, sentence: str) -> None:
-        """Something that is not as the user may think."""
         self._bar.pushWarning(TAG, _shown(sentence))
 
     def error(self, sentence: str) -> None:
-        """Something that could not be done."""
         self._bar.pushCritical(TAG, _shown(sentence))
 
     def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> QgsMessageBarItem:
-        """Something that could not be done, and a button that mends it; the whole sentence is in its tool tip."""
+        """Show an error with a button that solves it. The tool tip has the whole sentence."""
         return self._push_with(sentence, button, pressed, Qgis.MessageLevel.Critical)
 
     def success_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> None:
-        """Something that was done, and a button for what comes next; stays until it is pressed or closed, or until
-        another project is opened."""
+        """Show a success with a button for the next step, until the project is closed."""
         item = self._push_with(sentence, button, pressed, Qgis.MessageLevel.Success)
         QgsProject.instance().cleared.connect(item.dismiss)
 
@@ -65,7 +60,7 @@ class Messages:
         return item
 
     def take_back_failure(self, task: str) -> None:
-        """Remove what QGIS says about a task that its user canceled: that it failed. QGIS says it a moment later."""
+        """Remove QGIS's message that a task failed after the user canceled it. The message comes a moment later."""
         QTimer.singleShot(0, lambda: self._remove(QCoreApplication.translate("QgisApp", "Task failed"), task))
 
     def _remove(self, title: str, text: str) -> None:
@@ -80,13 +75,13 @@ class Messages:
             part.broke.connect(self.bug)
 
     def bug(self, report: str) -> None:
-        """One sentence in the bar, the traceback in the log panel."""
+        """Show one sentence in the bar and write the traceback to the log panel."""
         QgsMessageLog.logMessage(report, TAG, Qgis.MessageLevel.Critical, False)
         self.error(
-            tr("An error in SemRef stopped the work; please report what the log messages panel shows under “SemRef”.")
+            tr("An error in SemRef stopped the work. Please report the text under “SemRef” in the log messages panel.")
         )
 
 
 def _shown(sentence: str) -> str:
-    """As the message bar shows it to the letter: it takes texts for HTML, and names of files may look like it."""
+    """Escape a sentence: the message bar shows HTML, and file names may look like HTML."""
     return escape(sentence, quote=False)

@@ -1,4 +1,4 @@
-"""How far a run is: one line of text, and a bar with the time that is left."""
+"""Progress of a run: one line of text, and a bar with the remaining time."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from .texts import plain_tip
 
 
 class StatusLine(QLabel):
-    """Shortens long file names in the middle instead of widening the dock."""
+    """Label that shortens long texts in the middle instead of widening the dock."""
 
     _text = ""
     _aside = ""
 
     def __init__(self) -> None:
         super().__init__()
-        # What it tells may hold names of files, whatever they look like.
+        # File names may look like HTML.
         self.setTextFormat(Qt.TextFormat.PlainText)
 
     @property
     def text_shown(self) -> str:
-        """As a whole."""
+        """Whole text, without shortening."""
         return f"{self._text} {self._aside}".rstrip()
 
     def show_text(self, text: str, aside: str = "") -> None:
-        """Shows a sentence, shortened to what fits, and one beside it where there is room for both."""
+        """Show a sentence, and a second one if there is room for both."""
         self._text, self._aside = text, aside
         self._shorten()
 
@@ -51,20 +51,19 @@ class StatusLine(QLabel):
 
 
 class RemainingBar(QProgressBar):
-    """``begin`` when a run starts, ``show_percent`` as it goes on."""
+    """Progress bar with the remaining time. Call ``begin``, then ``show_percent``."""
 
     def __init__(self) -> None:
         super().__init__()
         self._began = 0.0
 
     def begin(self) -> None:
-        """A run starts now."""
         self._began = time.monotonic()
         self.setValue(0)
         self.setFormat("%p%")
 
     def show_percent(self, percent: float) -> None:
-        """How far it is, and how long it still takes if it goes on as fast."""
+        """Show the progress and the remaining time at the average speed so far."""
         self.setValue(round(percent))
         left = remaining_text(time.monotonic() - self._began, percent)
         self.setFormat(f"%p% · {left}" if left else "%p%")

@@ -1,4 +1,4 @@
-"""What lists and tables share: a selected row, a change of font, icons of severity, a text where there are no rows."""
+"""Shared parts of lists and tables: row selection, font changes, severity icons, placeholder texts."""
 
 from __future__ import annotations
 
@@ -18,10 +18,9 @@ _MARGIN_PX = 12
 
 
 def select_row(view: QTableView, row: int) -> None:
-    """Selects a row and makes it the current one.
+    """Select a row and make it current.
 
-    Qt's own looks for a column at the edge where writing begins. From right to left there is none when the columns
-    just fill the view, and nothing would be selected.
+    In right-to-left layouts Qt's own method selects nothing if the columns exactly fill the view.
     """
     header = view.horizontalHeader()
     shown = (column for column in range(view.model().columnCount()) if not header.isSectionHidden(column))
@@ -31,7 +30,7 @@ def select_row(view: QTableView, row: int) -> None:
 
 
 def changes_font(event: QEvent) -> bool:
-    """Whether an event may bring another font: QGIS's, and its size, come by a style sheet after a widget is made."""
+    """Return whether an event may change the font. QGIS sets fonts by a style sheet after a widget is created."""
     return event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange, QEvent.Type.Polish)
 
 
@@ -41,7 +40,7 @@ def severity_icon(severity: str) -> QIcon:
 
 
 def paint_placeholder(view: QWidget, text: str) -> None:
-    """Writes ``text`` in the middle of a view or widget; to be called in its paintEvent when it is empty."""
+    """Paint ``text`` in the middle of an empty view or widget; call it in paintEvent."""
     surface = view.viewport() if isinstance(view, QAbstractScrollArea) else view
     painter = QPainter(surface)
     painter.setPen(view.palette().color(QPalette.ColorRole.PlaceholderText))

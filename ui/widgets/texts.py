@@ -1,4 +1,4 @@
-"""Numbers in the user's language, and tool tips of texts that come from files."""
+"""Numbers in the user's language, and tool tips with texts from files."""
 
 from __future__ import annotations
 
@@ -13,5 +13,5 @@ def number_text(value: float, decimals: int = 0) -> str:
 
 
 def plain_tip(text: str) -> str:
-    """Return a tool tip that shows the text as it is: Qt takes what looks like HTML for HTML, and loads its images."""
+    """Return a tool tip with the text as it is. Qt would interpret text that looks like HTML, and load its images."""
     return f"<p>{escape(text)}</p>".replace("\n", "<br>") if "<" in text else text

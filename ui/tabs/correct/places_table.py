@@ -1,4 +1,4 @@
-"""The list of places of the tab Correct: findings of a check, or disagreements of two maps."""
+"""Places of the tab Correct: issues of a check, or disagreements of two label maps."""
 
 from __future__ import annotations
 
@@ -20,33 +20,33 @@ from ...widgets.texts import number_text, plain_tip
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, POSITION_COLUMN = range(4)
 
 SEVERITY = "severity"
-"""Field of *Check annotation*'s issues."""
+"""Severity field of the issues of *Check annotation*."""
 
 KIND = "kind"
-"""Field of keys of which *Check annotation* has words."""
+"""Field with the kind of an issue, a key of ``kind_titles``."""
 
 AREA = "area"
-"""Field of square meters."""
+"""Field with the area in m²."""
 
 _COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"))
-"""Fields that the list shows: of *Check annotation*'s issues, else of *Compare label maps*' disagreements."""
+"""Fields that the list shows, of the issues of *Check annotation* and of the disagreements of *Compare label maps*."""
 
 _LINES = 2
-"""Of a message, before it is cut: most have no more in a dock of the usual width."""
+"""Lines of a message before it is cut off; enough for most in a dock of usual width."""
 _MARGIN_PX = 6
 _WIDE_LETTERS = 70
-"""From this width on there is room for positions beside messages."""
+"""Least width in letters at which the list shows positions beside messages."""
 
 
 class PlaceRow(NamedTuple):
-    """One row.
+    """One row of the list.
 
     Attributes:
-        id: Of the feature.
-        severity: Empty without one.
-        texts: Of the other columns.
-        kind: Key of *Check annotation*; of disagreements both classes.
-        kind_title: What the user calls it.
+        id: Id of the feature.
+        severity: Severity of an issue; empty for disagreements.
+        texts: Texts of the other columns.
+        kind: Kind of an issue, or both classes of a disagreement.
+        kind_title: Kind in words.
     """
 
     id: int
@@ -57,7 +57,7 @@ class PlaceRow(NamedTuple):
 
 
 class PlacesTable(QTableWidget):
-    """Rows of places, each with the id of its feature; done ones are struck out."""
+    """Table of places; done ones are struck through."""
 
     _positions_beside = True
 
@@ -83,7 +83,7 @@ class PlacesTable(QTableWidget):
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
     def show_titles(self, layer: QgsVectorLayer | None) -> None:
-        """Headings for a layer; those of a check before one is chosen."""
+        """Set the headings for a layer, or those of issues without one."""
         names = _fields(layer) if layer is not None else [choices[0] for choices in _COLUMNS]
         self.setHorizontalHeaderLabels(["", *(_title(name) for name in names), tr("Position")])
         self.horizontalHeaderItem(SEVERITY_COLUMN).setToolTip(tr("Severity"))
@@ -93,7 +93,7 @@ class PlacesTable(QTableWidget):
         self.setColumnWidth(SEVERITY_COLUMN, 2 * self.fontMetrics().height())
 
     def add(self, place: PlaceRow) -> int:
-        """Adds a row at the end; gives its number."""
+        """Append a row. Return its number."""
         number = self.rowCount()
         self.setRowCount(number + 1)
         severity = QTableWidgetItem()
@@ -112,19 +112,19 @@ class PlacesTable(QTableWidget):
         return number
 
     def id_of(self, row: int) -> int:
-        """Of the feature that a row shows."""
+        """Return the id of a row's feature."""
         return self.item(row, 0).data(Qt.ItemDataRole.UserRole)
 
     def selectRow(self, row: int) -> None:
         select_row(self, row)
 
     def selected_row(self) -> int:
-        """−1 without one."""
+        """Return the selected row; -1 without one."""
         rows = self.selectionModel().selectedRows()
         return rows[0].row() if rows else -1
 
     def strike_out(self, row: int, done: bool) -> None:
-        """Shows whether a place is done."""
+        """Strike a row through if its place is done."""
         for column in range(KIND_COLUMN, self.columnCount()):
             item = self.item(row, column)
             font = item.font()
@@ -132,7 +132,7 @@ class PlacesTable(QTableWidget):
             item.setFont(font)
 
     def fit_columns(self) -> None:
-        """As wide as kinds need, but no wider than a third: the message matters more."""
+        """Fit the column of kinds to its content, up to a third of the width."""
         for column in (KIND_COLUMN, POSITION_COLUMN):
             self.resizeColumnToContents(column)
         self._fit_width()
@@ -140,11 +140,11 @@ class PlacesTable(QTableWidget):
     def _fit_width(self) -> None:
         width = self.viewport().width()
         self.setColumnWidth(KIND_COLUMN, min(max(self.columnWidth(KIND_COLUMN), 1), width // 3))
-        # The line below the list shows the position as well.
+        # The line below the list also shows the position.
         has_room = self._positions_beside and width >= _WIDE_LETTERS * self.fontMetrics().averageCharWidth()
         if has_room and self.isColumnHidden(POSITION_COLUMN):
             self.setColumnHidden(POSITION_COLUMN, False)
-            # A hidden column is as wide as its rows: nobody asks for its heading.
+            # The width of a hidden column ignores its heading.
             self.resizeColumnToContents(POSITION_COLUMN)
         self.setColumnHidden(POSITION_COLUMN, not has_room)
 
@@ -161,12 +161,12 @@ class PlacesTable(QTableWidget):
         super().paintEvent(event)
         if not self.rowCount():
             paint_placeholder(
-                self, tr("Places to repair appear here: “Check annotation” and “Compare label maps” find them.")
+                self, tr("Places to check appear here. Run “Check annotation” or “Compare label maps” to find them.")
             )
 
 
 def is_places(layer: QgsMapLayer) -> bool:
-    """Whether a layer is what *Check annotation* or *Compare label maps* gives, by its fields."""
+    """Return whether a layer has the fields of a result of *Check annotation* or *Compare label maps*."""
     if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
         return False
     names = set(layer.fields().names())
@@ -174,7 +174,7 @@ def is_places(layer: QgsMapLayer) -> bool:
 
 
 def has_severity(layer: QgsVectorLayer) -> bool:
-    """Whether places have one: those of a check do."""
+    """Return whether the places have a severity, as issues do."""
     return SEVERITY in layer.fields().names()
 
 
@@ -183,12 +183,12 @@ def _has_messages(layer: QgsVectorLayer) -> bool:
 
 
 def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
-    """All of a layer, one after the other."""
+    """Yield the places of a layer."""
     words, with_severity, with_messages = kind_titles(), has_severity(layer), _has_messages(layer)
     for feature in layer.getFeatures():
         severity = feature[SEVERITY] if with_severity else ""
         kind, message, area, position = _texts(feature, layer, words)
-        # Of disagreements both classes may be the same in all rows, and there is room below the second one.
+        # All disagreements may have the same classes, so area and position are shown below.
         title, key = (kind, feature[KIND]) if with_messages else (f"{kind} → {message}",) * 2
         second = _joined(area, message) if with_messages else f"{message}\n{_joined(area, position)}"
         texts = [kind, second, position]
@@ -196,7 +196,7 @@ def places_of(layer: QgsVectorLayer) -> Iterator[PlaceRow]:
 
 
 def place_text(feature: QgsFeature, layer: QgsVectorLayer) -> str:
-    """All that is known of a place."""
+    """Return all data of a place in one line."""
     severity = feature[SEVERITY] if has_severity(layer) else None
     first = "" if is_null(severity) else severity_title(severity)
     return _joined(first, *_texts(feature, layer, kind_titles()))
@@ -207,7 +207,7 @@ def _joined(*texts: str) -> str:
 
 
 def _fields(layer: QgsVectorLayer) -> list[str | None]:
-    """The field shown in each column; None where the layer has none of those."""
+    """Return the field of each column; None if the layer does not have it."""
     names = set(layer.fields().names())
     return [next((name for name in choices if name in names), None) for choices in _COLUMNS]
 
@@ -223,7 +223,7 @@ def _title(field: str | None) -> str:
 
 
 def _texts(feature: QgsFeature, layer: QgsVectorLayer, kinds: dict[str, str]) -> tuple[str, str, str, str]:
-    """Kind, message, area and position; of disagreements both classes instead of the first two."""
+    """Return kind, message, area and position; for disagreements both classes instead of kind and message."""
     fields = _fields(layer)
     values = [(name, None if name is None else feature[name]) for name in fields]
     kind, message = ("" if is_null(v) else _text(v, kinds if name == KIND else {}) for name, v in values)
@@ -233,7 +233,7 @@ def _texts(feature: QgsFeature, layer: QgsVectorLayer, kinds: dict[str, str]) ->
 
 
 def _position(feature: QgsFeature, decimals: int) -> str:
-    """Of the middle, in the layer's CRS."""
+    """Return the center, in the layer's CRS."""
     if feature.geometry().isNull():
         return ""
     middle = feature.geometry().boundingBox().center()
@@ -241,6 +241,6 @@ def _position(feature: QgsFeature, decimals: int) -> str:
 
 
 def _text(value: object, words: dict[str, str]) -> str:
-    """Keys by their words, other codes as words."""
+    """Return the words for a key, or other identifiers without underscores."""
     text = str(value)
     return words.get(text) or (text.replace("_", " ") if text.isidentifier() else text)

@@ -1,4 +1,4 @@
-"""Repairs everything in the annotation that *Repair annotation* can repair, as one step that can be undone."""
+"""Button that repairs the land-cover layer with *Repair annotation*, as one undo step."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ REPAIR = "semref:repairannotation"
 
 
 class RepairButton(QPushButton):
-    """``shut_down`` before it is deleted.
+    """Button to repair all places. Call ``shut_down`` before deleting it.
 
-    said: what it is doing, or what it has done; repaired: the annotation, which has one more step to undo; failed: a
-    sentence; broke: a bug's traceback.
+    said: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence; broke: a
+    bug's traceback.
     """
 
     said = pyqtSignal(str)
@@ -34,7 +34,7 @@ class RepairButton(QPushButton):
     broke = pyqtSignal(str)
 
     def __init__(self, annotation: Callable[[], Correction | None]) -> None:
-        """Takes what to repair from ``annotation``, which gives None where none is chosen."""
+        """``annotation`` returns what to repair; None if nothing is chosen."""
         super().__init__()
         self._annotation = annotation
         self._kinds: Counter = Counter()
@@ -51,11 +51,11 @@ class RepairButton(QPushButton):
         self.show_kinds(Counter())
 
     def shut_down(self) -> None:
-        """Cancels what runs."""
+        """Cancel the repair."""
         self.run.abandon()
 
     def show_kinds(self, kinds: Counter) -> None:
-        """``kinds``: how many places of each kind are open."""
+        """Show how many open places can be repaired. ``kinds``: number of open places by kind."""
         self._kinds = Counter({kind: kinds[kind] for kind in REPAIRABLE if kinds[kind]})
         self._show()
 
@@ -68,7 +68,9 @@ class RepairButton(QPushButton):
         else:
             self.setText(tr("Repair all…"))
         self.setEnabled(self.run.running or bool(count))
-        self.setToolTip(tr("Repairs in the annotation what “Repair annotation” can repair; it can be undone"))
+        self.setToolTip(
+            tr("Repair everything in the land-cover layer that “Repair annotation” can repair. You can undo this.")
+        )
 
     def _show_percent(self, percent: float) -> None:
         self.said.emit(tr("Repairing: {percent} %").format(percent=int(percent)))
@@ -79,7 +81,7 @@ class RepairButton(QPushButton):
             return
         wanted = self._annotation()
         if wanted is None:
-            self.failed.emit(tr("Choose the annotation and its class field below, under “Update the database”."))
+            self.failed.emit(tr("Choose the land-cover layer and its class field below, under “Update the database”."))
             return
         if QMessageBox.question(self.window(), tr("Repair all"), self._question(wanted)) != _YES:
             return
@@ -92,15 +94,15 @@ class RepairButton(QPushButton):
             "OUTPUT": "memory:",
             "CHANGES": "memory:",
         }
-        self.run.start_algorithm(REPAIR, parameters, tr("Repairing the annotation"))
+        self.run.start_algorithm(REPAIR, parameters, tr("Repairing the land-cover layer"))
         self._show()
 
     def _question(self, wanted: Correction) -> str:
         titles = kind_titles()
         kinds = ", ".join(f"{titles[kind]}: {number_text(count)}" for kind, count in self._kinds.items())
         return tr(
-            "Repair {count} places in “{layer}” ({kinds})? Touching polygons of one class become one. The layer is "
-            "edited, not saved: you can undo it."
+            "Repair {count} places in “{layer}” ({kinds})? SemRef also merges touching polygons of the same "
+            "class. It does not save the edits, so you can undo them."
         ).format(count=number_text(sum(self._kinds.values())), layer=wanted.annotation.name(), kinds=kinds)
 
     def _apply(self, results: dict, context: QgsProcessingContext) -> None:
@@ -117,8 +119,9 @@ class RepairButton(QPushButton):
         self.repaired.emit(layer)
         self.said.emit(
             tr(
-                "Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the layer’s "
-                "edits to keep it, or undo it (Ctrl+Z). Check the annotation again to see what is left."
+                "Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the "
+                "layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is "
+                "left."
             ).format(layer=layer.name(), **{name: number_text(count) for name, count in done._asdict().items()})
         )
 

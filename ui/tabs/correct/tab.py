@@ -1,4 +1,4 @@
-"""The dock's third tab: an annotator goes through places that were found, and brings the result into the database."""
+"""Tab *Correct*: go through the places that a check found, and update the database."""
 
 from __future__ import annotations
 
@@ -29,22 +29,22 @@ from .repair_button import RepairButton
 from .update_box import UpdateBox
 
 DONE_PROPERTY = "semref/done"
-"""Custom property of the layer, so that the project remembers what is done and the layer's own table stays as it is."""
+"""Custom property of the layer: the project stores which places are done; the layer's table does not change."""
 
-OPEN_SETTING, MEND_SETTING = "semref/correct/only_open", "semref/correct/only_to_mend"
+OPEN_SETTING, PROBLEMS_SETTING = "semref/correct/only_open", "semref/correct/only_to_mend"
 
 _LEAST_EXTENT_SHARE = 1e-4
-"""Points and lines have no extent: this share of the layer's is added."""
+"""Share of the layer's extent that is added to a place, because points and lines have no extent."""
 
 _FILL_S = 0.03
-"""The list is filled for so long at a time."""
+"""Longest time to fill the list without a break."""
 
 
 class CorrectTab(QWidget):
-    """``shut_down`` before it is deleted.
+    """Tab *Correct*. Call ``shut_down`` before deleting it.
 
-    updated: the path of a database that was replaced; outdated: a label map of it on the map, and how to rasterize it
-    again.
+    updated: path of a database that was replaced; outdated: name of its label map in the project, and the parameters to
+    rasterize it again.
     """
 
     updated = pyqtSignal(str)
@@ -83,29 +83,29 @@ class CorrectTab(QWidget):
         self.layer.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.layer.setAllowEmptyLayer(True, tr("Choose a layer of issues or disagreements"))
         self.layer.setToolTip(tr("The result of “Check annotation” or “Compare label maps”"))
-        self.layer.setAccessibleName(tr("Layer of places"))
+        self.layer.setAccessibleName(tr("Layer of places to check"))
         self.layer.setMinimumWidth(1)
         self.places = PlacesTable()
         self.kind = ChoiceBox()
         self.kind.setAccessibleName(tr("Kind"))
-        self.kind.setToolTip(tr("Lists the places of one kind only"))
+        self.kind.setToolTip(tr("Show places of one kind only"))
         self.updating = UpdateBox()
         self.repair = RepairButton(self.updating.correction)
         self.repair.setMinimumWidth(1)
         self.text = QLabel()
         self.text.setWordWrap(True)
-        # It comes from a file, whatever that holds.
+        # The text comes from a file and may look like HTML.
         self.text.setTextFormat(Qt.TextFormat.PlainText)
         self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.before = tool_button("/mActionArrowLeft.svg", tr("Place before"))
+        self.before = tool_button("/mActionArrowLeft.svg", tr("Previous place"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next place"))
         self.done = QPushButton(tr("Done, next"))
-        self.done.setToolTip(tr("Marks the place as done and goes to the next one that is not (Ctrl+D)"))
-        self.open = QCheckBox(tr("Only what is open"))
+        self.done.setToolTip(tr("Mark the place as done and go to the next open place (Ctrl+D)"))
+        self.open = QCheckBox(tr("Only open places"))
         self.open.setChecked(QgsSettings().value(OPEN_SETTING, True, type=bool))
-        self.mend = QCheckBox(tr("Without information"))
-        self.mend.setToolTip(tr("Lists errors and warnings only: what has to be mended"))
-        self.mend.setChecked(QgsSettings().value(MEND_SETTING, False, type=bool))
+        self.problems = QCheckBox(tr("Only errors and warnings"))
+        self.problems.setToolTip(tr("Hide places that are only for information"))
+        self.problems.setChecked(QgsSettings().value(PROBLEMS_SETTING, False, type=bool))
         self.progress = QProgressBar()
         self.progress.setFormat(tr("%v of %m done"))
         layout = narrow(QVBoxLayout(self), 0)
@@ -114,7 +114,7 @@ class CorrectTab(QWidget):
         layout.addWidget(self.places, 1)
         layout.addWidget(self.text)
         layout.addLayout(row_of(self.before, self.after, (self.done, 1)))
-        layout.addWidget(FoldingRow(self.open, self.mend))
+        layout.addWidget(FoldingRow(self.open, self.problems))
         layout.addWidget(self.progress)
         layout.addWidget(self.updating)
 
@@ -129,15 +129,15 @@ class CorrectTab(QWidget):
         self.done.clicked.connect(self._mark_done)
         shortcut("Ctrl+D", self).activated.connect(self._mark_done)
         self.open.toggled.connect(lambda on: self._choose_rows(OPEN_SETTING, on))
-        self.mend.toggled.connect(lambda on: self._choose_rows(MEND_SETTING, on))
+        self.problems.toggled.connect(lambda on: self._choose_rows(PROBLEMS_SETTING, on))
         self.updating.startAsked.connect(self._update_database)
         self.updating.cancelAsked.connect(self.run.cancel)
         self.updating.undoAsked.connect(self._undo_update)
         self.run.said.connect(self.updating.state.show_text)
         self.run.progressed.connect(self.updating.progress.show_percent)
-        self.run.done.connect(self._tell_updated)
+        self.run.done.connect(self._show_updated)
         self.run.canceled.connect(lambda: self.updating.show_running(False, tr("Canceled.")))
-        self._undoing.answered.connect(lambda _: self._tell_undone())
+        self._undoing.answered.connect(lambda _: self._show_undone())
         for part in (self.run, self._undoing):
             for ended in (part.failed, part.broke):
                 ended.connect(lambda *_: self.updating.show_running(False))
@@ -146,7 +146,7 @@ class CorrectTab(QWidget):
         project.layersAdded.connect(self._take_added)
 
     def shut_down(self) -> None:
-        """Cancels what runs, stops filling the list and takes the mark off the canvas."""
+        """Cancel runs, stop filling the list, and remove the mark from the canvas."""
         for timer in (self._soon, self._listing):
             timer.stop()
         self._rows = iter(())
@@ -170,7 +170,7 @@ class CorrectTab(QWidget):
         self._fill()
 
     def _take_added(self, layers: list) -> None:
-        """Lists them when they are wholly there; places that somebody just had found are what is wanted now."""
+        """List new layers as soon as they are complete, and choose new places if no layer is chosen."""
         self._listing.start(0)
         found = [layer for layer in layers if is_places(layer)]
         if found and self._layer is None:
@@ -185,10 +185,10 @@ class CorrectTab(QWidget):
         self.layer.setExceptedLayerList([layer for layer in layers if not is_places(layer)])
 
     def _leave_removed(self, ids: list[str]) -> None:
-        """Else the box would go on to some other layer, without telling."""
+        """Clear the box if its layer is removed; it would silently choose another one."""
         if self._layer is not None and self._layer.id() in ids:
             self.layer.setLayer(None)
-        # A new layer may come to lie where one lay that is gone, and would be left out in its stead.
+        # The box compares addresses: a new layer at the address of a deleted one would be hidden.
         left = [layer for layer in QgsProject.instance().mapLayers().values() if layer.id() not in ids]
         self._leave_out(left)
         self.updating.leave_out(left)
@@ -201,7 +201,7 @@ class CorrectTab(QWidget):
         self.places.show_titles(self._layer)
         self._rows = iter(()) if self._layer is None else places_of(self._layer)
         self._ids, self._counted, self._kinds = set(), set(), {}
-        self.mend.setEnabled(self._layer is not None and has_severity(self._layer))
+        self.problems.setEnabled(self._layer is not None and has_severity(self._layer))
         self.places.setRowCount(0)
         self.progress.setRange(0, 1 if self._layer is None else max(self._layer.featureCount(), 1))
         self._show_progress()
@@ -209,15 +209,14 @@ class CorrectTab(QWidget):
         self._show_place()
 
     def _fill_on(self) -> None:
-        """A check of a large annotation has tens of thousands of findings: their rows come a few at a time, so that
-        QGIS is never held up."""
+        """Add rows for a short time, then continue later: a check may have tens of thousands of places."""
         end = time.perf_counter() + _FILL_S
         for place in self._rows:
             self._ids.add(place.id)
             self._kinds[place.id] = place.kind, place.kind_title
             if self.kind.currentData() not in (None, "", place.kind):
                 continue
-            if not (place.severity == INFORMATION and self.mend.isEnabled() and self.mend.isChecked()):
+            if not (place.severity == INFORMATION and self.problems.isEnabled() and self.problems.isChecked()):
                 self._counted.add(place.id)
                 if not (self.open.isChecked() and place.id in self._done):
                     self.places.strike_out(self.places.add(place), place.id in self._done)
@@ -236,7 +235,7 @@ class CorrectTab(QWidget):
             self._show_place()
 
     def _list_kinds(self) -> None:
-        """Offers the kinds that the layer has, the most frequent first."""
+        """List the kinds of the layer, the most frequent first."""
         chosen, counts = self.kind.currentData(), Counter(self._kinds.values())
         self.kind.clear()
         self.kind.addItem(tr("All kinds ({count})").format(count=number_text(len(self._kinds))), "")
@@ -255,7 +254,7 @@ class CorrectTab(QWidget):
         feature = self._layer.getFeature(self.places.id_of(row))
         return feature if feature.isValid() else None
 
-    # --- going through it ---
+    # --- going through the places ---
 
     def _step(self, step: int) -> None:
         if self.places.rowCount():
@@ -267,7 +266,7 @@ class CorrectTab(QWidget):
             return
         place = self.places.id_of(row)
         self._done ^= {place}
-        self._keep_done()
+        self._store_done()
         if place in self._done and self.open.isChecked():
             self.places.removeRow(row)
             self.places.selectRow(row if row < self.places.rowCount() else 0)
@@ -280,7 +279,7 @@ class CorrectTab(QWidget):
             if following is not None:
                 self.places.selectRow(following)
 
-    def _keep_done(self) -> None:
+    def _store_done(self) -> None:
         self._layer.setCustomProperty(DONE_PROPERTY, json.dumps(sorted(self._done)))
         QgsProject.instance().setDirty()
         self._show_progress()
@@ -305,26 +304,26 @@ class CorrectTab(QWidget):
         self._mark.zoom(_LEAST_EXTENT_SHARE * max(whole.width(), whole.height()))
 
     def _show_report(self, sentence: str) -> None:
-        """What a repair is doing, or has done; until a place is selected."""
+        """Show progress or result of a repair until a place is selected."""
         self._report = sentence
         self.text.setText(sentence)
 
     def _mark_repaired(self, annotation: QgsVectorLayer) -> None:
-        """What was repaired is done, unless the step is undone before the layer's edits are saved."""
+        """Mark repaired places as done; undoing the repair before the edits are saved unmarks them."""
         places = {place for place, (kind, _) in self._kinds.items() if kind in REPAIRABLE} - self._done
         self._repaired = annotation.undoStack().index(), places
         annotation.undoStack().indexChanged.connect(self._follow_undo)
-        annotation.beforeCommitChanges.connect(self._leave_repaired)
+        annotation.beforeCommitChanges.connect(self._forget_repair)
         self._follow_undo(annotation.undoStack().index())
 
     def _follow_undo(self, step: int) -> None:
         if self._repaired is not None:
             repaired_step, places = self._repaired
             self._done = self._done | places if step >= repaired_step else self._done - places
-            self._keep_done()
+            self._store_done()
             self._fill()
 
-    def _leave_repaired(self, *_) -> None:
+    def _forget_repair(self, *_) -> None:
         self._repaired = None
 
     def _what_is_left(self) -> str:
@@ -332,30 +331,30 @@ class CorrectTab(QWidget):
             return self._report
         if self.places.rowCount() or self._layer is None:
             return ""
-        return tr("All places are done.") if self._counted else tr("No place to look at.")
+        return tr("All places are done.") if self._counted else tr("There is no place to check.")
 
-    # --- bringing it into the database ---
+    # --- updating the database ---
 
     def _update_database(self, correction: Correction) -> None:
         self.updating.show_running(True)
         self.run.start(replace(correction, places=self._layer))
 
-    def _tell_updated(self, database: str) -> None:
-        self.updating.show_running(False, tr("The database is up to date; the old file is kept beside it."))
+    def _show_updated(self, database: str) -> None:
+        self.updating.show_running(False, tr("The database is up to date. The previous file is kept next to it."))
         self.updated.emit(database)
         grid = self.run.rasterizing
         for layer in label_maps_of(QgsProject.instance(), grid["EXTENT"], grid["PIXEL_SIZE"])[:1]:
-            # Its file is the user's: it is not replaced unasked.
+            # The file belongs to the user, so only the user replaces it.
             again = {**grid, "INPUT": grid["INPUT"].id(), "OUTPUT": layer_file(layer)}
             self.outdated.emit(layer.name(), again)
 
     def _undo_update(self, database: str) -> None:
-        # Not at the top: it writes databases, and the dock shall open at once.
+        # Imported here because it would delay the opening of the dock.
         from ....storage.database.undo import undo_update
 
         self._undone = database
         self._undoing.read(tr("Undoing the update"), undo_update, database)
 
-    def _tell_undone(self) -> None:
-        self.updating.show_running(False, tr("The database is as it was before the last update."))
+    def _show_undone(self) -> None:
+        self.updating.show_running(False, tr("The last update of the database is undone."))
         self.updated.emit(self._undone)

@@ -1,4 +1,4 @@
-"""The end of a correction: what the mended annotation is, one button that brings it into the database, and its undo."""
+"""Box to update the database from the corrected land-cover layer, and to undo that."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _VALUE_ENTRIES = ("/class_field", "/priority_field", "/class")
 
 
 class UpdateBox(QgsCollapsibleGroupBox):
-    """startAsked: with a Correction that lacks its places; cancelAsked, undoAsked: while one runs, after one."""
+    """startAsked: a Correction without places; cancelAsked: during an update; undoAsked: path of the database."""
 
     startAsked = pyqtSignal(object)
     cancelAsked = pyqtSignal()
@@ -38,7 +38,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self._running = False
         self.annotation = QgsMapLayerComboBox()
         self.annotation.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
-        self.annotation.setAllowEmptyLayer(True, tr("Choose the annotation that you mended"))
+        self.annotation.setAllowEmptyLayer(True, tr("Choose the corrected land-cover layer"))
         self.class_field, self.priority_field = QgsFieldComboBox(), QgsFieldComboBox()
         self.class_of_all = ClassNameBox()
         for box in (self.class_field, self.priority_field):
@@ -51,9 +51,9 @@ class UpdateBox(QgsCollapsibleGroupBox):
         layout.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         layout.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         for title, widget in (
-            (tr("Annotation"), self.annotation),
+            (tr("Land-cover layer"), self.annotation),
             (tr("Class field"), self.class_field),
-            (tr("All polygons are"), self.class_of_all),
+            (tr("Class of all polygons"), self.class_of_all),
             (tr("Priority field"), self.priority_field),
         ):
             widget.setMinimumWidth(1)
@@ -74,32 +74,32 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.undo.clicked.connect(lambda: self.undoAsked.emit(self._database))
 
     def use_database(self, path: str) -> None:
-        """The one that is updated."""
+        """Set the database that is updated."""
         self._database = path
         self._show_ready()
 
     def correction(self) -> Correction | None:
-        """What is chosen; None without an annotation, or without its class field where one is needed."""
+        """Return the choices; None without a layer, or without its class field or class."""
         layer, of_all = self.annotation.currentLayer(), self.class_of_all.class_name()
         fields = self.class_field.currentField(), self.priority_field.currentField()
         has_classes = bool(of_all or fields[0])
         return Correction(self._database, layer, *fields, of_all) if layer is not None and has_classes else None
 
     def leave_out(self, layers: Iterable[QgsMapLayer]) -> None:
-        """Offers no places, nor the layers of databases; ``layers``: all there are."""
+        """Hide places and database layers among ``layers``, all layers of the project."""
         self.annotation.setExceptedLayerList([layer for layer in layers if is_places(layer) or database_file(layer)])
 
     def list_layers(self, layers: Iterable[QgsMapLayer]) -> None:
-        """Offers annotations, and chooses one."""
+        """List land-cover layers, and choose one."""
         self.leave_out(layers)
         if self.annotation.currentLayer() is None:
             self._choose_annotation()
-        # The box goes to another layer without a word when the one that it showed is left out.
+        # The combo box changes its layer without a signal when the current one is hidden.
         if self.annotation.currentLayer() is not self.class_field.layer():
             self._use_annotation(self.annotation.currentLayer())
 
     def show_running(self, running: bool, text: str = "") -> None:
-        """Whether an update works; ``text`` is what is to be read about it."""
+        """Show whether an update is running, and ``text`` about it."""
         self._running = running
         for part in (self.annotation, self.class_of_all, self.priority_field):
             part.setEnabled(not running)
@@ -107,7 +107,10 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.progress.begin()
         self.button.setText(tr("Cancel") if running else tr("Rasterize and update the database"))
         self.button.setToolTip(
-            tr("Rasterizes the annotation onto the map of the database and updates it in place; the old file is kept")
+            tr(
+                "Rasterize the land-cover layer on the grid of the database, and update the database. The "
+                "previous file is kept."
+            )
         )
         self.state.show_text(text)
         self._show_ready()
@@ -124,7 +127,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         self.undo.setVisible(possible)
         if possible:
             self.undo.setToolTip(
-                plain_tip(tr("Puts {file} back in its place").format(file=file_before(self._database)))
+                plain_tip(tr("Restore the database from {file}").format(file=file_before(self._database)))
             )
 
     def _press(self) -> None:
@@ -139,7 +142,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
             project.writeEntry(SCOPE, entry, value)
         self.startAsked.emit(wanted)
 
-    # --- guesses, for the user to change ---
+    # --- guesses that the user can change ---
 
     def _choose_annotation(self) -> None:
         project = QgsProject.instance()

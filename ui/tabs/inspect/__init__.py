@@ -1,1 +1,1 @@
-"""The tab Inspect: one window of the database, its vector and its look-alikes."""
+"""Tab *Inspect*: one window of the database, its vector and similar windows."""

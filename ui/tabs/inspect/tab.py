@@ -1,4 +1,4 @@
-"""The dock's second tab: one window of the database, its vector, and what looks like it elsewhere."""
+"""Tab *Inspect*: one window of the database, its topology vector, and similar windows elsewhere."""
 
 from __future__ import annotations
 
@@ -51,14 +51,14 @@ if TYPE_CHECKING:
     from ....core.database.model import ReferenceDatabase
 
 _APART = 3
-"""The column of how far a compared image differs."""
+"""Column of the difference from the compared image."""
 
 _DIFFERS = 0.1
-"""Elements of two vectors farther apart than this are marked: over all 30 they make a distance of 0.5."""
+"""Larger differences are bold. Such a difference in all 30 elements gives a distance of about 0.5."""
 
 
 class InspectTab(QWidget):
-    """Asks for a database with ``databaseWanted``; ``use`` gives it. ``shut_down`` before it is deleted."""
+    """Emits ``databaseWanted`` and gets a database by ``use``. Call ``shut_down`` before deleting it."""
 
     databaseWanted = pyqtSignal()
 
@@ -97,7 +97,7 @@ class InspectTab(QWidget):
         self.name.setPlaceholderText(tr("Window name"))
         self.name.setAccessibleName(tr("Window name"))
         self.name.setClearButtonEnabled(True)
-        self.before = tool_button("/mActionArrowLeft.svg", tr("Window before"))
+        self.before = tool_button("/mActionArrowLeft.svg", tr("Previous window"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next window"))
         self.title = QLabel()
         self.title.setWordWrap(True)
@@ -108,37 +108,41 @@ class InspectTab(QWidget):
         self.numbers.verticalHeader().hide()
         self.numbers.setHorizontalHeaderLabels([tr("Class"), tr("Distance"), tr("Angle"), tr("Image")])
         self.numbers.horizontalHeaderItem(1).setToolTip(
-            tr("Distance from the center, in map units; in brackets over the largest distance, as the vector has it")
+            tr("Distance from the center, in m. In brackets: the distance divided by the largest one, as in the vector")
         )
         self.numbers.horizontalHeaderItem(2).setToolTip(
-            tr("Angle to the next landmark; in brackets over the largest angle, as the vector has it")
+            tr("Angle to the next landmark. In brackets: the angle divided by the largest one, as in the vector")
         )
         self.numbers.setColumnHidden(_APART, True)
-        self.numbers.horizontalHeaderItem(_APART).setToolTip(tr("How far the compared image’s vector differs here"))
+        self.numbers.horizontalHeaderItem(_APART).setToolTip(
+            tr("Largest difference from the vector of the compared image")
+        )
         self.look_alikes = QTableWidget(0, 2)
         for table in (self.numbers, self.look_alikes):
-            # From right to left “3360_960” would be painted as another window, “960_3360”.
+            # In right-to-left layouts “3360_960” would be painted as “960_3360”, another window.
             table.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
         self.look_alikes.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.look_alikes.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.look_alikes.verticalHeader().hide()
-        self.look_alikes.setHorizontalHeaderLabels([tr("Looks like"), tr("Distance")])
+        self.look_alikes.setHorizontalHeaderLabels([tr("Similar window"), tr("Distance")])
         self.look_alikes.horizontalHeaderItem(1).setToolTip(
-            tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none")
+            tr("Distance between the topology vectors: 0 is a perfect match, above 2 is no match")
         )
         for table, name in (
-            (self.numbers, tr("The vector, landmark by landmark")),
-            (self.look_alikes, tr("Looks like")),
+            (self.numbers, tr("Landmarks of the vector")),
+            (self.look_alikes, tr("Similar windows")),
         ):
             table.setAccessibleName(name)
-            # Else the walk by the Tab key would end in the table.
+            # Otherwise the Tab key would not leave the table.
             table.setTabKeyNavigation(False)
             table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
             table.horizontalHeader().setStretchLastSection(True)
-        self.look_alikes.setToolTip(tr("Windows elsewhere with the nearest vectors; double-click to inspect one"))
+        self.look_alikes.setToolTip(
+            tr("Windows elsewhere with the most similar vectors. Double-click one to inspect it.")
+        )
         self.compare = QPushButton(tr("Compare with the selected image"))
         self.compare.setCheckable(True)
-        self.compare.setToolTip(tr("Draws the vector of the image selected in the results over the window’s"))
+        self.compare.setToolTip(tr("Draw the vector of the selected image over the vector of the window"))
         layout = narrow(QVBoxLayout(self), 0)
         layout.addLayout(row_of(self.pick, (self.name, 1), self.before, self.after))
         layout.addWidget(self.title)
@@ -158,13 +162,13 @@ class InspectTab(QWidget):
         self.look_alikes.cellDoubleClicked.connect(self._show_look_alike)
 
     def shut_down(self) -> None:
-        """Gives the map tool back and takes everything off the canvas."""
+        """Release the map tool and clear the canvas."""
         self.tool.picked.disconnect(self._show_at)
         self.tool.deactivated.disconnect(self._unpick)
         self._canvas.unsetMapTool(self.tool)
         self._marks.remove()
 
-    # --- what is inspected ---
+    # --- choosing a window ---
 
     def use(self, database: ReferenceDatabase | None) -> None:
         """Use another database, and repeat the step that had to wait for it; None for no database."""
@@ -186,7 +190,7 @@ class InspectTab(QWidget):
         return self._database is None
 
     def show_window(self, name: str) -> None:
-        """Inspects the window of this name, once the database is read."""
+        """Inspect the window with this name as soon as the database is read."""
         if self._must_wait(self.show_window, name):
             return
         index = window_named(self._database, name)
@@ -196,7 +200,7 @@ class InspectTab(QWidget):
         self._show(index)
 
     def compare_with(self, name: str, vector: np.ndarray | None) -> None:
-        """The image that “compare” means; None when there is none, or it has no vector."""
+        """Set the image to compare with; ``vector`` is None without one."""
         self._image_name, self._image_vector = name, vector
         self.compare.setEnabled(vector is not None)
         self._refresh()
@@ -216,7 +220,7 @@ class InspectTab(QWidget):
             return
         index = window_under(self._database, place.x(), place.y())
         if index is None:
-            self._messages.info(tr("No window of the database lies there."))
+            self._messages.info(tr("The database has no window at this place."))
             return
         self._show(index)
 
@@ -230,7 +234,7 @@ class InspectTab(QWidget):
     def _step(self, step: int) -> None:
         if self._must_wait(self._step, step):
             return
-        # None yet: the next one is the first, the one before it the last.
+        # Without a window, the next one is the first and the previous one is the last.
         start = -max(step, 0) if self._window is None else self._window.index
         self._show((start + step) % len(self._database.windows))
 
@@ -243,7 +247,7 @@ class InspectTab(QWidget):
     def _unpick(self) -> None:
         self.pick.setChecked(False)
 
-    # --- showing it ---
+    # --- display ---
 
     def _show_nothing(self) -> None:
         self._window = None
@@ -254,7 +258,7 @@ class InspectTab(QWidget):
         self.numbers.setRowCount(0)
         self.look_alikes.setRowCount(0)
         if self._window is None:
-            self.title.setText(tr("Pick a window on the map, or give its name."))
+            self.title.setText(tr("Pick a window on the map, or enter its name."))
             self.plot.clear("")
             return
         window = self._window
@@ -264,7 +268,7 @@ class InspectTab(QWidget):
             compared = compare(window, self._image_vector, self._database.class_table)
         self.title.setText(_title(window, compared, self._image_name))
         if window.vector is None:
-            self.plot.clear(tr("Fewer than three landmarks: no vector."))
+            self.plot.clear(tr("The window has fewer than three landmarks, so it has no vector."))
             return
         self.plot.show_rays(window.rays, () if compared is None else compared.rays)
         self._fill_numbers(window, compared)
@@ -279,7 +283,7 @@ class InspectTab(QWidget):
             texts = [ray.class_name, distance, angle, "" if apart is None else number_text(apart, 3)]
             for column, text in enumerate(texts):
                 item = QTableWidgetItem(text)
-                # This one alone: all of a row in bold is wider than the dock.
+                # A whole row in bold would be wider than the dock.
                 if column == _APART and apart is not None and apart > _DIFFERS:
                     font = item.font()
                     font.setBold(True)
@@ -295,13 +299,13 @@ class InspectTab(QWidget):
 
 
 def _title(window: InspectedWindow, compared: Comparison | None, image: str) -> str:
-    """Rich text: what the window is, and how far an image's vector is from its."""
+    """Return HTML with the data of the window and its distance from an image's vector."""
     x, y = window.center_xy
     counted = tr("{count} landmarks, center {x:.0f} {y:.0f}").format(count=window.landmark_count, x=x, y=y)
     lines = [f"<b>{escape(window.name)}</b>: {counted}"]
     if window.look_alikes:
         nearest = window.look_alikes[0].distance
-        lines.append(LocalTemplate(tr("Nearest look-alike at distance {value:.3f}")).format(value=nearest))
+        lines.append(LocalTemplate(tr("Most similar window: distance {value:.3f}")).format(value=nearest))
     if compared is not None:
         text = tr("{image}: distance {distance:.3f}, confidence {confidence:.2f}")
         text = LocalTemplate(text).format(image=image, distance=compared.distance, confidence=compared.confidence)

@@ -1,4 +1,4 @@
-"""A topology vector to look at: a star of rays whose lengths are the distance ratios, in the classes' colors."""
+"""Plot of a topology vector: rays with the distance ratios as lengths, in the colors of the classes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _RINGS = (0.25, 0.5, 0.75, 1.0)
 
 
 class VectorPlot(QWidget):
-    """One star, and perhaps a second, paler one to compare it with."""
+    """Plot of one vector, and optionally of a second one to compare with."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -27,12 +27,12 @@ class VectorPlot(QWidget):
         self._text = ""
 
     def show_rays(self, rays: Sequence[Ray], compared: Sequence[Ray] = ()) -> None:
-        """Draws a vector, the first landmark on top, and over it another one to compare it with."""
+        """Draw a vector with its first landmark at the top, and a second vector with dashed lines."""
         self._rays, self._compared, self._text = rays, compared, ""
         self.update()
 
     def clear(self, text: str) -> None:
-        """Shows only a text."""
+        """Show a text instead of a vector."""
         self._rays = self._compared = ()
         self._text = text
         self.update()

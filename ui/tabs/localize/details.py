@@ -1,4 +1,4 @@
-"""What is known of one result, in words."""
+"""All data of one result as text."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _LINES, _LEAST_LINES = 5, 2
 
 
 class Details(QTextEdit):
-    """Everything about one finding, to read and to select; long paths break anywhere, so nothing is cut off."""
+    """Read-only text about one finding. Lines break anywhere, so that long paths are not cut off."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -29,19 +29,19 @@ class Details(QTextEdit):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.viewport().setAutoFillBackground(False)
         self.setWordWrapMode(QTextOption.WrapMode.WrapAtWordBoundaryOrAnywhere)
-        # Else the walk by the Tab key would end here.
+        # Otherwise the Tab key would not leave this widget.
         self.setTabChangesFocus(True)
         self.setAccessibleName(tr("Details of the selected result"))
-        self.setPlaceholderText(tr("Select a result to see its hit on the map."))
+        self.setPlaceholderText(tr("Select a result to show its position on the map."))
         self._lines: list[str] = []
 
     def show_finding(self, finding: Finding | None) -> None:
-        """Everything about a finding; nothing for None."""
+        """Show all data of a finding; nothing for None."""
         self._lines = [] if finding is None else _lines(finding)
         self.setHtml("<br>".join(self._lines))
 
     def add_lines(self, lines: list[str]) -> None:
-        """Lines of HTML that became known later."""
+        """Append lines of HTML."""
         self.setHtml("<br>".join([*self._lines, *lines]))
 
     def sizeHint(self) -> QSize:
@@ -59,7 +59,7 @@ def _lines(finding: Finding) -> list[str]:
     how_sure = _joined(
         (finding.confidence if finding.is_by_vector else None, tr("confidence {value:.2f}")),
         (error_text(finding) or None, tr("error probability {value}")),
-        (finding.error_95, tr("within {value:.2f} m (95 %)")),
+        (finding.error_95, tr("95 % radius {value:.2f} m")),
     )
     head = f"<b>{escape(finding.name)}</b>: {escape(status_text(finding))}"
     lines = [f"{head}, {escape(how_sure)}" if how_sure else head]
@@ -82,7 +82,7 @@ def _lines(finding: Finding) -> list[str]:
 
 
 def _measures(finding: Finding) -> list[str]:
-    """Lines of what the method tells about the match; each method tells other things."""
+    """Return lines with measures of the match, which differ between methods."""
     lines = (
         _joined((finding.heading, tr("heading {value:.1f}°")), (finding.pixel_size, tr("pixel size {value:.3g} m"))),
         _joined(
@@ -95,11 +95,11 @@ def _measures(finding: Finding) -> list[str]:
 
 
 def _joined(*measures: tuple[object | None, str]) -> str:
-    """Values that are known, each in its text."""
+    """Join the texts of known values."""
     return ", ".join(LocalTemplate(text).format(value=value) for value, text in measures if value is not None)
 
 
 def runners_up_line(windows: Sequence[LookAlike]) -> str:
-    """HTML: the windows after the best one, with the distances of their vectors."""
+    """Return HTML with the next most similar windows and the distances of their vectors."""
     texts = [f"{window.name} ({number_text(window.distance, 3)})" for window in windows]
-    return escape(tr("next best: {windows}").format(windows=", ".join(texts)))
+    return escape(tr("next most similar windows: {windows}").format(windows=", ".join(texts)))

@@ -1,4 +1,4 @@
-"""The list of images to localize: files and folders, also dropped from a file manager or the layer tree."""
+"""List of images to localize: files, folders and layers, which can also be dropped on it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _VISIBLE_ROWS = 3
 
 
 class ImageList(QListWidget):
-    """Emits ``changed`` when images come or go, ``refused`` with the names of dropped layers that are no file."""
+    """Emits ``changed`` when entries change, and ``refused`` with names of dropped layers that are not files."""
 
     changed = pyqtSignal()
     refused = pyqtSignal(list)
@@ -43,11 +43,11 @@ class ImageList(QListWidget):
         self.setAcceptDrops(True)
 
     def paths(self) -> list[str]:
-        """Of all entries, from top to bottom."""
+        """Return the paths of all entries, from top to bottom."""
         return [self.item(row).data(_PATH_ROLE) for row in range(self.count())]
 
     def add(self, paths: Iterable[str]) -> None:
-        """Adds files and folders that are not in the list yet."""
+        """Add files and folders that are not in the list yet."""
         known = set(self.paths())
         for path in paths:
             if path and path not in known:
@@ -56,13 +56,13 @@ class ImageList(QListWidget):
         self.changed.emit()
 
     def show_only(self, paths: Iterable[str]) -> None:
-        """Replaces what is in the list, and selects the first one."""
+        """Replace all entries, and select the first one."""
         self.clear()
         self.add(paths)
         self.setCurrentRow(0)
 
     def remove_selected(self) -> None:
-        """Takes the selected entries out; the files stay."""
+        """Remove the selected entries, not their files."""
         for item in self.selectedItems():
             self.takeItem(self.row(item))
         self.changed.emit()

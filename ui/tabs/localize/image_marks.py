@@ -1,4 +1,4 @@
-"""What is drawn over an image: its landmarks, and the star of lines that makes its topology vector."""
+"""Marks over an image: its landmarks, and the lines of its topology vector."""
 
 from __future__ import annotations
 
@@ -17,8 +17,10 @@ _RING_PX, _POINTED_RING_PX = 4.0, 9.0
 
 
 class LandmarkDots(QGraphicsItem):
-    """Dots in the classes' colors that keep their size whatever the zoom; hollow where the image's edge cuts one.
-    Those that agree with the map are ringed and numbered."""
+    """Dots of constant size in the colors of the classes; hollow for landmarks that the image's edge cuts.
+
+    Matched landmarks have a ring and a number.
+    """
 
     def __init__(self, picture: ImagePicture, matched: Sequence[tuple[float, float]], font: QFont) -> None:
         super().__init__()
@@ -33,7 +35,7 @@ class LandmarkDots(QGraphicsItem):
         self._pointed = 0
 
     def point_at(self, number: int) -> None:
-        """Stresses one of the matched landmarks; 0 for none."""
+        """Highlight one of the matched landmarks; 0 clears the highlight."""
         if number != self._pointed:
             self._pointed = number
             self.update()
@@ -85,7 +87,7 @@ class VectorStar(QGraphicsItem):
 
 
 def _cosmetic(color: QColor, width: float, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
-    """A pen as wide on the screen whatever the zoom."""
+    """Return a pen of constant width on the screen."""
     pen = QPen(color, width, style)
     pen.setCosmetic(True)
     return pen

@@ -1,4 +1,4 @@
-"""The image as SemRef sees it: labels, landmarks, and the star of lines that makes the topology vector."""
+"""View of the selected image with its labels, landmarks and topology vector."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ _MOST_ZOOM = 40.0
 
 
 class ImageView(QWidget):
-    """A picture that can be zoomed (wheel), moved (drag) and fitted (double click), and what is drawn on it.
+    """Image view: wheel zooms, drag moves, double click shows the whole image.
 
-    pointed: the number of the matched landmark under the mouse, 0 for none.
+    pointed: number of the matched landmark under the mouse; otherwise 0.
     """
 
     pointed = pyqtSignal(int)
@@ -62,7 +62,7 @@ class ImageView(QWidget):
         self.opacity.setMinimumWidth(40)
         self.landmarks = QCheckBox(tr("Landmarks"))
         self.star = QCheckBox(tr("Vector"))
-        self.star.setToolTip(tr("The lines from the center to the landmarks of the topology vector"))
+        self.star.setToolTip(tr("Show lines from the center to the landmarks of the topology vector"))
         settings = QgsSettings()
         self.opacity.setValue(settings.value(_OPACITY_SETTING, 60, type=int))
         self.landmarks.setChecked(settings.value(_LANDMARKS_SETTING, True, type=bool))
@@ -79,22 +79,22 @@ class ImageView(QWidget):
         self.clear("")
 
     def show_picture(self, picture: ImagePicture, matched: Sequence[tuple[float, float]]) -> None:
-        """Shows a picture instead of the one before; ``matched``: (column, row) of landmarks that the map has."""
+        """Show a picture. ``matched``: (column, row) of the matched landmarks."""
         self.canvas.show_picture(picture, matched)
         self._apply()
 
     def clear(self, text: str) -> None:
-        """Shows only a text."""
+        """Show a text instead of a picture."""
         self.canvas.clear(text)
 
     def height_for_all(self, width: int) -> int:
-        """What it takes to show the picture as wide as that; 0 without a picture."""
+        """Return the height for the whole picture at this width; 0 without a picture."""
         scene = self.canvas.sceneRect()
         beside = self.height() - self.canvas.height()
         return round(width * scene.height() / scene.width()) + beside if self.canvas.scene().items() else 0
 
     def point_at(self, number: int) -> None:
-        """Stresses one of the matched landmarks; 0 for none."""
+        """Highlight one of the matched landmarks; 0 clears the highlight."""
         self.canvas.point_at(number)
 
     def _apply(self) -> None:
@@ -112,7 +112,7 @@ def _side_by_side(*widgets: QWidget | tuple[QWidget, int]) -> QWidget:
 
 
 class _Canvas(QGraphicsView):
-    """The view itself; its scene's pixels are the image's."""
+    """Graphics view; its scene has the pixels of the image."""
 
     pointed = pyqtSignal(int)
 
@@ -125,7 +125,7 @@ class _Canvas(QGraphicsView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMouseTracking(True)
-        self.setAccessibleName(tr("The selected image; plus, minus and 0 zoom"))
+        self.setAccessibleName(tr("Selected image. Press + or - to zoom, and 0 to show the whole image."))
         self._text = ""
         self._labels: QGraphicsItem | None = None
         self._landmarks: LandmarkDots | None = None
@@ -146,7 +146,7 @@ class _Canvas(QGraphicsView):
         self.fit()
 
     def _add(self, image: QImage, picture: ImagePicture) -> QGraphicsItem:
-        """Spans the picture's own pixels, however much it was reduced."""
+        """Add an image, scaled to the picture's original size."""
         item = self.scene().addPixmap(QPixmap.fromImage(image))
         width, height = picture.size_wh
         scale = width / max(image.width(), 1), height / max(image.height(), 1)
@@ -188,7 +188,7 @@ class _Canvas(QGraphicsView):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         super().mouseMoveEvent(event)
         if self._landmarks is not None and self._landmarks.isVisible():
-            # In scene pixels, so that the reach on the screen is the same at any zoom.
+            # In scene pixels, so that the distance on the screen is the same at any zoom.
             reach = _REACH_PX / max(self.transform().m11(), 1e-9)
             self.pointed.emit(nearest_number(self._landmarks.matched, self.mapToScene(event.pos()), reach) or 0)
 

@@ -1,4 +1,4 @@
-"""What is chosen before images are localized: the images, the model for photos, the method."""
+"""Inputs of a run: images, model for photos, method."""
 
 from __future__ import annotations
 
@@ -42,12 +42,14 @@ TRAIN_MODEL = "semref:trainmodel"
 
 
 class ImageBox(FoldingBox):
-    """The images, and the buttons that add and remove them.
+    """List of images with buttons to add and remove them, and the model for photos.
 
-    chosen: what is known of them, None while folders are being read; fault: why a folder can't be used.
+    Attributes:
+        chosen: Properties of the images; None while folders are being read.
+        fault: Why a folder can't be used; otherwise empty.
 
-    looked: ``chosen`` or ``fault`` has changed; drawAsked: a layer, such as map tiles, whose map view shall become an
-    image; trained: the report of a model that was trained and is now the chosen one.
+    looked: ``chosen`` or ``fault`` changed; drawAsked: layer, such as map tiles, to make an image from its map view;
+    trained: report of a trained model, which is now the chosen one.
     """
 
     changed = pyqtSignal()
@@ -58,7 +60,7 @@ class ImageBox(FoldingBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Images"), parent)
         self.setObjectName("SemRefImages")
-        # Folded away after a run, not for ever.
+        # Collapsed after a run, but not in the next session.
         self.setSaveCollapsedState(False)
         self.list = ImageList()
         self.add_files = QPushButton(tr("Add files…"))
@@ -69,24 +71,24 @@ class ImageBox(FoldingBox):
         self.add_layer.setMenu(self.layers)
         self.remove = tool_button("/mActionDeleteSelected.svg", tr("Remove the selected images (Del)"))
         self.flight = QCheckBox()
-        # The dock may be narrower than its text.
+        # The dock may be narrower than the text.
         self.flight.setMinimumWidth(1)
         self.flight.setToolTip(
             tr(
-                "Places all images together, in the order of their times, else of their names: also those that have "
-                "no fix of their own"
+                "Compute all positions together, in the order of the images’ times, or of their names if there "
+                "are no times. Images without a position of their own get one from the flight."
             )
         )
         self.model = QgsFileWidget()
         self.model.setFilter(tr("ONNX models (*.onnx)"))
         self.model.setDialogTitle(tr("Choose a segmentation model"))
-        self.model.lineEdit().setPlaceholderText(tr("Model, for photos"))
-        self.model.lineEdit().setAccessibleName(tr("Model, for photos"))
-        self.model.setToolTip(tr("The network that makes labels of photos; leave empty for label images"))
+        self.model.lineEdit().setPlaceholderText(tr("Model (only for photos)"))
+        self.model.lineEdit().setAccessibleName(tr("Model (only for photos)"))
+        self.model.setToolTip(tr("Model that segments photos. Leave empty for label images."))
         self.model.setFilePath(QgsSettings().value(MODEL_SETTING, "", type=str))
-        self.models = tool_button("/mActionOpenTable.svg", tr("Models at hand, and what they are good for…"))
+        self.models = tool_button("/mActionOpenTable.svg", tr("Show models with their descriptions…"))
         self.choosing: ModelsDialog | None = None
-        self.train = tool_button("/processingAlgorithm.svg", tr("Train a model on an orthophoto and polygons…"))
+        self.train = tool_button("/processingAlgorithm.svg", tr("Train a model with an orthophoto and polygons…"))
         self.training: QWidget | None = None
         layout = narrow(QVBoxLayout(content_of(self)), 0)
         layout.addWidget(self.list)
@@ -111,26 +113,26 @@ class ImageBox(FoldingBox):
         self._look()
 
     def paths(self) -> list[str]:
-        """Of the images and folders, as listed."""
+        """Return the listed files and folders."""
         return self.list.paths()
 
     def is_flight(self) -> bool:
-        """Whether the images are of one flight, as the user says."""
+        """Return whether the user marked the images as one flight."""
         return self.flight.isChecked()
 
     def shut_down(self) -> None:
-        """Waits for what is being read, and closes the list of models."""
+        """Stop background reading, and close the list of models."""
         self._reader.shut_down()
         self._close_models()
 
     def _look(self) -> None:
-        """Show what the names say; folders, colors and times are read in the background."""
+        """Use the file names at once; read folders, colors and times in the background."""
         self._reader.forget()
         self.fault, paths = "", self.paths()
         is_known = not any(map(os.path.isdir, paths))
         self._show_chosen(ChosenImages(len(paths), any(map(is_photo, paths))) if is_known else None)
         if paths:
-            self._reader.read(tr("Looking at the images"), look_at_images, paths)
+            self._reader.read(tr("Reading the images"), look_at_images, paths)
         else:
             self.flight.setChecked(False)
             self.setCollapsed(False)
@@ -144,21 +146,21 @@ class ImageBox(FoldingBox):
         self.looked.emit()
 
     def _show_chosen(self, chosen: ChosenImages | None) -> None:
-        """Show how many there are, and whether they look like a flight; the user decides whether they are."""
+        """Show the number of images, and whether they may be a flight; the user decides."""
         self.chosen = chosen
         count, flight = (chosen.count, chosen.flight) if chosen is not None else (0, 0)
         self.setTitle(tr("Images ({count})").format(count=count) if count else tr("Images"))
-        looks = tr("One flight? {count} photos in a row").format(count=flight)
+        looks = tr("One flight? {count} photos in sequence").format(count=flight)
         self.flight.setText(looks if flight else tr("These images are one flight"))
 
     def model_path(self) -> str:
-        """Of the network for photos; empty for label images."""
+        """Return the path of the model for photos; empty for label images."""
         return self.model.filePath().strip()
 
     def _choose_model(self) -> None:
-        """Shows the models at hand with their cards."""
+        """Open the list of models."""
         self._close_models()
-        # Not a child of the box, which shows all of its children when it unfolds.
+        # Not a child of the box, which shows all its children when it opens.
         self.choosing = ModelsDialog(self.model_path(), self.window())
         self.choosing.chosen.connect(self.model.setFilePath)
         self.choosing.show()
@@ -170,10 +172,10 @@ class ImageBox(FoldingBox):
             self.choosing = None
 
     def _train_model(self) -> None:
-        """Opens the algorithm's dialog, beside which QGIS can be used; its model becomes the chosen one."""
+        """Open the dialog of *Train model*, which is not modal; its model becomes the chosen one."""
         from processing import createAlgorithmDialog
 
-        # QGIS's Results Viewer would come between, and take half of the dock's height.
+        # As a file, the report does not open QGIS's Results Viewer, which takes half of the dock's height.
         configuration = {REPORTS_AS_FILES: True}
         algorithm = QgsApplication.processingRegistry().createAlgorithmById(TRAIN_MODEL, configuration)
         self.training = createAlgorithmDialog(algorithm, training_at_hand(QgsProject.instance(), self.model_path()))
@@ -205,12 +207,12 @@ class ImageBox(FoldingBox):
         self.layers.clear()
         for layer in raster_layers(QgsProject.instance()):
             action = self.layers.addAction(QgsApplication.getThemeIcon("/mIconRaster.svg"), layer.name())
-            # The file, not the layer, which may be removed while the menu is open.
+            # The file, because the layer may be removed while the menu is open.
             action.triggered.connect(partial(self._add_layer, layer_file(layer)))
         for layer in drawn_layers(QgsProject.instance()):
             action = self.layers.addAction(
                 QgsApplication.getThemeIcon("/mActionZoomToArea.svg"),
-                tr("{layer}: what the map shows").format(layer=layer.name()),
+                tr("{layer}: current map view").format(layer=layer.name()),
             )
             action.triggered.connect(partial(self._ask_to_draw, layer.id()))
         if self.layers.isEmpty():
@@ -231,13 +233,13 @@ class ImageBox(FoldingBox):
 
 
 class MethodRow(QWidget):
-    """How images are localized, remembered from session to session."""
+    """Choice of the method, remembered between sessions."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("SemRefMethod")
         self.choice = ChoiceBox()
-        # The published method last: it is there to be compared with.
+        # The published method is last: it serves for comparison.
         for method in (Method.AUTOMATIC, Method.CONSTELLATION, Method.MAP_CORRELATION, Method.TOPOLOGY_VECTOR):
             self.choice.addItem(worded(method.title), method.number)
         label = QLabel(tr("Method"))
@@ -247,11 +249,11 @@ class MethodRow(QWidget):
         self.choice.currentIndexChanged.connect(self._remember)
 
     def method(self) -> int:
-        """METHOD of semref:localizeimages."""
+        """Return METHOD of semref:localizeimages."""
         return self.choice.currentData()
 
     def choose(self, method: int) -> None:
-        """Shows this METHOD as the chosen one."""
+        """Select a METHOD."""
         self.choice.setCurrentIndex(self.choice.findData(method))
 
     def _remember(self) -> None:
@@ -259,5 +261,5 @@ class MethodRow(QWidget):
 
 
 def _last_folder() -> str:
-    """Qt takes a file for the folder it lies in."""
+    """Return the path used last; for a file, Qt opens its folder."""
     return QgsSettings().value(_FOLDER_SETTING, "", type=str)

@@ -1,4 +1,4 @@
-"""One image as the dock paints it: its pixels and its labels as pictures, with what is seen in it."""
+"""Pictures of an image and its labels, as the dock paints them."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from ....processing.inspection.image import ImageInspector, ImageQuery, Inspecte
 from ...running.background import DatabaseShelf
 
 LONGEST_SHOWN_PX = 1600
-"""Larger images are shown reduced: a dock is a few hundred pixels wide."""
+"""Larger images are reduced, because a dock is a few hundred pixels wide."""
 
 _PICTURES_KEPT = 4
-"""So that going back and forth between images is at once; a picture takes up to 20 MB."""
+"""Number of cached pictures, up to 20 MB each, for quick steps between images."""
 
 
 @dataclass(frozen=True)
 class ImagePicture:
-    """One image, to be shown.
+    """Pictures of one image.
 
     Attributes:
-        path: Of the image.
-        photo: Its pixels; None of a label image.
-        labels: Its label map in the classes' colors, perhaps reduced.
-        seen: What is seen in it.
+        path: Path of the image.
+        photo: Pixels; None for a label image.
+        labels: Labels in the colors of the classes, possibly reduced.
+        seen: Labels, landmarks and vector of the image.
         colors: '#rrggbb' by class value.
     """
 
@@ -39,13 +39,13 @@ class ImagePicture:
 
     @property
     def size_wh(self) -> tuple[int, int]:
-        """Width and height of the image, in its own pixels."""
+        """Width and height of the image in pixels."""
         height, width = self.seen.labels_hw.shape
         return width, height
 
 
 class PictureShelf:
-    """Makes pictures and keeps the last few; for one background thread at a time."""
+    """Creates pictures and caches the last few; for one background thread at a time."""
 
     def __init__(self, databases: DatabaseShelf) -> None:
         self._databases = databases
@@ -53,7 +53,7 @@ class PictureShelf:
         self._pictures: dict[tuple, ImagePicture] = {}
 
     def read(self, query: ImageQuery, database: str) -> ImagePicture:
-        """The picture of an image, described as the windows of the database at this path.
+        """Return the picture of an image, with its vector for the windows of a database.
 
         Raises:
             SemRefError: Image, database or model can't be used.
@@ -76,12 +76,12 @@ class PictureShelf:
 
 
 def _changed(path: str) -> float | None:
-    """When a file was changed last; None where there is none."""
+    """Return the time of the last change of a file; None if it does not exist."""
     return os.path.getmtime(path) if os.path.exists(path) else None
 
 
 def label_picture(labels_hw: np.ndarray, colors: Mapping[int, tuple[int, int, int]]) -> QImage:
-    """A label map in its classes' colors; unlabeled pixels are transparent.
+    """Return labels in the colors of their classes; unlabeled pixels are transparent.
 
     Args:
         labels_hw: (H, W) uint8.
@@ -97,10 +97,10 @@ def label_picture(labels_hw: np.ndarray, colors: Mapping[int, tuple[int, int, in
 
 
 def picture_of(pixels_rgba: np.ndarray) -> QImage:
-    """An image of (H, W, 4) uint8 pixels, opaque or 0 throughout, in the format that Qt paints.
+    """Return an image of (H, W, 4) uint8 pixels, each opaque or 0, in the format that Qt paints.
 
-    Any other format is converted when it is to be shown, by Qt's own thread pool: the main thread would wait with
-    Python's lock in hand, while tasks of Python that fill the pool wait for that lock – for ever.
+    Qt would convert other formats in its thread pool while the main thread waits and holds Python's lock. Python tasks
+    that fill the pool wait for that lock, which is a deadlock.
     """
     pixels = np.ascontiguousarray(pixels_rgba[..., [2, 1, 0, 3]])
     height, width = pixels.shape[:2]

@@ -1,4 +1,4 @@
-"""A fix's position as text to copy, in the ways that people and programs write it."""
+"""Positions as text to copy, in several formats."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def format_title(name: str, project: QgsProject) -> str:
 
 
 def position_text(finding: Finding, name: str, project: QgsProject) -> str:
-    """Empty where the position can't be told in that way. Seven decimals of a degree are a centimeter."""
+    """Return a position in a format; empty if that is not possible. Seven decimals of a degree are about 1 cm."""
     if name == DATABASE:
         return f"{finding.x:.2f}, {finding.y:.2f}"
     if name in (PROJECT, WELL_KNOWN_TEXT):

@@ -1,4 +1,4 @@
-"""Where images are known to be, roughly: a circle drawn on the canvas, or nowhere."""
+"""Search area: a circle that is drawn on the canvas, or the whole database."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ...widgets.progress import StatusLine
 
 
 class PriorRow(QWidget):
-    """``shut_down`` before it is deleted."""
+    """Row with the search area and its buttons. Call ``shut_down`` before deleting it."""
 
     def __init__(self, canvas: QgsMapCanvas, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -32,8 +32,8 @@ class PriorRow(QWidget):
         self._radius_m = 0.0
         self.tool = PriorTool(canvas)
         self.text = StatusLine()
-        self.draw = tool_button("/mActionCircle2Points.svg", tr("Draw where to search"), checkable=True)
-        self.draw.setToolTip(tr("Draw on the map where the images are known to be: press at the middle and drag"))
+        self.draw = tool_button("/mActionCircle2Points.svg", tr("Draw the search area"), checkable=True)
+        self.draw.setToolTip(tr("Draw the search area on the map: press at its center and drag to its edge"))
         self.clear = tool_button("/mActionDeleteSelected.svg", tr("Search the whole database"))
         self.setLayout(narrow(row_of((self.text, 1), self.draw, self.clear), 0))
         self.draw.toggled.connect(self._draw)
@@ -43,14 +43,14 @@ class PriorRow(QWidget):
         self.forget()
 
     def parameters(self) -> dict:
-        """PRIOR_POINT and PRIOR_RADIUS of semref:localizeimages; empty without a circle."""
+        """Return PRIOR_POINT and PRIOR_RADIUS of semref:localizeimages; empty without a circle."""
         if self._circle is None:
             return {}
         x, y, *_edge, crs = self._circle
         return {"PRIOR_POINT": f"{x!r},{y!r} [{crs}]", "PRIOR_RADIUS": self._radius_m}
 
     def set_circle(self, middle: QgsPointXY, edge: QgsPointXY) -> None:
-        """Both in the canvas's CRS; the radius is measured on the ground."""
+        """Set the circle by center and edge point in the canvas's CRS. Its radius is measured on the ellipsoid."""
         crs = self._canvas.mapSettings().destinationCrs()
         if not crs.authid():
             # A custom CRS has no key that a project or a parameter could name.
@@ -77,18 +77,18 @@ class PriorRow(QWidget):
         measure.setEllipsoid(QgsProject.instance().ellipsoid() or "WGS84")
         self._radius_m = measure.measureLine(middle, edge)
         self.tool.circle.show(middle, edge, crs)
-        self.text.show_text(LocalTemplate(tr("Search: within {radius:.0f} m")).format(radius=self._radius_m))
+        self.text.show_text(LocalTemplate(tr("Search area: radius {radius:.0f} m")).format(radius=self._radius_m))
         self.clear.setEnabled(True)
 
     def forget(self) -> None:
-        """Searches the whole database."""
+        """Search the whole database."""
         self._circle = None
         self.tool.circle.clear()
-        self.text.show_text(tr("Search: the whole database"))
+        self.text.show_text(tr("Search area: the whole database"))
         self.clear.setEnabled(False)
 
     def shut_down(self) -> None:
-        """Gives the map tool back and takes the circle off the canvas."""
+        """Release the map tool and remove the circle from the canvas."""
         self.tool.deactivated.disconnect(self._stop_drawing)
         self._canvas.unsetMapTool(self.tool)
         self.tool.remove()

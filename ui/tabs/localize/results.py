@@ -1,4 +1,4 @@
-"""The lower part of the dock: the table of results and what is known of the selected one."""
+"""Lower part of the tab *Localize*: table of results, selected image, and its details."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ _ZOOM_SETTING = "semref/dock/zoom_to_hit"
 _FORMAT_SETTING = "semref/dock/position_format"
 _PARTS_SETTING = "semref/dock/results_parts_2"
 _SHARES = 1, 5, 0
-"""How table, image and details share what room is left."""
+"""Shares of table, image and details in the remaining height."""
 
 _PLAY_EVERY_MS = 700
-"""Long enough to see where an image lies, short enough for a hundred of them."""
+"""Long enough to see each position, short enough for a hundred images."""
 
 
 class _Parts(QSplitter):
-    """Tells when it is resized, after its parts were."""
+    """Splitter that emits ``resized`` after its parts are resized."""
 
     resized = pyqtSignal()
 
@@ -40,7 +40,7 @@ class _Parts(QSplitter):
 
 
 class ResultsBox(QgsCollapsibleGroupBox):
-    """Emits ``findingSelected`` with a Finding or None."""
+    """Results with buttons. findingSelected: a Finding or None."""
 
     findingSelected = pyqtSignal(object)
     saveAsked = pyqtSignal()
@@ -53,8 +53,8 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.table = ResultsTable()
         self.image = ImageView()
         self.details = Details()
-        # A picture only: in French its name is as wide as the rest of the row.
-        self.zoom = tool_button("/mActionZoomToSelected.svg", tr("Zoom to hit"), checkable=True)
+        # Icon only: in French its text is as wide as the rest of the row.
+        self.zoom = tool_button("/mActionZoomToSelected.svg", tr("Zoom to the position"), checkable=True)
         self.zoom.setChecked(QgsSettings().value(_ZOOM_SETTING, True, type=bool))
         self._make_buttons()
         self._lay_out()
@@ -71,29 +71,34 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.play.setVisible(False)
 
     def _make_buttons(self) -> None:
-        self.before = tool_button("/mActionArrowLeft.svg", tr("Image before (Alt+Up)"))
+        self.before = tool_button("/mActionArrowLeft.svg", tr("Previous image (Alt+Up)"))
         self.after = tool_button("/mActionArrowRight.svg", tr("Next image (Alt+Down)"))
-        self.play = tool_button("/mTaskRunning.svg", tr("Go through the images by themselves"), checkable=True)
+        self.play = tool_button("/mTaskRunning.svg", tr("Show one image after the other"), checkable=True)
         self._player = QTimer(self)
         self._player.setInterval(_PLAY_EVERY_MS)
         self._player.timeout.connect(self._play_on)
         self.play.toggled.connect(self._play)
         for keys, button in (("Alt+Up", self.before), ("Alt+Down", self.after)):
             shortcut(keys, self).activated.connect(button.click)
-        self.copy = split_button(tr("Copy position"), tr("Copies the position as chosen last; the arrow shows how"))
+        self.copy = split_button(
+            tr("Copy position"), tr("Copy the position in the format used last. The arrow shows all formats.")
+        )
         self.formats = QMenu(self.copy)
         self.copy.setMenu(self.formats)
         self.save = split_button(
             tr("Save results…"),
-            tr("Positions, footprints and possible places as one GeoPackage, opened with the project"),
+            tr(
+                "Save positions, footprints and possible places in a GeoPackage. The dock shows them again with "
+                "the project."
+            ),
         )
         # The dock needs the same width with and without results.
         self.save.setMinimumWidth(self.save.sizeHint().width())
         more = QMenu(self.save)
         self.earlier = more.addMenu(tr("Earlier results"))
         self.save.setMenu(more)
-        self.drape = QPushButton(tr("Lay image on map"))
-        self.drape.setToolTip(tr("Adds the image to the project as a half-transparent layer, placed by its fix"))
+        self.drape = QPushButton(tr("Add image to map"))
+        self.drape.setToolTip(tr("Add the image to the project as a half-transparent layer at its position"))
 
     def _lay_out(self) -> None:
         self.parts = _Parts(Qt.Orientation.Vertical)
@@ -101,7 +106,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.parts.setChildrenCollapsible(False)
         for part in (self.table, self.image, self.details):
             self.parts.addWidget(part)
-        # The image is what one wants to look at.
+        # The image gets most of the height.
         for number, share in enumerate(_SHARES):
             self.parts.setStretchFactor(number, share)
         self.parts.restoreState(QgsSettings().value(_PARTS_SETTING, QByteArray(), type=QByteArray))
@@ -113,11 +118,11 @@ class ResultsBox(QgsCollapsibleGroupBox):
         name_fold(self)
 
     def _share_room(self) -> None:
-        """What the picture leaves blank goes to the table, as long as it has rows; who moved the parts has them so."""
+        """Give height that the picture does not need to the table, unless the user moved the splitter."""
         if QgsSettings().contains(_PARTS_SETTING):
             return
         room = sum(self.parts.sizes())
-        # What is known of a result is read, too; it gets less only where there is hardly room for the rest.
+        # The details get less than they need only if the height is small.
         details = max(self.details.minimumSizeHint().height(), min(self.details.sizeHint().height(), room // 5))
         both = room - details
         wanted = self.image.height_for_all(self.parts.width())
@@ -126,14 +131,14 @@ class ResultsBox(QgsCollapsibleGroupBox):
         self.parts.setSizes([height, both - height, details])
 
     def show_findings(self, findings: list[Finding]) -> None:
-        """Shows these instead of those before, the first one selected."""
+        """Replace the results, and select the first one."""
         self.table.show_findings(findings)
         self._allow_saving(bool(findings))
         self.play.setChecked(False)
         self.play.setVisible(any(finding.track for finding in findings))
 
     def _allow_saving(self, on: bool) -> None:
-        """Earlier results can be opened also without results; the button then opens its menu."""
+        """Make the button save, or only open its menu of earlier results."""
         self._can_save = on
         mode = QToolButton.ToolButtonPopupMode
         self.save.setPopupMode(mode.MenuButtonPopup if on else mode.InstantPopup)
@@ -146,7 +151,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
             self._player.stop()
 
     def _play_on(self) -> None:
-        """The next image; the last one ends it."""
+        """Select the next image; stop at the last one."""
         if not self.table.step_on():
             self.play.setChecked(False)
 
@@ -188,7 +193,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
     def _copy(self, name: str, *_checked) -> None:
         finding, project = self.table.selected(), QgsProject.instance()
         text = "" if finding is None else position_text(finding, name, project)
-        # Where the way chosen last is not possible, the database's CRS always is.
+        # The database's CRS is always possible.
         text = text or position_text(finding, DATABASE, project)
         QgsSettings().setValue(_FORMAT_SETTING, name)
         QgsApplication.clipboard().setText(text)

@@ -1,4 +1,4 @@
-"""The table of results."""
+"""Model of the table of results."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from ...widgets.texts import number_text, plain_tip
 IMAGE, PROBABILITY, ERROR, HEADING, STATUS, WINDOW, DISTANCE, POSITION, SUMMARY = range(9)
 COLUMN_COUNT = 9
 ORDER = (SUMMARY, IMAGE, STATUS, POSITION, ERROR, PROBABILITY, HEADING, WINDOW, DISTANCE)
-"""From left to right. SUMMARY has two lines with what matters of a result, for where there is no room for columns."""
+"""Columns from left to right. SUMMARY has two lines and replaces the others in a narrow dock."""
 
 _DECIMALS = {ERROR: 1, HEADING: 1, DISTANCE: 3}
 _DEGREE_DECIMALS = 5
-"""About a meter."""
+"""Five decimals of a degree are about 1 m."""
 
 SORT_ROLE = Qt.ItemDataRole.UserRole
 NAME_ROLE = SORT_ROLE + 1
-"""Of SUMMARY: the image's name, which its text begins with and may be shortened in its middle."""
+"""Role of SUMMARY: the image's name, with which the text starts and which may be shortened."""
 NUMBER_COLUMNS = (PROBABILITY, ERROR, HEADING, DISTANCE)
 
 # QGIS draws these for light and dark themes alike.
@@ -37,8 +37,11 @@ _FLIGHT_ICON = "/mIconLineLayer.svg"
 
 
 class ResultsModel(QStandardItemModel):
-    """One row a finding. Qt's own model: one in Python would be asked a dozen times for each cell that is painted, and
-    wait each time for the threads that segment images meanwhile."""
+    """One row for each finding.
+
+    Qt's own model, because Qt would call a Python model a dozen times for each painted cell. Each call would wait for
+    the threads that segment images.
+    """
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(0, COLUMN_COUNT, parent)
@@ -46,7 +49,7 @@ class ResultsModel(QStandardItemModel):
         self._show_headers()
 
     def show(self, findings: Sequence[Finding]) -> None:
-        """Replaces all rows."""
+        """Replace all rows."""
         self.clear()
         self.setColumnCount(COLUMN_COUNT)
         self._show_headers()
@@ -59,11 +62,11 @@ class ResultsModel(QStandardItemModel):
             self.appendRow(row)
 
     def is_empty(self, column: int) -> bool:
-        """Whether no row has anything there."""
+        """Return whether a column has no text in any row."""
         return not any(self.item(row, column).text() for row in range(self.rowCount()))
 
     def finding(self, row: int) -> Finding:
-        """The one that a row shows, whatever the view's order."""
+        """Return the finding of a row of this model."""
         return self._findings[row]
 
     def _show_headers(self) -> None:
@@ -80,7 +83,7 @@ def _item(finding: Finding, column: int) -> QStandardItem:
     if column == SUMMARY:
         item.setData(finding.name, NAME_ROLE)
     if column in NUMBER_COLUMNS:
-        # Figures end at the same place.
+        # Numbers are aligned to the right.
         item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     return item
 
@@ -90,7 +93,7 @@ def _icon(finding: Finding) -> str:
         return _OTHER_ICON
     if finding.status == Status.FIX and finding.is_by_flight:
         return _OTHER_ICON if finding.outvoted else _FLIGHT_ICON
-    # A check mark is for what was checked.
+    # A check mark means that the position was verified.
     if finding.status == Status.FIX and not finding.is_verified:
         return _OTHER_ICON
     return _ICONS.get(finding.status, _OTHER_ICON)
@@ -105,12 +108,12 @@ def _headers() -> list[tuple[str, str]]:
     return [
         (tr("Image"), tr("File name of the image")),
         (tr("Error probability"), tr("Probability that the position is wrong")),
-        (tr("Radius (m)"), tr("Radius in meters that contains the true position in 95 % of fixes")),
-        (tr("Heading"), tr("Where the image’s top points to, in degrees clockwise from grid north")),
+        (tr("Radius (m)"), tr("95 % radius in m: it contains the true position in 95 % of cases")),
+        (tr("Heading"), tr("Direction of the image’s top, in degrees clockwise from grid north")),
         (tr("Status"), tr("Whether a position was found")),
         (tr("Window"), tr("Name of the matched window: its first column and row on the map")),
-        (tr("Distance"), tr("Distance of the topology vectors; 0 is a perfect match, above 2 there is none")),
-        (tr("Longitude, latitude"), tr("Of the image’s center, in degrees (WGS 84)")),
+        (tr("Distance"), tr("Distance between the topology vectors: 0 is a perfect match, above 2 is no match")),
+        (tr("Longitude, latitude"), tr("Position of the image’s center, in degrees (WGS 84)")),
         (tr("Image"), tr("File name, status, error probability, and position with its 95 % radius")),
     ]
 
@@ -132,7 +135,7 @@ def _text(finding: Finding, column: int) -> str:
 
 
 def _figure(finding: Finding, column: int) -> float | None:
-    """What a number column shows."""
+    """Return the value of a number column."""
     if column == PROBABILITY:
         return finding.probability
     return {ERROR: finding.error_95, HEADING: finding.heading, DISTANCE: finding.distance}[column]
@@ -143,21 +146,21 @@ def _number(value: float | None, decimals: int) -> str:
 
 
 def _position(finding: Finding) -> str:
-    """Longitude and latitude; a dot whatever the language, as maps and programs write them."""
+    """Return longitude and latitude with a decimal point in every language, as programs read them."""
     if finding.longitude is None or finding.latitude is None:
         return ""
     return f"{finding.longitude:.{_DEGREE_DECIMALS}f}, {finding.latitude:.{_DEGREE_DECIMALS}f}"
 
 
 def _summary(finding: Finding) -> str:
-    """Name, status and how surely, below them where it is and how exactly; the reason where it is nowhere."""
+    """Return two lines: name, status and error probability; position and 95 % radius, or the reason."""
     position, error = _position(finding), error_text(finding)
     if position and finding.error_95 is not None:
         position = f"{position} ± {number_text(finding.error_95, 1)} m"
     sure = tr("error {probability}").format(probability=error) if error else ""
     status, below = status_text(finding), position or finding.reason or ""
     if finding.speaks_against:
-        # The first line may leave the status to the mark, which can't tell what it is.
+        # The first line may be too short for the status, and the icon does not show the reason.
         status, below = "", " · ".join(filter(None, (status, below)))
     above = " · ".join(filter(None, (finding.name, status, sure)))
     return f"{above}\n{below}"

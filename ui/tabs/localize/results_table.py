@@ -1,4 +1,4 @@
-"""The view of the results: sortable, one row selected at a time."""
+"""Table of results: sortable, with one selected row."""
 
 from __future__ import annotations
 
@@ -24,37 +24,35 @@ _IMAGE_COLUMN_MINIMUM_PX = 120
 _ICON_AND_MARGINS_PX = 32
 _NAME_LEAST_PX = 48
 _NAME_LETTERS = 12
-"""Of a name, by which most photos are told apart."""
+"""Letters of a name that distinguish most photos."""
 
 _BETWEEN = " · "
 _ROW_MARGIN_PX = 4
 _ROWS, _LEAST_ROWS = 6, 4
-"""Of text; a result takes two of them where there is no room for columns."""
+"""Lines of text. In a narrow dock a result has two lines."""
 
 
 class TwoLines(QStyledItemDelegate):
-    """Paints a result's two lines; what is too wide is the name of the image, never how surely it was found."""
+    """Paints the two lines of a result, and shortens the name of the image if needed."""
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        """As Qt does, the text fitted."""
         super().initStyleOption(option, index)
         name, text = index.data(NAME_ROLE) or "", index.data() or ""
         lines = fitted(text, name, option.fontMetrics, option.rect.width() - _ICON_AND_MARGINS_PX)
-        # What Qt makes of the ends of lines before it paints; it would put "\n" on one line.
+        # Qt converts line ends to this character before this call.
         option.text = lines.replace("\n", "\u2028")
 
 
 def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
-    """``text`` with the name at its beginning shortened in its middle, so that the first line fits.
+    """Return ``text`` with a shortened name at its start, so that the first line fits.
 
-    The suffix, which many have, goes first: the number before it is what tells photos of a flight apart. Where little
-    would be left of the name, the status goes that stands before how surely it was found: its mark in front of the
-    text tells it, too.
+    The file suffix is removed first, because the number before it distinguishes the photos of a flight. If little of
+    the name would remain, the status before the error probability is removed; the icon shows it as well.
     """
     above, _, below = text.partition("\n")
     rest = above[len(name) :]
-    told = metrics.horizontalAdvance(name[:_NAME_LETTERS])
-    if width_px - metrics.horizontalAdvance(rest) < told and rest.count(_BETWEEN) > 1:
+    least = metrics.horizontalAdvance(name[:_NAME_LETTERS])
+    if width_px - metrics.horizontalAdvance(rest) < least and rest.count(_BETWEEN) > 1:
         rest = _BETWEEN + rest.rpartition(_BETWEEN)[2]
     room = max(width_px - metrics.horizontalAdvance(rest), _NAME_LEAST_PX)
     if metrics.horizontalAdvance(name) > room:
@@ -63,9 +61,9 @@ def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
 
 
 class ResultsTable(QTableView):
-    """Emits ``findingSelected`` with a Finding, or None when no row is selected.
+    """Table with all columns if they fit, otherwise with two lines a row.
 
-    All columns where they fit, else two lines a row.
+    findingSelected: a Finding, or None if no row is selected.
     """
 
     findingSelected = pyqtSignal(object)
@@ -81,14 +79,14 @@ class ResultsTable(QTableView):
         self.setAccessibleName(tr("Results"))
         self._used = [column for column in ORDER if column != SUMMARY]
         self.setItemDelegateForColumn(SUMMARY, TwoLines(self))
-        # Unsorted, in the order of the images, until a header is clicked.
+        # In the order of the images until the user clicks a header.
         self.horizontalHeader().setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
         self.setSortingEnabled(True)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        # Columns are made to fit; a bar from before, when the dock was wider, would stay.
+        # The columns always fit. A scroll bar from a wider dock would remain.
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setWordWrap(False)
@@ -101,11 +99,11 @@ class ResultsTable(QTableView):
         self._order_columns()
         self._arranging = False
         self._arrange()
-        self.selectionModel().selectionChanged.connect(self._tell_selected)
+        self.selectionModel().selectionChanged.connect(self._emit_selected)
 
     def show_findings(self, findings: list[Finding]) -> None:
-        """Shows them in their order and selects the first."""
-        # Resetting the model drops the selection without a signal.
+        """Show findings in their order, and select the first."""
+        # Resetting the model clears the selection without a signal.
         self._model.show(findings)
         self._order_columns()
         self.sortByColumn(-1, Qt.SortOrder.AscendingOrder)
@@ -116,7 +114,7 @@ class ResultsTable(QTableView):
             self.selectRow(0)
 
     def selected(self) -> Finding | None:
-        """The finding of the selected row, None without one."""
+        """Return the finding of the selected row; None without one."""
         rows = self.selectionModel().selectedRows()
         return self._model.finding(self._sorted.mapToSource(rows[0]).row()) if rows else None
 
@@ -124,7 +122,7 @@ class ResultsTable(QTableView):
         select_row(self, row)
 
     def step(self, step: int) -> None:
-        """Selects the row so many rows on, from the last to the first."""
+        """Move the selection by ``step`` rows; the first row follows the last."""
         count = self.model().rowCount()
         if count:
             rows = self.selectionModel().selectedRows()
@@ -133,7 +131,7 @@ class ResultsTable(QTableView):
             self.scrollTo(self.model().index(row % count, SUMMARY if self.is_narrow else IMAGE))
 
     def step_on(self) -> bool:
-        """Selects the next row; False where there is none."""
+        """Select the next row. Returns False at the last row."""
         rows = self.selectionModel().selectedRows()
         if rows and rows[0].row() + 1 >= self.model().rowCount():
             return False
@@ -144,7 +142,7 @@ class ResultsTable(QTableView):
         return QSize(200, self._height_of(_ROWS))
 
     def height_of_all(self) -> int:
-        """What it takes to show all rows."""
+        """Return the height of all rows."""
         header = 0 if self.is_narrow else self.horizontalHeader().height()
         return header + self.verticalHeader().length() + 2 * self.frameWidth()
 
@@ -168,11 +166,11 @@ class ResultsTable(QTableView):
         if not self._model.rowCount():
             paint_placeholder(self, tr("Results appear here."))
 
-    def _tell_selected(self, *_selection) -> None:
+    def _emit_selected(self, *_selection) -> None:
         self.findingSelected.emit(self.selected())
 
     def _order_columns(self) -> None:
-        """Once more for each list: a model that is cleared takes its columns along."""
+        """Order the columns; clearing the model resets their order."""
         header = self.horizontalHeader()
         for place, column in enumerate(ORDER):
             header.moveSection(header.visualIndex(column), place)
@@ -183,9 +181,9 @@ class ResultsTable(QTableView):
         return not self.isColumnHidden(SUMMARY)
 
     def _arrange(self) -> None:
-        """Columns where all that say something fit, with the image's filling the rest; else two lines a row."""
+        """Show all non-empty columns if they fit, otherwise two lines a row."""
         if self._arranging:
-            # Showing or hiding the header shows or hides the scroll bar, and so another width would be arranged for.
+            # Showing or hiding the header changes the scroll bar and the width, which would call this again.
             return
         self._arranging = True
         self._arrange_now()
@@ -194,11 +192,11 @@ class ResultsTable(QTableView):
     def _arrange_now(self) -> None:
         header = self.horizontalHeader()
         for column in self._used:
-            # The heading of a hidden column asks for no room.
+            # A hidden column returns no width for its heading.
             self.setColumnHidden(column, False)
         wanted = {c: max(self.sizeHintForColumn(c), header.sectionSizeHint(c)) + 1 for c in self._used}
         wanted[IMAGE] = max(wanted[IMAGE], _IMAGE_COLUMN_MINIMUM_PX)
-        # Also with a scroll bar, which may come and go with the header.
+        # With the width of the scroll bar, which may appear with the header.
         beside = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollView_ScrollBarSpacing, None, self)
         bar = self.verticalScrollBar().sizeHint().width() + max(0, beside)
         narrow = sum(wanted.values()) > self.maximumViewportSize().width() - bar

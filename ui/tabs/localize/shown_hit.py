@@ -1,4 +1,4 @@
-"""The selected result: marked on the map, its image drawn beside it, both joined by the landmarks that agree."""
+"""Selected result: marks on the map, the image in the dock, and matched landmarks in both."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from .results import ResultsBox
 
 
 class ShownHit(QObject):
-    """Follows the selection of a ResultsBox. ``shut_down`` before it is deleted.
+    """Follows the selection of a ResultsBox. Call ``shut_down`` before deleting it.
 
-    described: name and topology vector of the selected image; None where it has none.
+    described: name and topology vector of the selected image; None without a vector.
     """
 
     described = pyqtSignal(str, object)
@@ -62,32 +62,33 @@ class ShownHit(QObject):
         self._messages.show_failures(self._drape_reader)
 
     def shut_down(self) -> None:
-        """Takes everything off the canvas, and waits for what is being read."""
+        """Clear the canvas, and stop background reading."""
         for reader in (self._picture_reader, self._drape_reader):
             reader.shut_down()
         for marks in (self.matches, self.highlight, self.track):
             marks.remove()
 
     def use(self, database: str, model: str, chosen: Callable[[], list[str]] | None = None) -> None:
-        """Sets paths of what the results that come now were found with.
+        """Set what the next results were computed with.
 
         Args:
-            model: Empty for label images.
-            chosen: Returns files and folders in which images are opened; None where the user chose all images.
+            database: Path of the database.
+            model: Path of the model; empty for label images.
+            chosen: Returns files and folders with images that may be opened; None if the user chose all images.
         """
         self._database, self._model, self._chosen = database, model, chosen
 
     def set_visible(self, visible: bool) -> None:
-        """Whether the canvas shows it."""
+        """Show or hide the marks on the canvas."""
         for marks in (self.highlight, self.matches, self.track):
             marks.set_visible(visible)
 
-    # --- the selected one ---
+    # --- selected result ---
 
     def _show(self, finding: Finding | None) -> None:
         if not self.highlight.show(finding):
             self._messages.warning(
-                tr("The hit lies outside the area of the project’s CRS; choose another one to see it.")
+                tr("The position is outside the area of the project’s CRS. Choose another CRS to show it.")
             )
         self._zoom_if_asked()
         self.matches.clear()
@@ -120,14 +121,14 @@ class ShownHit(QObject):
             self.highlight.zoom()
 
     def _point_at(self, number: int) -> None:
-        """One of the matched landmarks, in the image and on the map."""
+        """Highlight one of the matched landmarks, in the image and on the map."""
         self._results.image.point_at(number)
         self.matches.point_at(number)
 
-    # --- laid on the map ---
+    # --- image on the map ---
 
     def drape(self, finding: Finding) -> None:
-        """Lays the image on the map as its fix says."""
+        """Add the image to the map at its position."""
         image = self._file_of(finding)
         if not image:
             self._messages.warning(_not_chosen())
@@ -135,10 +136,10 @@ class ShownHit(QObject):
         self._draped_name = finding.name
         self._draped_crs = wkt_for_gdal(finding.crs)
         arguments = image, finding.corners, self._draped_crs
-        self._drape_reader.read(tr("Laying an image on the map"), place_image, *arguments)
+        self._drape_reader.read(tr("Adding an image to the map"), place_image, *arguments)
 
     def _file_of(self, finding: Finding) -> str:
-        """Return the path of an image; empty where a file of results names one that the user did not choose."""
+        """Return the path of an image; empty if results from a file name an image that the user did not choose."""
         return finding.image if self._chosen is None else named_file(finding.image, self._chosen())
 
     def _show_drape(self, placed: str) -> None:
@@ -149,7 +150,7 @@ class ShownHit(QObject):
 
 
 def _not_chosen() -> str:
-    return tr("The results name an image that is not in their folder. Add it, or its folder, to the list of images.")
+    return tr("This image is not in the folder of the results. Add the image or its folder to the list of images.")
 
 
 def _nothing_yet() -> str:

@@ -1,4 +1,4 @@
-"""The dock's first tab: images in, localized in the background, each hit shown on the map."""
+"""Tab *Localize*: choose images, localize them in the background, and show their positions."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ _RESULTS_FOLDER_SETTING = "semref/dock/results_folder"
 
 
 class LocalizeTab(QWidget):
-    """Localizes in the database that ``database`` has chosen. ``shut_down`` before it is deleted.
+    """Localizes images in the chosen database. Call ``shut_down`` before deleting it.
 
-    modelChosen: the path of the network for photos, empty for label images; found: a sentence when a run has results.
+    modelChosen: path of the model for photos, empty for label images; found: a sentence about the results of a run.
     """
 
     modelChosen = pyqtSignal(str)
@@ -89,7 +89,7 @@ class LocalizeTab(QWidget):
         self.images.collapsedStateChanged.connect(self._show_choices)
         self.images.list.refused.connect(self._refuse_layers)
         self.images.drawAsked.connect(self._draw)
-        self.images.trained.connect(self._tell_trained)
+        self.images.trained.connect(self._show_trained)
         self._drawer.answered.connect(self._add_drawn)
         self.localize_button.clicked.connect(self._localize_or_cancel)
         self.results.saveAsked.connect(self._save_results)
@@ -105,7 +105,7 @@ class LocalizeTab(QWidget):
         self.run.canceled.connect(lambda: self.state.show_text(tr("Canceled.")))
 
     def shut_down(self) -> None:
-        """Cancels what runs and clears the canvas."""
+        """Cancel runs and clear the canvas."""
         self.run.abandon()
         self._reader.shut_down()
         self._drawing_canceled.set()
@@ -115,10 +115,10 @@ class LocalizeTab(QWidget):
         self.prior.shut_down()
         self._layers = ResultLayers()
 
-    # --- the project ---
+    # --- project ---
 
     def state_now(self) -> DockState:
-        """What a project keeps of the tab, and of the database that it works with."""
+        """Return the state for the project file."""
         return DockState(
             self._database.path(),
             self.images.model_path(),
@@ -131,7 +131,7 @@ class LocalizeTab(QWidget):
         )
 
     def show_state(self, state: DockState) -> None:
-        """Brings everything back as it was when ``state`` was taken, but for results that are gone, which it says."""
+        """Restore a state; a message reports missing results."""
         self.run.cancel()
         self._show_layers(ResultLayers(), "", state.model)
         self.method.choose(state.method)
@@ -145,11 +145,11 @@ class LocalizeTab(QWidget):
             return
         try:
             layers = ResultLayers(*named_results(state.results))
-            # Runs in the profile are the user's own.
+            # Results in the profile come from the user's own runs.
             is_own = bool(named_file(state.results, [str(runs_folder())]))
             chosen = None if is_own else lambda: [os.path.dirname(state.results), *self.images.paths()]
             self._show_layers(layers, state.results, state.model, labels_of(state.results), chosen=chosen)
-            self._fold()
+            self._collapse_inputs()
         except ParameterError as error:
             self._messages.warning(worded(error))
 
@@ -187,7 +187,7 @@ class LocalizeTab(QWidget):
 
     def _show_idle(self, *_) -> None:
         self.modelChosen.emit(self.images.model_path())
-        # A model or a database may be finished while images are localized.
+        # A model or database may be completed during a run.
         if not self.run.running:
             self._set_running(False)
             self.state.show_text(*self._idle_text())
@@ -201,7 +201,7 @@ class LocalizeTab(QWidget):
                 self._show_idle()
 
     def _idle_text(self) -> tuple[str, ...]:
-        """A sentence, and one beside it where there is room."""
+        """Return a sentence, and optionally a second one."""
         if not self.images.paths():
             return (tr("Add images.") if self._has_database() else tr("Choose a database and add images."),)
         if not self._has_database():
@@ -211,7 +211,7 @@ class LocalizeTab(QWidget):
         if self.images.chosen is None:
             return (tr("Reading the folder…"),)
         if self.images.chosen.has_photos and not self.images.model_path():
-            return tr("These are photos: choose a model."), tr("Otherwise colors are taken for classes.")
+            return tr("These are photos: choose a model."), tr("Without a model, SemRef reads colors as class values.")
         return (tr("Ready to localize."),)
 
     # --- results ---
@@ -221,7 +221,7 @@ class LocalizeTab(QWidget):
         database, model = self._used
         self._show_layers(layers, self.run.file, model, labels, database)
         self._reader.read(tr("Removing old results"), forget_old_runs)
-        self._fold()
+        self._collapse_inputs()
         if self.run.pace:
             self.state.show_text(self.state.text_shown, self.run.pace)
         self.found.emit(self.state.text_shown)
@@ -235,15 +235,15 @@ class LocalizeTab(QWidget):
         database: str = "",
         chosen: Callable[[], list[str]] | None = None,
     ) -> None:
-        """Shows the results of a run.
+        """Show the results of a run.
 
         Args:
-            layers: They themselves.
-            file: That holds them; empty for layers in memory.
-            model: That made labels of the photos; empty for label images.
-            labels: Folder of the photos' label images; empty where they were not kept.
-            database: That they were found in; empty for the chosen one.
-            chosen: Returns files and folders in which images are opened; None where the user chose all images.
+            layers: Layers of the results.
+            file: GeoPackage of the layers; empty for layers in memory.
+            model: Model of the run; empty for label images.
+            labels: Folder of the photos' label images; may be empty.
+            database: Database of the run; empty for the chosen one.
+            chosen: Returns files and folders with images that may be opened; None if the user chose all images.
         """
         self._layers, self._results_file = layers, file
         self._found_with = database or self._database.path(), model
@@ -252,7 +252,9 @@ class LocalizeTab(QWidget):
         self._findings = findings = read_findings(layers, labels)
         if findings:
             fixes = sum(1 for finding in findings if finding.status == Status.FIX)
-            self.state.show_text(tr("{fixes} of {images} images have a fix.").format(fixes=fixes, images=len(findings)))
+            self.state.show_text(
+                tr("{fixes} of {images} images have a position.").format(fixes=fixes, images=len(findings))
+            )
         self._show_findings(findings)
 
     def _show_findings(self, findings: list[Finding]) -> None:
@@ -260,27 +262,27 @@ class LocalizeTab(QWidget):
         self.results.show_findings(findings)
 
     def _now_chosen(self) -> tuple[str, str]:
-        """Paths of the database and of the model."""
+        """Return the chosen paths of database and model."""
         return self._database.path(), self.images.model_path()
 
     def _follow_choice(self) -> None:
-        """Results go when another database or model is chosen, and come back with their own."""
+        """Hide the results while another database or model than theirs is chosen."""
         chosen = self._now_chosen()
         if chosen != self._chosen:
             self._chosen = chosen
             self._show_findings(self._findings if chosen == self._found_with else [])
 
     def _forget_results(self) -> None:
-        """The database has another content now; what was found in the old one is among the earlier results."""
+        """Clear the results, because the database has new content. The earlier results still list them."""
         self._show_layers(ResultLayers(), "", self.images.model_path())
 
-    def _fold(self) -> None:
-        """What one wants to look at now is below."""
+    def _collapse_inputs(self) -> None:
+        """Collapse the inputs, so that the results have room."""
         for box in (self._database, self.images):
             box.setCollapsed(True)
 
     def _show_choices(self, folded: bool) -> None:
-        """How to search goes with what to search."""
+        """Show method and search area together with the images."""
         for row in (self.method, self.prior):
             row.setVisible(not folded)
 
@@ -305,7 +307,7 @@ class LocalizeTab(QWidget):
         if track is not None:
             QgsProject.instance().addMapLayer(track)
         QgsProject.instance().addMapLayer(positions)
-        self._messages.info(tr("Saved; the dock shows these results again when this project is opened."))
+        self._messages.info(tr("Results saved. The dock shows them again when you open this project."))
 
     def _list_earlier(self) -> None:
         self.results.earlier.clear()
@@ -321,7 +323,7 @@ class LocalizeTab(QWidget):
             self._messages.error(worded(error))
             return
         self._show_layers(layers, kept.file, kept.model, labels_of(kept.file), kept.database)
-        self._fold()
+        self._collapse_inputs()
 
     def _show_copied(self, text: str) -> None:
         self.state.show_text(tr("Copied: {command}").format(command=text))
@@ -330,9 +332,9 @@ class LocalizeTab(QWidget):
         """Make an image of the map's extent from a layer that is not a file, at the model's pixel size."""
         model = self.images.model_path()
         if not model:
-            self._messages.error(tr("Choose a model first: it says how large the pixels of the map shall be."))
+            self._messages.error(tr("Choose a model first. It defines the pixel size of the image."))
             return
-        # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
+        # Imported here because it loads GDAL's arrays, which would delay the opening of the dock.
         from ....processing.base.photo_source import draw_for_model
         from ....processing.layers.rendering import drawable
 
@@ -343,10 +345,10 @@ class LocalizeTab(QWidget):
 
     def _add_drawn(self, path: str) -> None:
         self.images.list.add([path])
-        self._messages.info(tr("What the map shows is an image of the list now; it lasts until QGIS is closed."))
+        self._messages.info(tr("The map view is now in the list of images. It is kept until you close QGIS."))
 
-    def _tell_trained(self, report: str) -> None:
-        sentence = tr("The model is trained, and chosen in the dock.")
+    def _show_trained(self, report: str) -> None:
+        sentence = tr("The model is trained and selected in the dock.")
         if report:
             self._messages.success_with(sentence, tr("Open report"), partial(_open_file, report))
         else:
@@ -354,11 +356,12 @@ class LocalizeTab(QWidget):
 
     def _refuse_layers(self, names: list[str]) -> None:
         sentence = tr(
-            "{layers}: not added, because it is no file of an image. The layer button adds what the map shows of it."
+            "Not added, because they are not image files: {layers}. Use the layer button to add the current "
+            "map view of a layer."
         )
         self._messages.warning(sentence.format(layers=", ".join(names)))
 
 
 def _open_file(path: str) -> None:
-    """With the system's program for it."""
+    """Open a file with the program of the operating system."""
     QDesktopServices.openUrl(QUrl.fromLocalFile(path))
