@@ -130,7 +130,7 @@ def components_page():
     page = module("ui.packages.components_page")
     installer = module("ui.packages.component_installer").ComponentInstaller()
     made = page.ComponentsPage(installer)
-    installer.said.emit("ERROR: something\n")
+    installer.outputRead.emit("ERROR: something\n")
     installer.failed.emit("It failed.")
     return made
 

@@ -1,4 +1,4 @@
-"""QGIS with real windows; tools/pytest_suites.sh runs these tests in a virtual display."""
+"""Fixtures with real QGIS windows; tools/pytest_suites.sh runs these tests in a virtual display."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ def qgis_app(start_qgis, display):
 
 @pytest.fixture(autouse=True)
 def clipboard_left_empty():
-    """What a test copied or selected is not held any longer: no other QGIS waits for this process to hand it out.
+    """Clear clipboard and selection after each test, so that another QGIS does not wait for this process.
 
-    QGIS looks at X's clipboard and selection whenever the layer changes, and Qt 5 waits five seconds a format where
-    their owner is busy, as pytest is while it waits for that very QGIS.
+    QGIS reads X's clipboard and selection whenever the layer changes. Qt 5 waits five seconds for each format while
+    their owner is busy, as pytest is while it waits for a QGIS that it started.
     """
     yield
     from qgis.PyQt.QtGui import QClipboard
@@ -42,7 +42,7 @@ def clipboard_left_empty():
 
 @pytest.fixture
 def filled_at_once(qgis_app, monkeypatch):
-    """Lists are filled in slices of time; a few rows come in one slice, however busy the machine is."""
+    """Fill lists in one slice of time, however busy the machine is."""
     from semref.ui.tabs.correct import tab
 
     monkeypatch.setattr(tab, "_FILL_S", 600.0)
@@ -50,7 +50,7 @@ def filled_at_once(qgis_app, monkeypatch):
 
 @pytest.fixture
 def iface(qgis_app, filled_at_once):
-    """What a plugin uses of QGIS's window; remembers what was added, so that a test sees what is left."""
+    """Stand-in of QGIS's interface that records what the plugin adds, so that a test sees what remains."""
     # Imported here: without a display these tests skip instead of failing.
     from stand_in_interface import InterfaceStandIn
 
@@ -98,7 +98,7 @@ def dock(plugin, iface):
 
 @pytest.fixture
 def slow(monkeypatch, area):
-    """Makes a run as long as a thousand images; a cancel is heeded between two of them."""
+    """Make a run as long as a thousand images; a cancel takes effect between two images."""
     from semref.processing.algorithms import localize_images
     from semref.storage import rasters
 
@@ -113,7 +113,7 @@ def slow(monkeypatch, area):
 
 
 class LosingManager:
-    """QGIS's manager of tasks, which loses the first one that it gets."""
+    """QGIS's task manager, which loses the first task."""
 
     def __init__(self, manager):
         self.manager, self.lost = manager, []
@@ -130,7 +130,7 @@ class LosingManager:
 
 @pytest.fixture
 def first_task_lost(qgis_app, monkeypatch):
-    """QGIS never begins the first task that it gets; the list of the one it lost."""
+    """Make QGIS never start its first task; a list with the lost task."""
     from qgis.core import QgsApplication
 
     from semref.ui.running import algorithm_run
@@ -143,7 +143,7 @@ def first_task_lost(qgis_app, monkeypatch):
 
 @pytest.fixture
 def issues(qgis_app, dock):
-    """Three findings in a row, 100 m apart, as “Check annotation” gives them."""
+    """A layer of three issues in a row, 100 m apart, as “Check annotation” creates it."""
     from dock_area import CRS, ORIGIN
     from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
 
@@ -169,7 +169,7 @@ def tab(dock):
 
 @pytest.fixture
 def open_dialog(plugin, iface, monkeypatch):
-    """`open_dialog(id, parameters)` opens QGIS's own dialog of one of SemRef's algorithms, and gives it."""
+    """`open_dialog(id, parameters)` opens and returns QGIS's dialog of one of SemRef's algorithms."""
     import processing
     from dock_area import settle
     from processing.gui import AlgorithmDialog
@@ -179,7 +179,7 @@ def open_dialog(plugin, iface, monkeypatch):
     browser = QgsBrowserGuiModel()
     monkeypatch.setattr(iface, "browserModel", lambda: browser, raising=False)
     monkeypatch.setattr(iface, "activeLayer", lambda: None, raising=False)
-    # Each of Processing's modules has taken the window when it was imported.
+    # Each of Processing's modules took the window when it was imported.
     for module in [module for name, module in sys.modules.items() if name.startswith("processing.")]:
         if hasattr(module, "iface"):
             monkeypatch.setattr(module, "iface", iface)

@@ -39,7 +39,7 @@ def copied(dialog) -> dict:
 
 
 def as_a_word(value) -> str:
-    """As `qgis_process` is told it."""
+    """Return a value as an argument of `qgis_process`."""
     value = value[0] if isinstance(value, list) else value
     return str(value).lower() if isinstance(value, bool) else f"{value:g}" if isinstance(value, float) else str(value)
 

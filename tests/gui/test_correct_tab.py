@@ -88,7 +88,7 @@ def test_other_layers_may_be_removed(tab, add_layer):
 
 
 def test_what_is_left_out_of_the_lists_is_forgotten_with_its_layer(tab, add_layer):
-    """Else a new layer that comes to lie where the old one lay in memory would be left out in its stead."""
+    """Otherwise a new layer at the address of the deleted one would be hidden."""
     from qgis.core import QgsProject, QgsVectorLayer
 
     # Neither places nor an annotation, and both at once.

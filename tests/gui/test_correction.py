@@ -1,4 +1,4 @@
-"""The tab Correct brings a mended annotation into the database, with one button, and takes it back."""
+"""The tab Correct updates the database from a corrected layer with one button, and undoes it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which field tells classes, by one rule for all dialogs; a layer of buildings alone needs none."""
+"""The class field is guessed by one rule for all dialogs; a layer of buildings needs no field."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ def test_layers_dropped_on_the_list_are_images_and_others_are_said(dock, iface, 
 
 @pytest.fixture
 def training_dialog(tab, monkeypatch):
-    """Presses the dock's button; a dialog of ours stands for QGIS's, which needs its main window."""
+    """Press the dock's button; a stand-in replaces QGIS's dialog, which needs its main window."""
     import processing
     from qgis.PyQt.QtCore import pyqtSignal
     from qgis.PyQt.QtWidgets import QDialog

@@ -1,4 +1,4 @@
-"""A project that an earlier version saved opens for ever: what tests/data/kept holds is never made anew."""
+"""A project that an earlier version saved opens forever; tests/data/kept never changes."""
 
 from __future__ import annotations
 

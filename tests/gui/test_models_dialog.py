@@ -1,4 +1,4 @@
-"""The models at hand with their cards: in a window from the dock and from the options."""
+"""The list of models with their cards, opened from the dock and from the options."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CARD = {
 
 @pytest.fixture
 def folder(qgis_app, tmp_path):
-    """A folder of two models, one with a card and one that says nothing, and of a file that is none."""
+    """A folder with a model that has a card, a model without one, and a file that is not a model."""
     from qgis.core import QgsSettings
 
     from semref.core.segmentation.onnx_file import smallest_model, with_metadata

@@ -15,7 +15,7 @@ LANGUAGES = ("", "de", "es", "fr", "zh_Hans")
 
 @pytest.fixture(params=LANGUAGES, ids=[name or "en" for name in LANGUAGES])
 def language(request, qgis_app, repository):
-    """SemRef's texts are said in this language, as the files of translations have them."""
+    """SemRef's texts in this language, from the translation files."""
     from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
     class Kept(QTranslator):
@@ -37,7 +37,7 @@ def language(request, qgis_app, repository):
 
 
 def widest(widget) -> list[str]:
-    """What asks for most room, for whoever reads a failure."""
+    """Return the widest widgets, to explain a failure."""
     from qgis.PyQt.QtWidgets import QWidget
 
     parts = [part for part in widget.findChildren(QWidget) if part.isVisibleTo(widget)]

@@ -60,7 +60,7 @@ def test_only_the_last_runs_are_kept(qgis_app):
     for run in made:
         Path(run.file).write_bytes(b"results")
     run_history.forget_old_runs()
-    kept = run_history.kept_runs()
+    kept = run_history.run_records()
     assert [run.folder for run in kept] == [run.folder for run in reversed(made[-20:])]
     for run in kept:
         Path(run.file).unlink()
@@ -76,7 +76,7 @@ def test_runs_that_came_to_nothing_displace_no_results(qgis_app):
     for _ in range(25):
         run_history.begin_run("/area.gpkg", "", 1)
     run_history.forget_old_runs()
-    assert [run.folder for run in run_history.kept_runs()] == [found.folder]
+    assert [run.folder for run in run_history.run_records()] == [found.folder]
     Path(found.file).unlink()
 
 

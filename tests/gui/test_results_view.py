@@ -1,4 +1,4 @@
-"""What the dock shows of results: columns where there is room, two lines a row where there is none, the image large."""
+"""Results in the dock: columns in a wide dock, two lines a row in a narrow one, and a large image."""
 
 from __future__ import annotations
 
@@ -65,13 +65,15 @@ def test_a_narrow_dock_has_two_lines_a_row_with_position_radius_and_error_probab
 @pytest.mark.parametrize("odds", ["error below 1 in 10,000", "Irrtum unter 1 : 10.000", "erreur < 1 sur 10 000"])
 @pytest.mark.parametrize("width", [320, 400])
 def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, width):
-    from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX, fitted
+    from semref.ui.tabs.localize.results_table import _ICON_AND_MARGINS_PX, fit_name
 
     as_wide_as(dock, iface, width)
     table = found.results.table
     metrics, room = table.fontMetrics(), table.viewport().width() - _ICON_AND_MARGINS_PX
     for name in ("photo_01.jpg", "DJI_20261122_143201_0018_Wide_Mission_7.JPG"):
-        above, below = fitted(f"{name} · Position · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split("\n")
+        above, below = fit_name(f"{name} · Position · {odds}\n9.69348, 48.95194 ± 2.2 m", name, metrics, room).split(
+            "\n"
+        )
         assert above.endswith(f" · {odds}") and above[:2] == name[:2]
         assert max(metrics.horizontalAdvance(line) for line in (above, below)) <= room
     assert not table.horizontalScrollBar().isVisible()
@@ -79,29 +81,29 @@ def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, widt
 
 @pytest.mark.parametrize("status", ["Position", "Position trouvée", "Posición encontrada"])
 def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface, found, status):
-    from semref.ui.tabs.localize.results_table import fitted
+    from semref.ui.tabs.localize.results_table import fit_name
 
     metrics, odds = found.results.table.fontMetrics(), "error inferior a 1 de 10.000"
     text = f"photo_01.jpg · {status} · {odds}"
     wide = metrics.horizontalAdvance(text)
     # A text is a little less wide than its parts together, which are measured.
-    assert fitted(text, "photo_01.jpg", metrics, wide + 4).strip() == text
-    assert fitted(text, "photo_01.jpg", metrics, wide - 4).strip() == f"photo_01.jpg · {odds}"
+    assert fit_name(text, "photo_01.jpg", metrics, wide + 4).strip() == text
+    assert fit_name(text, "photo_01.jpg", metrics, wide - 4).strip() == f"photo_01.jpg · {odds}"
     # A reason is told, not a number: there is nothing to leave out.
-    other = fitted("photo_01.jpg · No match", "photo_01.jpg", metrics, metrics.horizontalAdvance("· No match photo_"))
+    other = fit_name("photo_01.jpg · No match", "photo_01.jpg", metrics, metrics.horizontalAdvance("· No match photo_"))
     assert other.strip().endswith("· No match") and other.startswith("p")
 
 
 def test_photos_of_a_flight_are_told_apart_where_their_names_do_not_fit(dock, iface, found):
-    from semref.ui.tabs.localize.results_table import fitted
+    from semref.ui.tabs.localize.results_table import fit_name
 
     metrics, odds = found.results.table.fontMetrics(), " · error below 1 in 10,000"
     room = metrics.horizontalAdvance("photo_01" + odds) + 4
-    shown = [fitted(f"photo_0{n}.jpg{odds}", f"photo_0{n}.jpg", metrics, room).strip() for n in (1, 2)]
+    shown = [fit_name(f"photo_0{n}.jpg{odds}", f"photo_0{n}.jpg", metrics, room).strip() for n in (1, 2)]
     assert shown == [f"photo_01{odds}", f"photo_02{odds}"]
     room = metrics.horizontalAdvance("DJI_20261122_0018" + odds)
     long = [f"DJI_20261122_143201_001{n}_Wide_{n}.JPG" for n in (7, 8)]
-    shown = [fitted(name + odds, name, metrics, room).strip() for name in long]
+    shown = [fit_name(name + odds, name, metrics, room).strip() for name in long]
     assert shown[0] != shown[1] and all(one.endswith(f"_{n}{odds}") for n, one in zip((7, 8), shown))
 
 

@@ -1,4 +1,4 @@
-"""The line below the button: what is said, and what is said beside it."""
+"""The line below the button, and its second sentence."""
 
 from __future__ import annotations
 

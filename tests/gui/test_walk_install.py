@@ -1,4 +1,4 @@
-"""The walk of a newcomer to the first fix, in a desktop QGIS with a bare profile and none of SemRef's packages.
+"""The way of a newcomer to the first position, in desktop QGIS with a new profile and without SemRef's packages.
 
 There is no network but what pip's index gave before. SEMREF_PICTURES names a folder for pictures of the screen.
 """

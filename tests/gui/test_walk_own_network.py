@@ -1,7 +1,7 @@
 """The walk from orthophoto and polygons to the first fix, in desktop QGIS: what it takes, and that it gets there.
 
-A small program that hands over the model that ships stands in for the training, so that it takes a minute; where
-SEMREF_TRAINING_PYTHON names a Python with torch, the walk is gone with a real training of two minutes, too.
+Instead of training, a small program returns the shipped model, so that the test takes a minute. If
+SEMREF_TRAINING_PYTHON is a Python with torch, a real training of two minutes runs as well.
 """
 
 from __future__ import annotations

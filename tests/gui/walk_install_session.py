@@ -74,14 +74,14 @@ def told_by_the_plugin_manager(language):
 
 
 def picture(name):
-    """Of the whole screen, with whatever lies on it."""
+    """Save a picture of the whole screen."""
     settle()
     file = os.path.join(os.environ["SEMREF_PICTURES"], f"{name}.png")
     QApplication.primaryScreen().grabWindow(0).save(file)
 
 
 def python_errors(logged):
-    """Messages of QGIS's log that tell of one, whoever caught it."""
+    """Return messages of QGIS's log about errors, caught or not."""
     return [text for text, tag, _level in logged if "Traceback" in text or tag == "Python Error"]
 
 

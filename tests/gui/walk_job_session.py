@@ -155,7 +155,7 @@ def sample(folder: Path) -> dict:
 def own_photos(folder: Path) -> dict:
     """An empty project: database and model are named, files chosen in QGIS's dialog, localized, laid on the map.
 
-    As docs/tutorials/own_area_and_photos.md tells it.
+    Follow docs/tutorials/own_area_and_photos.md.
     """
     qgis.utils.iface.newProject(False)
     content = opened_tab(0)
@@ -293,7 +293,7 @@ def forms(folder: Path) -> dict:
 
 
 def corrected(folder: Path) -> dict:
-    """144 houses and a pond that overlaps one: checked, gone through, mended and brought into the database."""
+    """Check, correct and update a layer of 144 houses and a pond that overlaps one of them."""
     QgsProject.instance().clear()
     cover = QgsVectorLayer(f"Polygon?crs={CRS}&field=class:string", "cover", "memory")
     squares = [(x, y, "building") for x in range(0, 240, 20) for y in range(0, 240, 20)]

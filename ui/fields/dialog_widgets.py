@@ -31,7 +31,7 @@ from ..layer_files import photo_layer
 from ..widgets.layouts import narrow
 from .epochs import TRAINING_VALUES, epochs_text
 from .guess_fields import ClassNameBox, class_field_of, class_of_all
-from .recent_files import DATABASE, MODEL, KnownButton, chosen
+from .recent_files import DATABASE, MODEL, KnownButton, dock_file
 
 _BATCH, _MODELER = "BatchAlgorithmDialog", "ModelerParametersDialog"
 """Class names of Processing's dialogs, which Processing itself uses to distinguish them."""
@@ -52,7 +52,7 @@ class _Widget(QgsAbstractProcessingParameterWidgetWrapper):
         super().__init__(parameter, _type_of(dialog))
         self.setDialog(dialog)
 
-    def _kept(self, box: QWidget) -> QWidget:
+    def _prepare(self, box: QWidget) -> QWidget:
         box.setToolTip(self.parameterDefinition().toolTip())
         # QGIS owns the box, but the Python object must live as long, because the destructor uses it: this connection
         # keeps it.
@@ -76,7 +76,7 @@ class ClassTableWidget(_Widget):
         box.setFilter(self.parameterDefinition().createFileFilter())
         box.fileChanged.connect(self._report)
         self.known = self.button(box)
-        return self._kept(box)
+        return self._prepare(box)
 
     def setWidgetValue(self, value, context):
         self.wrappedWidget().setFilePath("" if value is None else str(value))
@@ -93,7 +93,7 @@ class DatabaseWidget(ClassTableWidget):
     def __new__(cls, parameter: QgsProcessingParameterDefinition, dialog, row: int = 0, column: int = 0):
         is_optional = parameter.flags() & QgsProcessingParameterDefinition.FlagOptional
         if type(dialog).__name__ not in (_BATCH, _MODELER) and not is_optional:
-            parameter.setGuiDefaultValueOverride(chosen(cls.KIND))
+            parameter.setGuiDefaultValueOverride(dock_file(cls.KIND))
         wrapper = super().__new__(cls, parameter, dialog)
         if not isinstance(wrapper, cls):
             wrapper.known = [KnownButton(box, cls.KIND) for box in wrapper.findChildren(QgsFileWidget)]
@@ -156,7 +156,7 @@ class ClassFieldWidget(_LayerWidget):
         box = QgsFieldComboBox()
         box.setAllowEmptyFieldName(True)
         box.fieldChanged.connect(self._report)
-        return self._kept(box)
+        return self._prepare(box)
 
     def show_layer(self, layer):
         self._box().setLayer(layer)
@@ -181,7 +181,7 @@ class ClassNameWidget(_LayerWidget):
     def createWidget(self):
         box = ClassNameBox()
         box.currentTextChanged.connect(self._report)
-        return self._kept(box)
+        return self._prepare(box)
 
     def postInitialize(self, wrappers):
         for wrapper in wrappers:
@@ -220,7 +220,7 @@ class PhotoWidget(_Widget):
         optional.setFlags(optional.flags() | QgsProcessingParameterDefinition.FlagOptional)
         box = QgsProcessingMapLayerComboBox(optional, self.type())
         box.valueChanged.connect(self._report)
-        return self._kept(box)
+        return self._prepare(box)
 
     def _box(self) -> QgsProcessingMapLayerComboBox:
         return sip.cast(self.wrappedWidget(), QgsProcessingMapLayerComboBox)
@@ -254,7 +254,7 @@ class TimeLimitWidget(_Widget):
         layout.addWidget(self._minutes)
         layout.addWidget(self._line)
         self._others = []
-        return self._kept(widget)
+        return self._prepare(widget)
 
     def postInitialize(self, wrappers):
         super().postInitialize(wrappers)

@@ -42,10 +42,10 @@ def known_files(kind: str) -> list[Known]:
     """Return the known files, each once, under the first heading that applies; empty headings are left out."""
     if kind == DATABASE:
         of_project = [(name, path) for path, name in project_databases(QgsProject.instance()).items()]
-        first = Known(tr("In the project"), of_project), Known(tr("Chosen in the dock"), _named([chosen(kind)]))
+        first = Known(tr("In the project"), of_project), Known(tr("Chosen in the dock"), _named([dock_file(kind)]))
     else:
         folder = [str(path) for path in model_files(models_folder())]
-        first = Known(tr("Chosen in the dock"), _named([chosen(kind)])), Known(tr("Models folder"), _named(folder))
+        first = Known(tr("Chosen in the dock"), _named([dock_file(kind)])), Known(tr("Models folder"), _named(folder))
     seen: set[str] = set()
     found = []
     for heading, files in (*first, Known(tr("Used recently"), _named(_recent(kind)))):
@@ -56,7 +56,7 @@ def known_files(kind: str) -> list[Known]:
     return found
 
 
-def chosen(kind: str) -> str:
+def dock_file(kind: str) -> str:
     """Return the file that the dock uses or used last; empty if it does not exist."""
     path = remembered_database() if kind == DATABASE else QgsSettings().value(MODEL_SETTING, "", type=str)
     return path if os.path.isfile(path) else ""

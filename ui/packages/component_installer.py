@@ -17,12 +17,12 @@ _KILLED_WITHIN_MS = 5000
 class ComponentInstaller(QObject):
     """Runs an installation. It ends with one of installed, failed, broke and canceled.
 
-    began: description of the current step; said: output of the process; failed: a sentence for the user; broke: a bug's
-    traceback.
+    began: description of the current step; outputRead: output of the process; failed: a sentence for the user; broke: a
+    bug's traceback.
     """
 
     began = pyqtSignal(str)
-    said = pyqtSignal(str)
+    outputRead = pyqtSignal(str)
     installed = pyqtSignal()
     failed = pyqtSignal(str)
     broke = pyqtSignal(str)
@@ -102,7 +102,7 @@ class ComponentInstaller(QObject):
             text = bytes(self._process.readAllStandardOutput()).decode("utf-8", "replace")
             self._output += text
             self.log += text
-            self.said.emit(text)
+            self.outputRead.emit(text)
 
     def _take_answer(self, status: int, how: QProcess.ExitStatus) -> None:
         self._read()

@@ -152,7 +152,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.diagnostics.clicked.connect(self.diagnosticsAsked)
         self.devices.installAsked.connect(self._install_variant)
         self._installer.began.connect(self.state.setText)
-        self._installer.said.connect(self._add_to_log)
+        self._installer.outputRead.connect(self._add_to_log)
         self._installer.installed.connect(self._show_installed)
         self._installer.failed.connect(self._show_end)
         self._installer.broke.connect(self._show_bug)
@@ -175,7 +175,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self.list.fit()
         self._enable()
 
-    def _chosen(self) -> list[Package]:
+    def _chosen_packages(self) -> list[Package]:
         """Return the missing packages that are checked."""
         items = (self.list.topLevelItem(row) for row in range(self.list.topLevelItemCount()))
         packages = [(item.data(0, Qt.ItemDataRole.UserRole), item.checkState(0)) for item in items]
@@ -184,7 +184,7 @@ class ComponentsPage(QgsOptionsPageWidget):
     def _enable(self) -> None:
         running = self._installer.running
         for button in (self.install, self.install_wheels, self.copy):
-            button.setEnabled(not running and bool(self._chosen()))
+            button.setEnabled(not running and bool(self._chosen_packages()))
         self.list.setEnabled(not running)
         self.devices.install.setEnabled(not running)
         self.remove.setEnabled(not running and components_root().is_dir())
@@ -195,19 +195,19 @@ class ComponentsPage(QgsOptionsPageWidget):
     # --- actions ---
 
     def _install(self) -> None:
-        self._start(self._chosen(), "")
+        self._start(self._chosen_packages(), "")
 
     def _choose_wheels(self) -> None:
-        folder = self._asked_folder()
+        folder = self._ask_folder()
         if folder:
-            self._start(self._chosen(), folder)
+            self._start(self._chosen_packages(), folder)
 
     def _install_variant(self, package: Package, from_folder: bool) -> None:
-        folder = self._asked_folder() if from_folder else ""
+        folder = self._ask_folder() if from_folder else ""
         if folder or not from_folder:
             self._start([package], folder, is_variant=True)
 
-    def _asked_folder(self) -> str:
+    def _ask_folder(self) -> str:
         """Ask for a folder of wheels; empty if the user cancels."""
         last = QgsSettings().value(_WHEELS_SETTING, "", type=str)
         folder = QFileDialog.getExistingDirectory(self.window(), tr("Choose a folder with wheels (*.whl)"), last)
@@ -222,7 +222,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         self._enable()
 
     def _copy_command(self) -> None:
-        command = install_command(self._chosen())
+        command = install_command(self._chosen_packages())
         QgsApplication.clipboard().setText(command)
         self.state.setText(tr("Copied: {command}").format(command=command))
 

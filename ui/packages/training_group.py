@@ -86,7 +86,7 @@ class TrainingGroup(QGroupBox):
         self.remove.clicked.connect(self._remove)
         self.cancel.clicked.connect(self._installer.cancel)
         self._installer.began.connect(self._show_step)
-        self._installer.said.connect(self._show_last_line)
+        self._installer.outputRead.connect(self._show_last_line)
         self._installer.installed.connect(self._show_state)
         self._installer.failed.connect(self._show_end)
         self._installer.broke.connect(self._show_bug)

@@ -66,12 +66,12 @@ class BeginWatch(QObject):
 class AlgorithmRun(QObject):
     """One run. If it starts, it ends with exactly one of ``done``, ``failed``, ``broke`` and ``canceled``.
 
-    said: current step; logged: line for the log panel; done: results (dict), and the context with layers in memory;
-    failed: a sentence for the user; broke: a bug's traceback.
+    textChanged: current step; logged: line for the log panel; done: results (dict), and the context with layers in
+    memory; failed: a sentence for the user; broke: a bug's traceback.
     """
 
     progressed = pyqtSignal(float)
-    said = pyqtSignal(str)
+    textChanged = pyqtSignal(str)
     logged = pyqtSignal(str)
     done = pyqtSignal(object, object)
     failed = pyqtSignal(str)
@@ -116,7 +116,7 @@ class AlgorithmRun(QObject):
         self._context = QgsProcessingContext()
         self._context.setTransformContext(QgsProject.instance().transformContext())
         self._feedback = _Feedback()
-        self._feedback.said.connect(self.said)
+        self._feedback.textChanged.connect(self.textChanged)
         self._feedback.logged.connect(self.logged)
         self._feedback.progressChanged.connect(self.progressed)
         self._task = QgsProcessingAlgRunnerTask(algorithm, parameters, self._context, self._feedback, *_flags())
@@ -189,7 +189,7 @@ def _flags() -> tuple:
 class _Feedback(QgsProcessingFeedback):
     """Forwards messages. QGIS calls it in the worker thread, so it only emits signals and stores texts."""
 
-    said = pyqtSignal(str)
+    textChanged = pyqtSignal(str)
     logged = pyqtSignal(str)
     shows_time_left = True  # The dock's progress bar shows the remaining time.
 
@@ -199,7 +199,7 @@ class _Feedback(QgsProcessingFeedback):
         self.context = None
 
     def setProgressText(self, text):
-        self.said.emit(text)
+        self.textChanged.emit(text)
 
     def pushInfo(self, info):
         self.logged.emit(info)

@@ -82,11 +82,11 @@ class CorrectionRun(QObject):
         rasterizing: Parameters of *Rasterize annotation* in the last update.
         asked: Parameters of *Update reference database* in the last update.
 
-    said: current step; progressed: percent; done: path of the database; failed: a sentence for the user; broke: a bug's
-    traceback.
+    textChanged: current step; progressed: percent; done: path of the database; failed: a sentence for the user; broke:
+    a bug's traceback.
     """
 
-    said = pyqtSignal(str)
+    textChanged = pyqtSignal(str)
     progressed = pyqtSignal(float)
     logged = pyqtSignal(str)
     done = pyqtSignal(str)
@@ -110,7 +110,7 @@ class CorrectionRun(QObject):
         self._reader.answered.connect(self._go_on)
         self._run = AlgorithmRun(self)
         self._run.done.connect(lambda results, _context: self._go_on(results))
-        self._run.said.connect(self.said)
+        self._run.textChanged.connect(self.textChanged)
         self._run.logged.connect(self.logged)
         self._run.progressed.connect(self._show_progress)
         for part in (self._reader, self._run):
@@ -140,7 +140,7 @@ class CorrectionRun(QObject):
         grounds = [LayerGround(layer.name(), layer.extent(), layer.crs()) for layer in layers]
         context = QgsProject.instance().transformContext()
         self._next = self._rasterize
-        self.said.emit(tr("Reading the database"))
+        self.textChanged.emit(tr("Reading the database"))
         text = tr("Reading the database")
         fields = [wanted.annotation.fields().indexOf(name) for name in (wanted.class_field, wanted.priority_field)]
         read = QgsVectorLayerFeatureSource(wanted.annotation), [index for index in fields if index >= 0]

@@ -12,7 +12,7 @@ from ...processing.messages.sentences import worded
 from ...processing.translation import tr
 from ..findings import ResultLayers
 from .algorithm_run import AlgorithmRun
-from .run_history import KeptRun, begin_run, destination, labels_folder
+from .run_history import RunRecord, begin_run, destination, labels_folder
 
 ALGORITHM, FLIGHT_ALGORITHM = "semref:localizeimages", "semref:localizeflight"
 
@@ -35,7 +35,7 @@ class LocalizationRun(AlgorithmRun):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.done.connect(self._take_layers)
-        self._kept: KeptRun | None = None
+        self._kept: RunRecord | None = None
         self.pace = self.file = ""
 
     def start(self, database: str, images: list[str], method: int, settings: dict, is_flight: bool = False) -> bool:

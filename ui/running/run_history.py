@@ -18,7 +18,7 @@ _MOST_KEPT = 20
 """Number of runs. A run of hundreds of photos takes some ten megabytes."""
 
 
-class KeptRun(NamedTuple):
+class RunRecord(NamedTuple):
     """Folder of a run, paths of its database and model, and its number of images."""
 
     folder: str
@@ -43,7 +43,7 @@ def runs_folder() -> Path:
     return Path(QgsApplication.qgisSettingsDirPath()) / "semref" / "runs"
 
 
-def begin_run(database: str, model: str, images: int) -> KeptRun | None:
+def begin_run(database: str, model: str, images: int) -> RunRecord | None:
     """Create the folder of a new run; None if it can't be written."""
     folder = runs_folder() / f"{time.time_ns()}"
     about = {"database": database, "model": model, "images": images}
@@ -52,7 +52,7 @@ def begin_run(database: str, model: str, images: int) -> KeptRun | None:
         (folder / _ABOUT).write_text(json.dumps(about), encoding="utf-8")
     except OSError:
         return None
-    return KeptRun(str(folder), database, model, images)
+    return RunRecord(str(folder), database, model, images)
 
 
 def forget_old_runs() -> None:
@@ -60,27 +60,27 @@ def forget_old_runs() -> None:
 
     Runs without results do not count, so they never displace results.
     """
-    kept = kept_runs()[:_MOST_KEPT]
+    kept = run_records()[:_MOST_KEPT]
     for folder in _folders() if len(kept) == _MOST_KEPT else []:
         if folder < Path(kept[-1].folder):
             shutil.rmtree(folder, ignore_errors=True)
 
 
-def kept_runs() -> list[KeptRun]:
+def run_records() -> list[RunRecord]:
     """Return the runs with results, the latest first."""
-    return [run for run in map(_kept, _folders()) if run is not None and os.path.isfile(run.file)]
+    return [run for run in map(_read_record, _folders()) if run is not None and os.path.isfile(run.file)]
 
 
-def _kept(folder: Path) -> KeptRun | None:
+def _read_record(folder: Path) -> RunRecord | None:
     """Return the run of a folder; None without a readable run.json, as after a crash."""
     try:
         about = json.loads((folder / _ABOUT).read_text(encoding="utf-8"))
-        return KeptRun(str(folder), str(about["database"]), str(about["model"]), int(about["images"]))
+        return RunRecord(str(folder), str(about["database"]), str(about["model"]), int(about["images"]))
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
 
-def destination(run: KeptRun, table: str) -> str:
+def destination(run: RunRecord, table: str) -> str:
     """Return a table of the run's results as an algorithm's output. ``table``: one of TABLES."""
     if table not in TABLES:
         raise ValueError(table)
@@ -93,7 +93,7 @@ def labels_of(file: str) -> str:
     return folder if file and os.path.isdir(folder) else ""
 
 
-def labels_folder(run: KeptRun) -> str:
+def labels_folder(run: RunRecord) -> str:
     """Return the folder for the label images of a run's photos."""
     return os.path.join(run.folder, _LABELS)
 

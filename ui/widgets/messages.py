@@ -23,20 +23,20 @@ class Messages:
         self._bar = message_bar
 
     def info(self, sentence: str) -> None:
-        self._bar.pushInfo(TAG, _shown(sentence))
+        self._bar.pushInfo(TAG, _escaped(sentence))
 
     def success(self, sentence: str) -> None:
-        self._bar.pushSuccess(TAG, _shown(sentence))
+        self._bar.pushSuccess(TAG, _escaped(sentence))
 
     def log(self, line: str) -> None:
         """Write a line to the log panel only."""
         QgsMessageLog.logMessage(line, TAG, Qgis.MessageLevel.Info, False)
 
     def warning(self, sentence: str) -> None:
-        self._bar.pushWarning(TAG, _shown(sentence))
+        self._bar.pushWarning(TAG, _escaped(sentence))
 
     def error(self, sentence: str) -> None:
-        self._bar.pushCritical(TAG, _shown(sentence))
+        self._bar.pushCritical(TAG, _escaped(sentence))
 
     def error_with(self, sentence: str, button: str, pressed: Callable[[], None]) -> QgsMessageBarItem:
         """Show an error with a button that solves it. The tool tip has the whole sentence."""
@@ -50,7 +50,7 @@ class Messages:
     def _push_with(
         self, sentence: str, button: str, pressed: Callable[[], None], level: Qgis.MessageLevel
     ) -> QgsMessageBarItem:
-        item = self._bar.createMessage(TAG, _shown(sentence))
+        item = self._bar.createMessage(TAG, _escaped(sentence))
         next_step = QPushButton(button)
         next_step.clicked.connect(pressed)
         next_step.clicked.connect(item.dismiss)
@@ -82,6 +82,6 @@ class Messages:
         )
 
 
-def _shown(sentence: str) -> str:
+def _escaped(sentence: str) -> str:
     """Escape a sentence: the message bar shows HTML, and file names may look like HTML."""
     return escape(sentence, quote=False)

@@ -24,11 +24,11 @@ REPAIR = "semref:repairannotation"
 class RepairButton(QPushButton):
     """Button to repair all places. Call ``shut_down`` before deleting it.
 
-    said: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence; broke: a
-    bug's traceback.
+    textChanged: progress or result in words; repaired: the layer, which has one more undo step; failed: a sentence;
+    broke: a bug's traceback.
     """
 
-    said = pyqtSignal(str)
+    textChanged = pyqtSignal(str)
     repaired = pyqtSignal(object)
     failed = pyqtSignal(str)
     broke = pyqtSignal(str)
@@ -46,7 +46,7 @@ class RepairButton(QPushButton):
             ended.connect(self._show)
         self.run.failed.connect(self.failed)
         self.run.broke.connect(self.broke)
-        self.run.canceled.connect(lambda: self.said.emit(tr("Canceled.")))
+        self.run.canceled.connect(lambda: self.textChanged.emit(tr("Canceled.")))
         self.clicked.connect(self._press)
         self.show_kinds(Counter())
 
@@ -73,7 +73,7 @@ class RepairButton(QPushButton):
         )
 
     def _show_percent(self, percent: float) -> None:
-        self.said.emit(tr("Repairing: {percent} %").format(percent=int(percent)))
+        self.textChanged.emit(tr("Repairing: {percent} %").format(percent=int(percent)))
 
     def _press(self) -> None:
         if self.run.running:
@@ -117,7 +117,7 @@ class RepairButton(QPushButton):
             self.failed.emit(worded(error))
             return
         self.repaired.emit(layer)
-        self.said.emit(
+        self.textChanged.emit(
             tr(
                 "Repaired “{layer}”: {changed} polygons changed, {added} added, {removed} removed. Save the "
                 "layer’s edits to keep the repair, or undo it (Ctrl+Z). Check the layer again to find what is "

@@ -54,7 +54,7 @@ class ResultsModel(QStandardItemModel):
         self.setColumnCount(COLUMN_COUNT)
         self._show_headers()
         self._findings = list(findings)
-        icons = {name: _drawn(name) for name in {_icon(finding) for finding in findings}}
+        icons = {name: _draw_icon(name) for name in {_icon(finding) for finding in findings}}
         for finding in self._findings:
             row = [_item(finding, column) for column in range(COLUMN_COUNT)]
             for column in (IMAGE, SUMMARY):
@@ -99,7 +99,7 @@ def _icon(finding: Finding) -> str:
     return _ICONS.get(finding.status, _OTHER_ICON)
 
 
-def _drawn(name: str) -> QIcon:
+def _draw_icon(name: str) -> QIcon:
     return severity_icon(name) if name == annotation.ERROR else QgsApplication.getThemeIcon(name)
 
 

@@ -38,12 +38,12 @@ class TwoLines(QStyledItemDelegate):
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         super().initStyleOption(option, index)
         name, text = index.data(NAME_ROLE) or "", index.data() or ""
-        lines = fitted(text, name, option.fontMetrics, option.rect.width() - _ICON_AND_MARGINS_PX)
+        lines = fit_name(text, name, option.fontMetrics, option.rect.width() - _ICON_AND_MARGINS_PX)
         # Qt converts line ends to this character before this call.
         option.text = lines.replace("\n", "\u2028")
 
 
-def fitted(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
+def fit_name(text: str, name: str, metrics: QFontMetrics, width_px: int) -> str:
     """Return ``text`` with a shortened name at its start, so that the first line fits.
 
     The file suffix is removed first, because the number before it distinguishes the photos of a flight. If little of

@@ -25,7 +25,7 @@ from ...findings import Finding, ResultLayers, read_findings
 from ...project_state import DockState
 from ...running.background import DatabaseShelf, Reader
 from ...running.localization_run import LocalizationRun, named_results
-from ...running.run_history import KeptRun, forget_old_runs, kept_runs, labels_of, runs_folder
+from ...running.run_history import RunRecord, forget_old_runs, labels_of, run_records, runs_folder
 from ...widgets.database_box import DatabaseBox
 from ...widgets.layouts import MARGIN_PX
 from ...widgets.messages import Messages
@@ -96,7 +96,7 @@ class LocalizeTab(QWidget):
         self.results.earlier.aboutToShow.connect(self._list_earlier)
         self.results.copied.connect(self._show_copied)
         self.run.progressed.connect(self.progress.show_percent)
-        self.run.said.connect(self.state.show_text)
+        self.run.textChanged.connect(self.state.show_text)
         self.run.logged.connect(self._messages.log)
         self.run.found.connect(self._show_found)
         self._messages.show_failures(self.run, self._drawer)
@@ -311,12 +311,12 @@ class LocalizeTab(QWidget):
 
     def _list_earlier(self) -> None:
         self.results.earlier.clear()
-        for kept in kept_runs():
+        for kept in run_records():
             self.results.earlier.addAction(kept.title).triggered.connect(partial(self._show_earlier, kept))
         if self.results.earlier.isEmpty():
             self.results.earlier.addAction(tr("No results yet")).setEnabled(False)
 
-    def _show_earlier(self, kept: KeptRun, *_checked) -> None:
+    def _show_earlier(self, kept: RunRecord, *_checked) -> None:
         try:
             layers = ResultLayers(*named_results(kept.file))
         except ParameterError as error:
