@@ -19,7 +19,7 @@ def run(qgis_app):
     parent = QObject()
     made, ends = AlgorithmRun(parent), []
     for name in ("done", "failed", "broke", "canceled"):
-        getattr(made, name).connect(lambda *told, name=name: ends.append((name, *told)))
+        getattr(made, name).connect(lambda *values, name=name: ends.append((name, *values)))
     made.ends = ends
     yield made
     made.abandon()

@@ -18,7 +18,7 @@ def reader(qgis_app):
     parent = QObject()
     made, said = Reader(parent), []
     for name in ("answered", "failed", "broke"):
-        getattr(made, name).connect(lambda told, name=name: said.append((name, told)))
+        getattr(made, name).connect(lambda value, name=name: said.append((name, value)))
     made.said = said
     yield made
     made.shut_down()

@@ -67,7 +67,7 @@ def box(dock, annotation, database):
     return dock.content.correct.updating
 
 
-def mend(annotation) -> None:
+def correct(annotation) -> None:
     """Two squares become water: one saved, one as it is while somebody edits."""
     for number, is_saved in ((1, True), (3, False)):
         annotation.startEditing()
@@ -92,11 +92,11 @@ def test_one_button_makes_the_database_that_a_full_build_would(
     assert (box.class_field.currentField(), box.priority_field.currentField()) == ("class", "zorder")
     assert box.button.isEnabled() and not box.undo.isVisibleTo(dock)
     dock.content.database.add_to_map.click()
-    mend(annotation)
+    correct(annotation)
     press(dock, box)
     assert messages(iface) == []
     annotation.commitChanges()
-    assert landmarks(database) == landmarks(built_of(annotation, run_algorithm, tmp_path, "anew")) != before
+    assert landmarks(database) == landmarks(built_of(annotation, run_algorithm, tmp_path, "rebuilt")) != before
     assert "up to date" in box.state.text_shown
     names = [layer.name() for layer in QgsProject.instance().mapLayers().values()]
     assert sorted(names) == ["Landmarks", "Overview", "Windows", "cover"]
@@ -114,7 +114,7 @@ def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
     run._run.start_algorithm = lambda name, given, title: extents.append(given.get("EXTENT")) or start(
         name, given, title
     )
-    mend(annotation)
+    correct(annotation)
     press(dock, box)
     assert "CHANGED" not in run.asked
     annotation.commitChanges()
@@ -126,23 +126,23 @@ def test_the_next_update_rasterizes_and_compares_only_what_was_changed_since(
     assert messages(iface) == [] and "CHANGED" in run.asked and run.asked["CHANGED"].featureCount() == 3
     assert extents[2].width() < extents[0].width() / 2 and extents[2].height() < extents[0].height()
     annotation.commitChanges()
-    assert landmarks(database) == landmarks(built_of(annotation, run_algorithm, tmp_path, "anew"))
+    assert landmarks(database) == landmarks(built_of(annotation, run_algorithm, tmp_path, "rebuilt"))
     box.undo.click()
     wait_until(lambda: not box.undo.isVisibleTo(dock.content.correct), "the undo")
     press(dock, box)
     assert "CHANGED" not in run.asked
-    assert landmarks(database) == landmarks(str(tmp_path / "anew.gpkg"))
+    assert landmarks(database) == landmarks(str(tmp_path / "rebuilt.gpkg"))
 
 
 def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_told(dock, box, database, monkeypatch):
     from semref.ui.running import correction_run
 
-    told = []
-    dock.content.correct.run.broke.connect(told.append)
+    reports = []
+    dock.content.correct.run.broke.connect(reports.append)
     monkeypatch.setattr(correction_run.CorrectionRun, "_update", lambda self, rasterized: rasterized["nothing"])
     before = Path(database).read_bytes()
     press(dock, box)
-    assert len(told) == 1 and "KeyError" in told[0]
+    assert len(reports) == 1 and "KeyError" in reports[0]
     assert box.button.text() == "Rasterize and update the database"
     assert Path(database).read_bytes() == before
 
@@ -167,7 +167,7 @@ def test_an_annotation_of_elsewhere_is_refused_and_nothing_is_written(dock, ifac
 
 def test_a_canceled_update_leaves_the_database_as_it_is(dock, box, annotation, database):
     before = Path(database).read_bytes()
-    mend(annotation)
+    correct(annotation)
     box.button.click()
     assert box.button.text() == "Cancel"
     box.button.click()
@@ -210,7 +210,7 @@ def test_an_update_and_its_undo_by_one_button_are_shown_on_the_map(dock, box, an
     (overview,) = QgsProject.instance().mapLayersByName("Overview")
     before, repainted, rows = drawn(overview), [], landmarks(database)
     overview.repaintRequested.connect(lambda *_: repainted.append(True))
-    mend(annotation)
+    correct(annotation)
     press(dock, box)
     after = drawn(overview)
     assert after != before and repainted and landmarks(database) != rows
@@ -233,7 +233,7 @@ def test_the_map_shows_a_label_map_that_was_rasterized_again(dock, annotation, r
     QgsProject.instance().addMapLayers([annotation, layer])
     before, repainted = drawn(layer), []
     layer.repaintRequested.connect(lambda *_: repainted.append(True))
-    mend(annotation)
+    correct(annotation)
     extent = f"{ORIGIN[0]},{ORIGIN[0] + SIDE * ACROSS},{ORIGIN[1] - SIDE * ACROSS},{ORIGIN[1]} [{CRS}]"
     again = {"INPUT": annotation, "CLASS_FIELD": "class", "CLASS_TABLE": str(tmp_path / "classes.csv")}
     again.update({"EXTENT": extent, "PIXEL_SIZE": 0.5, "OUTPUT": path})
@@ -256,7 +256,7 @@ def test_a_label_map_that_the_update_made_old_is_offered_to_be_rasterized_again(
     before, asked = Path(labels).read_bytes(), []
     QgsProject.instance().addMapLayer(QgsRasterLayer(labels, "Label map"))
     monkeypatch.setattr(processing, "createAlgorithmDialog", lambda *given: asked.append(given) or QDialog())
-    mend(annotation)
+    correct(annotation)
     press(dock, box)
     assert messages(iface) == ["The label map “Label map” is now older than the database."]
     (button,) = [b for b in iface.bar.findChildren(QPushButton) if b.text() == "Rasterize it again…"]

@@ -74,10 +74,10 @@ def test_models_of_the_models_folder_are_offered(wrapper_in, tmp_path):
 
 def test_any_other_file_goes_into_the_box_and_the_dialog_hears_of_it(wrapper_in, tmp_path):
     wrapper = wrapper_in("AlgorithmDialog", "semref:assessdatabase", "DATABASE")
-    told = []
-    wrapper.widgetValueHasChanged.connect(lambda *_: told.append(wrapper.parameterValue()))
+    emitted = []
+    wrapper.widgetValueHasChanged.connect(lambda *_: emitted.append(wrapper.parameterValue()))
     wrapper.wrappedWidget().lineEdit().setText(str(tmp_path / "other.gpkg"))
-    assert told[-1] == str(tmp_path / "other.gpkg")
+    assert emitted[-1] == str(tmp_path / "other.gpkg")
 
 
 @pytest.mark.parametrize(("dialog", "ticked"), [("AlgorithmDialog", True), ("BatchAlgorithmDialog", False)])
@@ -92,10 +92,10 @@ def test_a_database_that_was_opened_is_the_docks_choice_also_in_a_dock_that_was_
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]
     assert dock.content.database.path() == area.database
-    told = []
-    dock.content.database.changed.connect(lambda: told.append(True))
+    emitted = []
+    dock.content.database.changed.connect(lambda: emitted.append(True))
     OPENED.database.emit(area.database)
-    assert told == [True]
+    assert emitted == [True]
 
 
 def test_a_class_table_can_be_edited_where_it_is_asked_for(wrapper_in, plugin):
@@ -192,8 +192,8 @@ def test_the_class_field_of_a_file_that_is_no_layer_yet(dialog_of, polygons, tmp
     QgsVectorFileWriter.writeAsVectorFormatV3(polygons("id:integer", "class:string"), path, context, options)
     wrappers = dialog_of("rasterizeannotation", INPUT=path)
     assert wrappers["CLASS_FIELD"].parameterValue() == "class"
-    told = []
-    wrappers["CLASS_FIELD"].widgetValueHasChanged.connect(lambda *_: told.append(True))
+    emitted = []
+    wrappers["CLASS_FIELD"].widgetValueHasChanged.connect(lambda *_: emitted.append(True))
     set_value(wrappers["CLASS_FIELD"], "id")
     set_value(wrappers["INPUT"], path)
-    assert wrappers["CLASS_FIELD"].parameterValue() == "id" and told == [True]
+    assert wrappers["CLASS_FIELD"].parameterValue() == "id" and emitted == [True]

@@ -31,7 +31,7 @@ def walked(first) -> list:
     from qgis.PyQt.QtTest import QTest
     from qgis.PyQt.QtWidgets import QApplication
 
-    # Without a window manager the X server tells when it likes which window is active; none has the focus until then.
+    # Without a window manager, X reports the active window late, and no window has the focus until then.
     wait_until(lambda: has_focus(first), "the focus")
     seen = []
     for _ in range(MOST_STEPS):

@@ -163,8 +163,8 @@ def test_every_status_has_words(qgis_app):
     from semref.ui.findings import status_text
 
     def words(status, is_verified=True):
-        told = {"status": status, "is_verified": is_verified, "is_by_flight": False, "speaks_against": ""}
-        return status_text(SimpleNamespace(**told))
+        given = {"status": status, "is_verified": is_verified, "is_by_flight": False, "speaks_against": ""}
+        return status_text(SimpleNamespace(**given))
 
     for status in (*(status.key for status in Status), ERROR):
         assert words(status) != status

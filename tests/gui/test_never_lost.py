@@ -1,11 +1,11 @@
-"""Nothing that took long is lost: results are found again, the dock is as it was, and new where one wants it."""
+"""Results and the state of the dock survive new projects and reloads, and a reset clears them."""
 
 from __future__ import annotations
 
 import pytest
 from dock_area import CONSTELLATION, choose_method, localize, settle, table, wait_until
 
-pytestmark = pytest.mark.slow  # plugins and projects are loaded anew
+pytestmark = pytest.mark.slow  # plugins and projects are loaded again
 
 
 def reloaded(plugin, iface):

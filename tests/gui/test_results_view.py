@@ -80,7 +80,7 @@ def test_how_surely_it_was_found_is_never_cut_off(dock, iface, found, odds, widt
 
 
 @pytest.mark.parametrize("status", ["Position", "Position trouvée", "Posición encontrada"])
-def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface, found, status):
+def test_an_image_s_name_is_kept_rather_than_a_status_that_its_mark_shows(dock, iface, found, status):
     from semref.ui.tabs.localize.results_table import fit_name
 
     metrics, odds = found.results.table.fontMetrics(), "error inferior a 1 de 10.000"
@@ -89,7 +89,7 @@ def test_an_image_s_name_is_told_before_a_status_that_its_mark_shows(dock, iface
     # A text is a little less wide than its parts together, which are measured.
     assert fit_name(text, "photo_01.jpg", metrics, wide + 4).strip() == text
     assert fit_name(text, "photo_01.jpg", metrics, wide - 4).strip() == f"photo_01.jpg · {odds}"
-    # A reason is told, not a number: there is nothing to leave out.
+    # The text after the name is a reason, not a number, so nothing is left out.
     other = fit_name("photo_01.jpg · No match", "photo_01.jpg", metrics, metrics.horizontalAdvance("· No match photo_"))
     assert other.strip().endswith("· No match") and other.startswith("p")
 
@@ -134,7 +134,7 @@ def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, foun
             assert icon.pixmap(16).toImage() == mark.pixmap(16).toImage()
     statuses = [table.model().index(row, STATUS).data() for row in range(2)]
     assert statuses == ["Position", status]
-    # Of two lines the second, whose beginning is never cut off.
+    # The start of the second line is never cut off.
     _, below = table.model().index(1, SUMMARY).data().split("\n")
     assert below.startswith(f"{status} · 7.6")
     tip = table.model().index(1, IMAGE).data(Qt.ItemDataRole.ToolTipRole)
@@ -176,9 +176,9 @@ def test_the_details_have_one_decimal_sign(found):
     finally:
         QLocale.setDefault(before)
     lines = found.results.details.toPlainText().splitlines()
-    told = [line for line in lines if "error probability" in line or "heading" in line]
-    assert len(told) == 2 and all("," in line for line in told)
-    assert "." not in told[0].partition("95 %")[2] and "." not in told[1]
+    shown = [line for line in lines if "error probability" in line or "heading" in line]
+    assert len(shown) == 2 and all("," in line for line in shown)
+    assert "." not in shown[0].partition("95 %")[2] and "." not in shown[1]
 
 
 def test_the_image_is_zoomed_by_keys(dock, iface, area, tab, qgis_app):

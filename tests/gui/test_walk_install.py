@@ -112,7 +112,7 @@ def test_every_menu_entry_answers(walk):
 def test_every_algorithm_opens_and_the_toolbox_says_where_to_install_what_is_missing(walk):
     assert walk["dialogs"]["opened"] > 20
     # QGIS shows it as HTML: a < would end it.
-    assert walk["dialogs"]["told"].endswith("Install it under Settings ▸ Options ▸ SemRef.")
+    assert walk["dialogs"]["shown"].endswith("Install it under Settings ▸ Options ▸ SemRef.")
 
 
 def test_the_button_installs_the_packages_and_the_dock_fills_itself(whole_walk):
@@ -123,11 +123,11 @@ def test_the_button_installs_the_packages_and_the_dock_fills_itself(whole_walk):
 
 
 def test_the_plugin_manager_describes_it_in_the_users_language_and_shows_what_is_new(walk):
-    told = walk["manager"]
-    assert told["en_US"]["description"].startswith("Find the position")
-    assert told["de"]["description"].startswith("Findet")
-    assert "地标" in told["zh-Hans"]["description"]
-    assert told["en_US"]["changelog"].startswith(told["en_US"]["version_installed"])
+    shown = walk["manager"]
+    assert shown["en_US"]["description"].startswith("Find the position")
+    assert shown["de"]["description"].startswith("Findet")
+    assert "地标" in shown["zh-Hans"]["description"]
+    assert shown["en_US"]["changelog"].startswith(shown["en_US"]["version_installed"])
 
 
 def test_every_help_opens_a_page_that_came_with_the_zip(whole_walk, comes_with_pages):

@@ -20,7 +20,7 @@ pytestmark = pytest.mark.slow  # a QGIS of its own is started
 
 MINUTES = 2
 FARTHEST_M = 10
-"""Of photos 640 m across; the radius of a network of few minutes is told too small at times."""
+"""For photos 640 m across. With a network of a few minutes the 95 % radius may be too small."""
 
 
 @pytest.fixture(scope="module")

@@ -63,7 +63,7 @@ class SystemIn:
         return self._language
 
 
-def told_by_the_plugin_manager(language):
+def plugin_manager_shows(language):
     installer_data.QLocale = SystemIn(language)
     QgsSettings().setValue("locale/overrideFlag", True)
     QgsSettings().setValue("locale/userLocale", language)
@@ -135,10 +135,10 @@ def opened_dialogs():
         picture("toolbox")
         return dialog.txtMessage.toPlainText()
 
-    told = in_modal(read)
+    shown = in_modal(read)
     toolbox.executeAlgorithm()
     toolbox.hide()
-    return {"opened": len(names), "told": told[0]}
+    return {"opened": len(names), "shown": shown[0]}
 
 
 def installed_packages():
@@ -204,7 +204,7 @@ def session():
     browser, seconds = Browser(), {}
     _, seconds["install"] = timed(pyplugin_installer.instance().installFromZipFile, os.environ["SEMREF_ZIP"])
     seen["active"] = "semref" in qgis.utils.active_plugins
-    seen["manager"] = {language: told_by_the_plugin_manager(language) for language in ("en_US", "de", "zh-Hans")}
+    seen["manager"] = {language: plugin_manager_shows(language) for language in ("en_US", "de", "zh-Hans")}
     action("SemRefDockAction").trigger()
     settle(1.0)
     seen["notice"] = dock().notice.sentence.text() if dock().notice.isVisible() else ""

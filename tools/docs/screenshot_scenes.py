@@ -229,7 +229,7 @@ def correct(session: Session) -> None:
     tab = session.dock.content.correct
     tab.layer.setLayer(issues)
     # What the priority decides is information, and there is much of it.
-    tab.mend.setChecked(True)
+    tab.problems.setChecked(True)
     severities = [feature["severity"] for feature in issues.getFeatures()]
     to_mend = len(severities) - severities.count("information")
     tab.open.setChecked(False)
