@@ -136,7 +136,7 @@ def test_a_fix_that_something_speaks_against_has_no_check_mark(dock, iface, foun
     assert statuses == ["Position", status]
     # The start of the second line is never cut off.
     _, below = table.model().index(1, SUMMARY).data().split("\n")
-    assert below.startswith(f"{status} · 7.6")
+    assert below.startswith(f"{status.partition(', ')[2]} · 7.6")
     tip = table.model().index(1, IMAGE).data(Qt.ItemDataRole.ToolTipRole)
     assert status in tip and reason in tip
     table.selectRow(1)

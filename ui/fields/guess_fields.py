@@ -123,7 +123,7 @@ class ClassNameBox(QComboBox):
         super().__init__()
         self.setEditable(True)
         self.addItems(["", BUILDING])
-        self.lineEdit().setPlaceholderText(tr("Only if all polygons have one class, such as “building”"))
+        self.lineEdit().setPlaceholderText(tr("Optional, such as “building”"))
 
     def class_name(self) -> str:
         """Return the name, possibly empty."""

@@ -112,7 +112,7 @@ class ComponentsPage(QgsOptionsPageWidget):
         buttons.addWidget(self.remove, 1, 1)
         buttons.addWidget(self.diagnostics, 2, 0)
         buttons.setColumnStretch(2, 1)
-        group = QGroupBox(tr("Components"))
+        group = QGroupBox(tr("Python packages"))
         layout = QVBoxLayout(group)
         layout.addWidget(explanation)
         layout.addWidget(self.list)

@@ -102,7 +102,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
 
     def _lay_out(self) -> None:
         self.parts = _Parts(Qt.Orientation.Vertical)
-        self.parts.resized.connect(self._share_room)
+        self.parts.resized.connect(self.share_room)
         self.parts.setChildrenCollapsible(False)
         for part in (self.table, self.image, self.details):
             self.parts.addWidget(part)
@@ -117,7 +117,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         layout.addWidget(FoldingRow(self.drape, self.save))
         name_fold(self)
 
-    def _share_room(self) -> None:
+    def share_room(self) -> None:
         """Give height that the picture does not need to the table, unless the user moved the splitter."""
         if QgsSettings().contains(_PARTS_SETTING):
             return

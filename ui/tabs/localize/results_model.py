@@ -161,7 +161,7 @@ def _summary(finding: Finding) -> str:
     status, below = status_text(finding), position or finding.reason or ""
     if finding.speaks_against:
         # The first line may be too short for the status, and the icon does not show the reason.
-        status, below = "", " · ".join(filter(None, (status, below)))
+        status, below = "", " · ".join(filter(None, (finding.speaks_against, below)))
     above = " · ".join(filter(None, (finding.name, status, sure)))
     return f"{above}\n{below}"
 

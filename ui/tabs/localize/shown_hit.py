@@ -111,6 +111,7 @@ class ShownHit(QObject):
     def _show_picture(self, picture: ImagePicture) -> None:
         finding = self._results.table.selected()
         self._results.image.show_picture(picture, () if finding.matches is None else finding.matches.pixels)
+        self._results.share_room()
         self.described.emit(os.path.basename(picture.path), picture.seen.vector)
         if picture.seen.runners_up:
             self.highlight.show_runners_up(picture.seen.runners_up)
