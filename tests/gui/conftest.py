@@ -143,7 +143,7 @@ def first_task_lost(qgis_app, monkeypatch):
 
 @pytest.fixture
 def issues(qgis_app, dock):
-    """A layer of three issues in a row, 100 m apart, as “Check annotation” creates it."""
+    """A layer of three issues in a row, 100 m apart, as “Check land-cover layer” creates it."""
     from dock_area import CRS, ORIGIN
     from qgis.core import QgsFeature, QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
 

@@ -28,7 +28,7 @@ def run(qgis_app):
 
 @pytest.fixture
 def broken(monkeypatch):
-    """Rasterize annotation with a fault of its own before its work begins."""
+    """Rasterize land-cover layer with a fault of its own before its work begins."""
     from semref.processing.algorithms.rasterize_annotation import RasterizeAnnotation
 
     def read_layers(self, values):

@@ -271,7 +271,7 @@ def annotation(qgis_app, tmp_path):
 
 @pytest.fixture
 def found(annotation, run_algorithm):
-    """What “Check annotation” finds in it."""
+    """What “Check land-cover layer” finds in it."""
     from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingFeedback, QgsProject
 
     context = QgsProcessingContext()

@@ -130,7 +130,7 @@ class DockContent(QWidget):
         self._messages.success_with(sentence, tr("Rasterize it again…"), partial(self._rasterize, parameters))
 
     def _rasterize(self, parameters: dict) -> None:
-        """Open the dialog of *Rasterize annotation*. It is not modal."""
+        """Open the dialog of *Rasterize land-cover layer*. It is not modal."""
         from processing import createAlgorithmDialog
 
         self.rasterizing = createAlgorithmDialog(RASTERIZE, parameters)

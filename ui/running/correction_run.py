@@ -79,7 +79,7 @@ class CorrectionRun(QObject):
     ``shut_down`` before deleting it.
 
     Attributes:
-        rasterizing: Parameters of *Rasterize annotation* in the last update.
+        rasterizing: Parameters of *Rasterize land-cover layer* in the last update.
         asked: Parameters of *Update reference database* in the last update.
 
     textChanged: current step; progressed: percent; done: path of the database; failed: a sentence for the user; broke:

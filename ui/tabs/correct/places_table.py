@@ -20,7 +20,7 @@ from ...widgets.texts import number_text, plain_tip
 SEVERITY_COLUMN, KIND_COLUMN, MESSAGE_COLUMN, POSITION_COLUMN = range(4)
 
 SEVERITY = "severity"
-"""Severity field of the issues of *Check annotation*."""
+"""Severity field of the issues of *Check land-cover layer*."""
 
 KIND = "kind"
 """Field with the kind of an issue, a key of ``kind_titles``."""
@@ -29,7 +29,7 @@ AREA = "area"
 """Field with the area in m²."""
 
 _COLUMNS = ((KIND, "annotated_class"), ("message", "predicted_class"))
-"""Fields that the list shows, of the issues of *Check annotation* and of the disagreements of *Compare label maps*."""
+"""Fields that the list shows: of issues, and of disagreements of label maps."""
 
 _LINES = 2
 """Lines of a message before it is cut off; enough for most in a dock of usual width."""
@@ -161,12 +161,13 @@ class PlacesTable(QTableWidget):
         super().paintEvent(event)
         if not self.rowCount():
             paint_placeholder(
-                self, tr("Places to check appear here. Run “Check annotation” or “Compare label maps” to find them.")
+                self,
+                tr("Places to check appear here. Run “Check land-cover layer” or “Compare label maps” to find them."),
             )
 
 
 def is_places(layer: QgsMapLayer) -> bool:
-    """Return whether a layer has the fields of a result of *Check annotation* or *Compare label maps*."""
+    """Return whether a layer has the fields of a result of *Check land-cover layer* or *Compare label maps*."""
     if not isinstance(layer, QgsVectorLayer) or layer.geometryType() != POLYGON_GEOMETRY:
         return False
     names = set(layer.fields().names())

@@ -1,4 +1,4 @@
-"""Button that repairs the land-cover layer with *Repair annotation*, as one undo step."""
+"""Button that repairs the land-cover layer with *Repair land-cover layer*, as one undo step."""
 
 from __future__ import annotations
 
@@ -68,9 +68,7 @@ class RepairButton(QPushButton):
         else:
             self.setText(tr("Repair all…"))
         self.setEnabled(self.run.running or bool(count))
-        self.setToolTip(
-            tr("Repair everything in the land-cover layer that “Repair annotation” can repair. You can undo this.")
-        )
+        self.setToolTip(tr("Repair everything that “Repair land-cover layer” can repair. You can undo this."))
 
     def _show_percent(self, percent: float) -> None:
         self.textChanged.emit(tr("Repairing: {percent} %").format(percent=int(percent)))

@@ -82,7 +82,7 @@ class CorrectTab(QWidget):
         self.layer = QgsMapLayerComboBox()
         self.layer.setFilters(QgsMapLayerProxyModel.Filter.PolygonLayer)
         self.layer.setAllowEmptyLayer(True, tr("Choose a layer of issues or disagreements"))
-        self.layer.setToolTip(tr("The result of “Check annotation” or “Compare label maps”"))
+        self.layer.setToolTip(tr("The result of “Check land-cover layer” or “Compare label maps”"))
         self.layer.setAccessibleName(tr("Layer of places to check"))
         self.layer.setMinimumWidth(1)
         self.places = PlacesTable()

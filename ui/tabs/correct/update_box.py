@@ -53,7 +53,7 @@ class UpdateBox(QgsCollapsibleGroupBox):
         for title, widget in (
             (tr("Land-cover layer"), self.annotation),
             (tr("Class field"), self.class_field),
-            (tr("Class of all polygons"), self.class_of_all),
+            (tr("All polygons are"), self.class_of_all),
             (tr("Priority field"), self.priority_field),
         ):
             widget.setMinimumWidth(1)

@@ -67,9 +67,7 @@ def _lines(finding: Finding) -> list[str]:
         lines.append(escape(finding.reason))
     if finding.search_capped:
         lines.append(
-            escape(
-                tr("The search was capped: common patterns were left out, so a better place may not have been tried.")
-            )
+            escape(tr("The search was limited: common patterns were left out, so a better place may have been missed."))
         )
     if finding.center is not None:
         project = QgsProject.instance()

@@ -211,7 +211,7 @@ class LocalizeTab(QWidget):
         if self.images.chosen is None:
             return (tr("Reading the folder…"),)
         if self.images.chosen.has_photos and not self.images.model_path():
-            return tr("These are photos: choose a model."), tr("Without a model, SemRef reads colors as class values.")
+            return tr("These are photos: choose a model."), tr("Otherwise SemRef reads colors as classes.")
         return (tr("Ready to localize."),)
 
     # --- results ---
