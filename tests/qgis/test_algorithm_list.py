@@ -25,7 +25,7 @@ def test_the_reference_page_has_every_algorithm_and_parameter(provider, reposito
         for parameter in algorithm.parameterDefinitions():
             assert f"\n{list_algorithms.parameter_row(parameter)}\n" in entry
         rows = [line for line in entry.splitlines() if line.startswith("| ")]
-        assert {line.count("|") for line in rows} == {5}
+        assert {line.count("|") for line in rows} == {4}
 
 
 def test_help_opens_pages_that_come_with_the_plugin(provider, tmp_path):

@@ -31,14 +31,14 @@ def entry(algorithm) -> str:
 
     name = algorithm.name()
     kind = ", a model" if isinstance(algorithm, QgsProcessingModelAlgorithm) else ""
-    parameters = ["| key | parameter | meaning | default |", "|---|---|---|---|"]
+    parameters = ["| key | parameter | meaning |", "|---|---|---|"]
     parameters += [parameter_row(parameter) for parameter in algorithm.parameterDefinitions()]
     keys = {parameter.name() for parameter in algorithm.parameterDefinitions()}
     results = [f"`{o.name()}` ({o.description()})" for o in algorithm.outputDefinitions() if o.name() not in keys]
     return "\n\n".join(
         [
-            f"### {algorithm.id()}",
-            f"*{algorithm.displayName()}*{kind}. {algorithm.shortDescription()}".rstrip(),
+            f"### {algorithm.displayName()} {{#semref{name}}}",
+            f"`{algorithm.id()}`{kind}. {algorithm.shortDescription()}".rstrip(),
             "\n".join(parameters),
             *([f"Results besides the outputs: {', '.join(results)}."] if results else []),
             f"```sh\n{in_terminal(name)}\n```\n\n```python\n{in_python(name)}\n```",
@@ -48,10 +48,12 @@ def entry(algorithm) -> str:
 
 
 def parameter_row(parameter) -> str:
-    """Return key, title, meaning with choices, and default of a parameter."""
+    """Return key, title, and meaning of a parameter with choices and default."""
     from qgis.core import QgsProcessingParameterDefinition
 
     default = parameter.defaultValue()
+    if isinstance(default, bool):
+        default = str(default).lower()
     default = "" if default is None else f"{default:g}" if isinstance(default, float) else str(default)
     is_optional = bool(default) or bool(parameter.flags() & QgsProcessingParameterDefinition.FlagOptional)
     key = f"`[{parameter.name()}]`" if is_optional else f"`{parameter.name()}`"
@@ -59,10 +61,12 @@ def parameter_row(parameter) -> str:
     if parameter.type() == "enum":
         choices = ", ".join(f"{number} {name}" for number, name in enumerate(parameter.options()))
         meaning = f"{meaning} Choices: {choices}.".strip()
-    cells = (parameter.description(), meaning, default)
-    return f"| {key} | {' | '.join(cell.replace('|', '&#124;').replace('<', '&lt;') for cell in cells)} |"
+    if default:
+        meaning = f"{meaning} Default: {default}.".strip()
+    title, meaning = (text.replace("|", "&#124;").replace("<", "&lt;") for text in (parameter.description(), meaning))
+    return f"| {key} | {title} | {meaning} |"
 
 
 def ids(text: str) -> list[str]:
     """Return the ids of the algorithms that have a heading on the page."""
-    return re.findall(r"^### (semref:\w+)$", text, flags=re.MULTILINE)
+    return [f"semref:{name}" for name in re.findall(r"^### .+ \{#semref(\w+)\}$", text, flags=re.MULTILINE)]
