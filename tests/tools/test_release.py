@@ -108,7 +108,7 @@ def test_the_zip_of_this_repository_is_in_order(faults):
         ({check_zip.SAMPLE_MARKER: None}, "sample area is missing"),
         ({"semref/i18n/semref_fr.qm": None}, "translation into fr is missing"),
         ({"semref/tests/test_x.py": b""}, "not for users"),
-        ({"other/x.py": b""}, "does not lie in the folder semref"),
+        ({"other/x.py": b""}, "is not in the folder semref"),
         ({"semref/core/new.py": b"match x:\n    case 1: pass\n"}, "new.py"),
         ({"semref/help/x.html": b"\xff\xfe"}, "x.html"),
         ({"semref/CITATION.cff": b"version: 9.9.9\n"}, "CITATION.cff does not say version"),

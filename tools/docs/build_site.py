@@ -1,9 +1,8 @@
-"""Makes the guide as pages to read in a browser without a network, from the Markdown in docs/:
+"""Build HTML pages from the Markdown in docs/, which a browser can read without a network:
 
-    .venv/bin/python tools/docs/build_site.py          # into help/, from where Help opens it and packaging takes it
+    .venv/bin/python tools/docs/build_site.py          # into help/, for Help and for packaging
 
-What it needs (tools/docs/requirements.txt) it puts into an environment of its own, .venv-docs, once; that needs the
-network, building does not.
+The first run installs tools/docs/requirements.txt into .venv-docs, which needs a network. Later runs need none.
 """
 
 from __future__ import annotations
@@ -23,14 +22,14 @@ from site_pages import ROOT, add_algorithm_pages, stage
 
 REQUIREMENTS = Path(__file__).with_name("requirements.txt")
 STATE = ".source"
-"""In the site's folder: what it was made from. Hidden, so it does not ship."""
+"""File in the site's folder with the hash of the sources. It is hidden, so packaging leaves it out."""
 
 NOT_NEEDED = ("assets/javascripts/lunr", "404.html", "sitemap.xml", "sitemap.xml.gz", "search/search_index.json")
 _FROM_THE_WEB = re.compile(r"""(?:src|<link[^>]+href)=["']?(?:https?:)?//[^"'\s>]+""")
 
 
 def source_state(root: Path = ROOT) -> str:
-    """A hash of all that the site is made from."""
+    """Return a hash of all sources of the site, except the generated reference pages."""
     generated = {root / FOLDER.relative_to(ROOT) / name for name in NAMES}
     files = [path for path in sorted((root / "docs").rglob("*")) if path.is_file() and path not in generated]
     files += [*sorted(root.glob("*.md")), *sorted((root / "tools" / "docs" / "site").iterdir())]
@@ -42,17 +41,17 @@ def source_state(root: Path = ROOT) -> str:
 
 
 def is_up_to_date(site: Path, root: Path = ROOT) -> bool:
-    """Whether the site was made from what the docs are now."""
+    """Return whether the site was built from the current docs."""
     state = site / STATE
     return state.is_file() and state.read_text(encoding="ascii") == source_state(root)
 
 
 def ready_environment(folder: Path) -> Path:
-    """The Python of the environment, which is made or brought up to date first."""
+    """Create or update the environment, and return its Python."""
     python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
     state, wanted = folder / "state", hashlib.sha256(REQUIREMENTS.read_bytes()).hexdigest()
     if not state.is_file() or state.read_text(encoding="ascii") != wanted:
-        print(f"Making {folder}", flush=True)
+        print(f"Creating {folder}", flush=True)
         shutil.rmtree(folder, ignore_errors=True)
         subprocess.run([sys.executable, "-m", "venv", str(folder)], check=True)
         install = [str(python), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-input"]
@@ -62,17 +61,17 @@ def ready_environment(folder: Path) -> Path:
 
 
 def build(target: Path, environment: Path, root: Path = ROOT) -> None:
-    """Makes the site beside its place and moves it there; ends the program where a link or an anchor is broken."""
+    """Build the site in a temporary folder and move it to the target; exit at a broken link or anchor."""
     python = ready_environment(environment)
     with tempfile.TemporaryDirectory(prefix="semref-site-") as temporary:
         work = Path(temporary)
         write_reference(root)
         stage(root, work)
         command = [str(python), "-m", "mkdocs", "build", "--quiet", "--config-file", str(work / "mkdocs.yml")]
-        # Same sources, same pages.
+        # The same sources give the same pages.
         variables = {**os.environ, "SOURCE_DATE_EPOCH": "315532800", "NO_MKDOCS_2_WARNING": "1"}
         if subprocess.run([*command, "--site-dir", str(work / "site")], env=variables, check=False).returncode:
-            sys.exit("The guide was not made; what is wrong with it stands above.")
+            sys.exit("The site was not built. See the messages above.")
         strip(work / "site")
         add_algorithm_pages(root, work / "site")
         (work / "site" / STATE).write_text(source_state(root), encoding="ascii")
@@ -88,7 +87,7 @@ def write_reference(root: Path) -> None:
 
 
 def strip(site: Path) -> None:
-    """Takes away what pages in files don't need; ends the program where a page would ask the web for something."""
+    """Remove files that are not needed without a server; exit if a page would load something from the web."""
     for name in NOT_NEEDED:
         path = site / name
         if path.is_dir():
@@ -99,11 +98,11 @@ def strip(site: Path) -> None:
         path.unlink()
     asks = {path.name: found for path in site.rglob("*.html") if (found := asked_of_the_web(path))}
     if asks:
-        sys.exit(f"Pages ask the web: {asks}")
+        sys.exit(f"Pages load files from the web: {asks}")
 
 
 def asked_of_the_web(page: Path) -> list[str]:
-    """What a browser would fetch from elsewhere for this page; links that one may click are none."""
+    """Return the tags with which a browser would load files of other hosts for this page, without links to click."""
     return _FROM_THE_WEB.findall(page.read_text(encoding="utf-8"))
 
 

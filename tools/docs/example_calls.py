@@ -1,7 +1,7 @@
-"""An example call of every algorithm, on the sample area: each uses files of the plugin's folder ``sample``, or what
-an earlier one wrote.
+"""An example call of every algorithm on the sample area.
 
-``list_algorithms.py`` writes them into the guide; tests/qgis/test_example_calls.py checks all of them, and runs them.
+Each call uses files of the plugin's folder ``sample``, or outputs of earlier calls. ``list_algorithms.py`` shows them
+in the reference page; tests/qgis/test_example_calls.py checks and runs them.
 """
 
 from __future__ import annotations
@@ -94,24 +94,24 @@ EXAMPLES: dict[str, dict] = {
     "assessdatabase": {**QUICK, "SPACING": 800, "TRIALS": 100, "OUTPUT": "assessed.gpkg", "REPORT": "assessed.html"},
     "assessroute": {**QUICK, "ROUTE": "track.gpkg", "OUTPUT": "route.gpkg", "REPORT": "route.html"},
 }
-"""By the algorithm's name, in an order in which each finds what it needs."""
+"""Parameters by the algorithm's name. An example uses only outputs of earlier ones."""
 
 ELSEWHERE = {
     "classifyopenstreetmap": "`area.osm.pbf` is an extract of OpenStreetMap; the sample area has none.",
-    "decodecolorlabels": "`gdal_translate -expand rgb labels.tif colors.tif` makes such an image of a label map.",
+    "decodecolorlabels": "`gdal_translate -expand rgb labels.tif colors.tif` creates such an image from a label map.",
     "trainmodel": "Needs the [training environment](../how-to/train_a_network.md#install-the-training-environment).",
 }
-"""What an example needs beside the sample and the examples before it."""
+"""Requirements of an example besides the sample and earlier examples."""
 
 
 def in_terminal(name: str) -> str:
-    """The call of ``qgis_process``."""
+    """Return the call for ``qgis_process``."""
     values = [shlex.quote(f"{key}={_text(value)}") for key, value in EXAMPLES[name].items()]
     return _folded(f"qgis_process run semref:{name} --", values)
 
 
 def in_python(name: str) -> str:
-    """The call of ``processing.run``."""
+    """Return the call for ``processing.run``."""
     values = [f"    {json.dumps(key)}: {_literal(value)}," for key, value in EXAMPLES[name].items()]
     return "\n".join([f'processing.run("semref:{name}", {{', *values, "})"])
 

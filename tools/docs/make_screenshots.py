@@ -1,13 +1,13 @@
-"""Makes the pictures of the docs: SemRef on its sample project, in desktop QGIS on a virtual screen.
+"""Take the pictures of the docs: SemRef on its sample project, in desktop QGIS on a virtual screen.
 
-    .venv/bin/python tools/docs/make_screenshots.py                       # all of them, into docs/images
+    .venv/bin/python tools/docs/make_screenshots.py                       # all, into docs/images
     .venv/bin/python tools/docs/make_screenshots.py dark first_fix        # only these
-    .venv/bin/python tools/docs/make_screenshots.py films                 # the two that move
-    .venv/bin/python tools/docs/make_screenshots.py --language fr --output DIR   # all tabs in a language, to look at
-    .venv/bin/python tools/docs/make_screenshots.py options --language de --output DIR   # or a scene
+    .venv/bin/python tools/docs/make_screenshots.py films                 # the two animations
+    .venv/bin/python tools/docs/make_screenshots.py --language fr --output DIR   # all tabs in a language
+    .venv/bin/python tools/docs/make_screenshots.py options --language de --output DIR   # one scene
 
-Each session starts QGIS with a fresh profile and the packaged plugin. Needs what tools/setup.sh installs and, for
-Chinese, a font with its characters.
+Each session starts QGIS with a new profile and the packaged plugin. It needs the packages of tools/setup.sh and, for
+Chinese, a font with these characters.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ class Variant:
     """One session of QGIS.
 
     Attributes:
-        scenes: (scene, suffix that makes the pictures' names) of each.
-        theme: QGIS's.
-        language: As QGIS names it.
-        scale: Of the whole desktop.
-        palette: One of ``screenshot_window.PALETTES``; empty for the theme's.
-        font_pt: Size of QGIS's font; 0 for the usual one.
-        reverse: Laid out from right to left.
-        module: That has the scenes.
+        scenes: (scene, suffix of the names of its pictures) of each scene.
+        theme: Theme of QGIS.
+        language: Name of the language in QGIS.
+        scale: Scale of the desktop.
+        palette: One of ``screenshot_window.PALETTES``; empty for the palette of the theme.
+        font_pt: Size of QGIS's font; 0 for the default.
+        reverse: Layout from right to left.
+        module: Module with the scenes.
     """
 
     scenes: tuple[tuple[str, str], ...]
@@ -92,11 +92,11 @@ VARIANTS: dict[str, Variant] = {
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("only", nargs="*", help="scenes or variants; all without any")
+    parser.add_argument("only", nargs="*", help="scenes or variants; default: all")
     parser.add_argument("--output", type=Path, default=IMAGES)
-    parser.add_argument("--samples", type=Path, help="folder to keep the sample projects in, one a language")
-    parser.add_argument("--models", default="", help="folder of the models that are listed beside the one that ships")
-    parser.add_argument("--language", action="append", default=[], help="the scenes, or all tabs of the dock, in it")
+    parser.add_argument("--samples", type=Path, help="folder for the sample projects, one per language")
+    parser.add_argument("--models", default="", help="folder of further models to list")
+    parser.add_argument("--language", action="append", default=[], help="of the scenes, or of all tabs of the dock")
     arguments = parser.parse_args()
     variants = chosen(arguments.only, arguments.language)
     say_what_is_missing(variants)
@@ -113,7 +113,7 @@ def main() -> None:
 
 
 def keep(pictures: list[Path], folder: Path) -> None:
-    """Writes them there, small; frames as the moving picture that they make."""
+    """Write small pictures to the folder; join frames to animations."""
     moving = films(pictures)
     for name, frames in moving.items():
         target = folder / f"{name}.webp"
@@ -126,7 +126,7 @@ def keep(pictures: list[Path], folder: Path) -> None:
 
 
 def sample_folder(samples: Path, language: str) -> Path:
-    """The sample project's; another language's is copied, but for its project, in which layers have names."""
+    """Return the folder of the sample project; for another language a copy without the project file."""
     folder = samples / language / SAMPLE
     made = next(samples.glob(f"*/{SAMPLE}/*.qgz"), None)
     if not folder.exists() and made is not None:
@@ -138,7 +138,7 @@ def sample_folder(samples: Path, language: str) -> Path:
 def chosen(only: list[str], languages: list[str]) -> list[Variant]:
     unknown = set(only) - set(VARIANTS) - set(LIGHT) - set(FILMS)
     if unknown:
-        sys.exit(f"There is no {', '.join(sorted(unknown))}; there are {', '.join((*VARIANTS, *LIGHT, *FILMS))}.")
+        sys.exit(f"Unknown: {', '.join(sorted(unknown))}. Choose from {', '.join((*VARIANTS, *LIGHT, *FILMS))}.")
     if languages:
         wanted = [name for name in only if name in LIGHT] or ["all_tabs"]
         return [Variant(tuple((name, f"_{one}") for name in wanted), language=one) for one in languages]
@@ -152,15 +152,15 @@ def chosen(only: list[str], languages: list[str]) -> list[Variant]:
 def say_what_is_missing(variants: list[Variant]) -> None:
     for program, source in (("qgis", "qgis"), ("xvfb-run", "xvfb")):
         if shutil.which(program) is None:
-            sys.exit(f"{program} is missing; apt-get install {source}")
+            sys.exit(f"{program} is missing: apt-get install {source}")
     if any(variant.language.startswith("zh") for variant in variants):
         fonts = subprocess.run(["fc-list", ":lang=zh-cn"], capture_output=True, text=True, check=False).stdout
         if not fonts.strip():
-            sys.exit(f"No font has Chinese characters; apt-get install {CHINESE_FONT}")
+            sys.exit(f"No font has Chinese characters: apt-get install {CHINESE_FONT}")
 
 
 def take(variant: Variant, package: Path, sample: Path, home: Path, models: str = "") -> list[Path]:
-    """The pictures of one session, as large as they came from the screen."""
+    """Take the pictures of one session in screen size."""
     pictures, job, result = home / "pictures", home / "job.json", home / "result.json"
     home.mkdir(parents=True)
     job.write_text(
@@ -186,15 +186,15 @@ def take(variant: Variant, package: Path, sample: Path, home: Path, models: str 
 def in_desktop(
     variant: Variant, package: Path, home: Path, session: Path, variables: dict[str, str], limit_s: int = LIMIT_S
 ) -> dict:
-    """What a session in a desktop QGIS with a fresh profile wrote to ``home/result.json``; ends where it failed.
+    """Run a session in desktop QGIS with a new profile and return its ``home/result.json``; exit at a failure.
 
     Args:
         variant: Language, theme and scale.
         package: The plugin's zip.
-        home: Folder of the user; gets ``pictures``, too.
+        home: Folder of the user, also for ``pictures``.
         session: The script that QGIS runs.
-        variables: Of its environment, beside the usual ones.
-        limit_s: After which it is ended.
+        variables: Additional environment variables.
+        limit_s: Time limit of the session.
     """
     profile = home / "profiles" / "default"
     runtime, temporary, result = home / "runtime", home / "tmp", home / "result.json"
@@ -209,9 +209,9 @@ def in_desktop(
         "LANG": "C.UTF-8",
         "HOME": str(home),
         "XDG_RUNTIME_DIR": str(runtime),
-        # Elsewhere than the sample, whose layers QGIS would mark as temporary.
+        # Not the folder of the sample: QGIS would mark its layers as temporary.
         "TMPDIR": str(temporary),
-        # OpenCV, where a virtual environment has it: QGIS runs the system's Python.
+        # OpenCV of the virtual environment, because QGIS runs the system's Python.
         "PYTHONPATH": sysconfig.get_path("purelib"),
         "QT_SCALE_FACTOR": str(variant.scale),
         **variables,
@@ -230,7 +230,7 @@ def in_desktop(
     ]
     said = run(command, environment, home / "output.txt", result, limit_s)
     if not result.exists():
-        sys.exit(f"QGIS ended without a result; it said:\n{said}")
+        sys.exit(f"QGIS ended without a result. Its output:\n{said}")
     seen = json.loads(result.read_text(encoding="utf-8"))
     problems = [seen.get("error", ""), *seen["messages"]]
     if any(problems):
@@ -239,7 +239,7 @@ def in_desktop(
 
 
 def settings(variant: Variant) -> str:
-    """The fresh profile's: plugins that are on, language and theme."""
+    """Return the settings of the new profile: active plugins, language and theme."""
     return (
         "[PythonPlugins]\nsemref=true\nprocessing=true\n\n"
         f"[locale]\noverrideFlag=true\nuserLocale={variant.language}\nglobalLocale={variant.language}\n\n"
@@ -252,7 +252,7 @@ def settings(variant: Variant) -> str:
 
 
 def run(command: list[str], environment: dict[str, str], log: Path, result: Path, limit_s: int) -> str:
-    """What the command printed; once its result is there it has a little time to end, and is ended then."""
+    """Return the output of the command. After the result exists, the command gets a little time and is then ended."""
     with log.open("wb") as stream:
         process = subprocess.Popen(
             command, env=environment, stdin=subprocess.DEVNULL, stdout=stream, stderr=stream, start_new_session=True

@@ -1,4 +1,4 @@
-"""Frames from the screen as one small moving picture (animated WebP), of lower quality until it fits."""
+"""Join frames from the screen to one small animation (WebP), with lower quality until the size fits."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ _FRAME = re.compile(r"(?P<name>.+)\.(?P<number>\d+)\.(?P<shown_ms>\d+)\.png")
 
 
 def frame_name(name: str, number: int, shown_ms: int) -> str:
-    """The file of one frame."""
+    """Return the file name of a frame."""
     return f"{name}.{number:03d}.{shown_ms}.png"
 
 
 def films(pictures: list[Path]) -> dict[str, list[Path]]:
-    """The frames of each moving picture, in order, by its name; other pictures are left out."""
+    """Return the ordered frames of each animation by its name, without other pictures."""
     found: dict[str, list[Path]] = {}
     for path in sorted(pictures):
         frame = _FRAME.fullmatch(path.name)
@@ -29,9 +29,9 @@ def films(pictures: list[Path]) -> dict[str, list[Path]]:
 
 
 def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
-    """Writes the frames as one picture that begins again when it is through."""
+    """Write the frames as one animation that repeats."""
     pictures = [Image.open(path).convert("RGB") for path in frames]
-    # A window may grow by what it has to show.
+    # The size of a window can change with its contents.
     pictures = [picture.crop((0, 0, *pictures[0].size)) for picture in pictures]
     shown_ms = [int(_FRAME.fullmatch(path.name)["shown_ms"]) for path in frames]
     for quality in QUALITIES:
@@ -41,5 +41,8 @@ def join(frames: list[Path], target: Path, largest_bytes: int) -> None:
         if content.tell() <= largest_bytes:
             break
     else:
-        print(f"{target} has {content.tell() / 1000:.0f} kB, more than {largest_bytes / 1000:.0f}", file=sys.stderr)
+        print(
+            f"{target} has {content.tell() / 1000:.0f} kB; the limit is {largest_bytes / 1000:.0f} kB",
+            file=sys.stderr,
+        )
     target.write_bytes(content.getvalue())

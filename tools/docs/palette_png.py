@@ -1,4 +1,4 @@
-"""Screenshots as small PNG files: a palette of the colors that are in the picture, fewer of them until it fits."""
+"""Write screenshots as small PNG files with a palette, with fewer colors until the size fits."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ COLOR_COUNTS = (256, 192, 128, 96, 64)
 FRAME_GRAY = 160
 
 SWATCH_PIXELS = 60
-"""A color that is so often there is one of a swatch, a button or a text, not a shade of a map in between."""
+"""Number of pixels from which a color belongs to a symbol, a button or a text, not to a blend in a map."""
 
 NEAR, MOST_KEPT = 6.0, 32
-"""Of the colors that are farther from the palette, so many take the place of its rarest ones."""
+"""Number of colors far from the palette that replace its rarest colors."""
 
 
 def shrink(source: Path, target: Path, largest_bytes: int) -> None:
-    """Writes the picture with a thin frame and a palette; with fewer colors when it would be larger than that.
+    """Write the picture with a palette and a thin frame; use fewer colors if it is larger than the limit.
 
-    One gray pixel around it: without a frame a light window runs into a light page.
+    The frame is one gray pixel. Without it a light window has no visible border on a light page.
     """
     try:
         picture = Image.open(source).convert("RGB")
     except UnidentifiedImageError:
-        raise ValueError(f"{source} is no picture") from None
+        raise ValueError(f"{source} is not a picture") from None
     picture.paste(ImageOps.expand(picture.crop((1, 1, picture.width - 1, picture.height - 1)), 1, (FRAME_GRAY,) * 3))
     for count in COLOR_COUNTS:
         content = io.BytesIO()
@@ -35,15 +35,18 @@ def shrink(source: Path, target: Path, largest_bytes: int) -> None:
         if content.tell() <= largest_bytes:
             break
     else:
-        print(f"{target} has {content.tell() / 1000:.0f} kB, more than {largest_bytes / 1000:.0f}", file=sys.stderr)
+        print(
+            f"{target} has {content.tell() / 1000:.0f} kB; the limit is {largest_bytes / 1000:.0f} kB",
+            file=sys.stderr,
+        )
     target.write_bytes(content.getvalue())
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """A palette of so many of its colors, those of a legend's swatches among them.
+    """Return a palette with the given number of colors, including those of legend symbols.
 
-    A color counts as often as the root of how often it is there; those of swatches that are still lost to the shades of
-    a map replace the colors that are used least.
+    The weight of a color is the square root of its frequency. Colors of symbols that would still be missing replace the
+    rarest colors.
     """
     colors, counts = np.unique(np.asarray(picture).reshape(-1, 3), axis=0, return_counts=True)
     row = np.repeat(colors, np.ceil(np.sqrt(counts)).astype(int), axis=0)

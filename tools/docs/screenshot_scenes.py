@@ -1,6 +1,6 @@
-"""What the guide's pictures show: each scene brings the window there as a user would, and takes its picture.
+"""The scenes of the pictures. Each scene operates the window like a user and takes its pictures.
 
-Each may come after any other.
+The scenes are independent of each other.
 """
 
 from __future__ import annotations
@@ -31,22 +31,22 @@ from screenshot_window import DOCK_WIDTH, WINDOW, Session, failures, settle, wai
 
 LOCALIZE, INSPECT, CORRECT = range(3)
 NARROW = 100
-"""A width less than the dock takes: it gets as narrow as it can be."""
+"""A width below the dock's minimum, so that the dock becomes as narrow as possible."""
 
 TALL = 1250
-"""Height of the window for pictures of the dock alone, so that nothing in it has to be scrolled."""
+"""Height of the window for pictures of the dock only, so that the dock needs no scrolling."""
 
 FILMED = 1120, 760
-"""Size of the window in moving pictures, which are shown as they are."""
+"""Size of the window in animations, which are shown in full size."""
 
 STEPS, WHILE_RUNNING = (0, 1, 2, 3, 5, 8), 4
-"""Results that are stepped through; most frames while the run is going."""
+"""Number of results to select; number of frames during the run."""
 
 SHOWN_PHOTO, INSPECTED_WINDOW = "photo_02.jpg", "1600_800"
 
 
 def localized(session: Session) -> None:
-    """All photos localized, the shown one selected."""
+    """Localize all photos and select the one to show."""
     session.show_tab(LOCALIZE)
     dock = session.dock
     if not session.localized:
@@ -62,19 +62,19 @@ def localized(session: Session) -> None:
 
 
 def wait_for_results(tab, what: str) -> None:
-    """Waits for a run; one that leaves nothing ends the session with what the message bar says."""
+    """Wait for a run. If it has no results, end the session with the text of the message bar."""
     wait_until(lambda: not tab.run.running, what)
     if not tab.results.table.model().rowCount():
         raise RuntimeError(f"{what} left no results: {failures()}")
 
 
 def first_fix(session: Session) -> None:
-    """The whole window with a hit."""
+    """Show the whole window with a found photo."""
     with_results_in_view(session, "first_fix")
 
 
 def with_results_in_view(session: Session, name: str) -> None:
-    """The whole window; what was chosen is folded away, as who looks at results does."""
+    """Show the whole window with the inputs folded."""
     localized(session)
     boxes = session.dock.content.database, session.dock.content.localize.images
     for box in boxes:
@@ -85,7 +85,7 @@ def with_results_in_view(session: Session, name: str) -> None:
 
 
 def flight(session: Session) -> None:
-    """The sample's flight on the map, one of its photos chosen."""
+    """Show the flight of the sample on the map with a selected photo."""
     with localized_flight(session) as tab:
         tab.results.table.selectRow(tab.results.table.model().rowCount() // 2)
         wait_until(lambda: tab.results.image.canvas.scene().items(), "the selected image")
@@ -94,7 +94,7 @@ def flight(session: Session) -> None:
 
 @contextmanager
 def localized_flight(session: Session):
-    """The tab with the flight's results and the whole track on the map; as before behind it."""
+    """Show the results of the flight and the whole track on the map, and restore the window afterwards."""
     session.show_tab(LOCALIZE)
     content = session.dock.content
     tab = content.localize
@@ -119,7 +119,7 @@ def localized_flight(session: Session):
 
 
 def moving_fix(session: Session) -> None:
-    """From photos to positions: press Localize, and step through what comes."""
+    """Press Localize and select the results one after the other."""
     session.resize(*FILMED)
     session.show_layers(False)
     session.show_tab(LOCALIZE)
@@ -149,7 +149,7 @@ def moving_fix(session: Session) -> None:
 
 
 def moving_flight(session: Session) -> None:
-    """The sample's flight, image by image along its track."""
+    """Show the flight of the sample, image by image along its track."""
     session.resize(*FILMED)
     session.show_layers(False)
     with localized_flight(session) as tab:
@@ -162,7 +162,7 @@ def moving_flight(session: Session) -> None:
 
 
 def dock_localize(session: Session) -> None:
-    """The dock's first tab alone."""
+    """Show the first tab of the dock."""
     session.resize(WINDOW[0], TALL)
     localized(session)
     session.take("dock_localize", session.dock)
@@ -170,7 +170,7 @@ def dock_localize(session: Session) -> None:
 
 
 def narrow(session: Session) -> None:
-    """The dock as narrow as it gets."""
+    """Show the dock as narrow as possible."""
     session.resize(WINDOW[0], TALL, NARROW)
     localized(session)
     session.take("narrow_localize", session.dock)
@@ -178,7 +178,7 @@ def narrow(session: Session) -> None:
 
 
 def own_photos(session: Session) -> None:
-    """Three photos in the dock: found, said to be taken elsewhere, and too small a piece of ground."""
+    """Show three photos in the dock: with a position, with another position in its EXIF, with a small footprint."""
     session.resize(WINDOW[0], TALL)
     session.show_tab(LOCALIZE)
     tab = session.dock.content.localize
@@ -196,7 +196,7 @@ def own_photos(session: Session) -> None:
 
 
 def three_photos(sample: Path, folder: Path) -> list[str]:
-    """A photo of the sample; another with a position of elsewhere in its EXIF; a corner of a third."""
+    """Create a photo of the sample, one with another position in its EXIF, and a corner of a third."""
     made = [folder / name for name in ("DJI_0041.jpg", "DJI_0042.jpg", "DJI_0043.jpg")]
     sources = sorted((sample / "photos").glob("*.jpg"))
     shutil.copy(sources[1], made[0])
@@ -209,7 +209,7 @@ def three_photos(sample: Path, folder: Path) -> list[str]:
 
 
 def inspect(session: Session) -> None:
-    """A window of the database, with what looks like it."""
+    """Show a window of the database and similar windows."""
     session.show_everything()
     session.show_tab(INSPECT)
     session.dock.content.inspect.show_window(INSPECTED_WINDOW)
@@ -219,7 +219,7 @@ def inspect(session: Session) -> None:
 
 
 def correct(session: Session) -> None:
-    """The findings of a check of an annotation with a few mistakes."""
+    """Show the issues of a land-cover layer with a few errors."""
     issues = checked_with_mistakes(session)
     issues.setName("Issues")
     QgsProject.instance().addMapLayer(issues, False)
@@ -228,7 +228,7 @@ def correct(session: Session) -> None:
     session.show_tab(CORRECT)
     tab = session.dock.content.correct
     tab.layer.setLayer(issues)
-    # What the priority decides is information, and there is much of it.
+    # Overlaps that the priority resolves are information only, and there are many.
     tab.problems.setChecked(True)
     severities = [feature["severity"] for feature in issues.getFeatures()]
     to_mend = len(severities) - severities.count("information")
@@ -244,7 +244,7 @@ def correct(session: Session) -> None:
 
 
 def prior(session: Session) -> None:
-    """A circle drawn on the map."""
+    """Show a search area on the map."""
     session.show_tab(LOCALIZE)
     session.show_everything()
     extent = session.iface.mapCanvas().extent()
@@ -255,7 +255,7 @@ def prior(session: Session) -> None:
 
 
 def toolbox(session: Session) -> None:
-    """SemRef's algorithms beside the sample project."""
+    """Show SemRef's algorithms next to the sample project."""
     session.show_everything()
     session.dock.setUserVisible(False)
     session.toolbox.show()
@@ -289,7 +289,7 @@ def algorithm_dialog(session: Session) -> None:
 
 
 def models(session: Session) -> None:
-    """The models at hand with their cards."""
+    """Show the list of models with their cards."""
     from semref.processing.inspection.models import choose_models_folder
     from semref.ui.model_list import ModelsDialog
 
@@ -299,7 +299,7 @@ def models(session: Session) -> None:
 
 
 def model_designer(session: Session) -> None:
-    """The model that ships, opened in the model designer."""
+    """Show the shipped model in the model designer."""
     from processing.modeler.ModelerDialog import ModelerDialog
 
     designer = ModelerDialog()
@@ -317,7 +317,7 @@ def show_dialog(session: Session, dialog, width: int, height: int, name: str) ->
 
 
 def options(session: Session) -> None:
-    """SemRef's page of the options; the dialog waits for its user, so the picture is taken by a timer."""
+    """Show SemRef's page of the options. The dialog is modal, so a timer takes the picture."""
     failed = []
 
     def take() -> None:
@@ -336,12 +336,12 @@ def options(session: Session) -> None:
 
 
 def whole_window(session: Session) -> None:
-    """For the variants: theme, language."""
+    """Show the scene of the variants: theme, language."""
     with_results_in_view(session, "window")
 
 
 def all_tabs(session: Session) -> None:
-    """For looking at the dock in a language: each tab alone, as wide as usual and as narrow as it gets."""
+    """Show each tab of the dock in a language, with normal and with minimum width."""
     for width, kind in ((DOCK_WIDTH, "tab"), (NARROW, "narrow")):
         session.resize(WINDOW[0], TALL, width)
         localized(session)
@@ -355,7 +355,7 @@ def all_tabs(session: Session) -> None:
 
 
 def checked_with_mistakes(session: Session) -> QgsVectorLayer:
-    """Issues of a copy of the land cover into which typical mistakes were put."""
+    """Check a copy of the land cover with typical errors and return the issues."""
     sample = Path(session.job["sample"])
     cover = QgsVectorLayer(str(sample / "landcover.shp"), "landcover", "ogr")
     layer = cover.materialize(QgsFeatureRequest())
@@ -383,12 +383,12 @@ def checked_with_mistakes(session: Session) -> QgsVectorLayer:
         QgsProcessingFeedback(),
     )
     if not ok:
-        raise RuntimeError("the annotation could not be checked")
+        raise RuntimeError("the layer could not be checked")
     return QgsVectorLayer(issues, "issues", "ogr")
 
 
 def crossed(feature) -> QgsGeometry:
-    """A bow tie where the feature is."""
+    """Return a bow tie at the place of the feature."""
     box: QgsRectangle = feature.geometry().boundingBox()
     corners = (
         (box.xMinimum(), box.yMinimum()),

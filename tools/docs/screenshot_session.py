@@ -1,9 +1,13 @@
-"""Runs inside desktop QGIS (--code): takes the pictures of a job.
+"""Take the pictures of a job inside desktop QGIS (--code).
 
-SEMREF_SCREENSHOTS names the job, a JSON file that make_screenshots.py writes: ``tools`` (the folder of this file, which
-QGIS does not tell), ``sample`` (folder of the sample project, made here when it is missing), ``pictures`` (folder),
-``scenes`` (names of functions of ``module``, each with the pictures' suffix), ``palette``,
-``reverse`` (what the session is to be seen in) and ``result`` (JSON, written at the end).
+SEMREF_SCREENSHOTS names the job, a JSON file that make_screenshots.py writes. Its keys are:
+
+- ``tools``: the folder of this file;
+- ``sample``: the folder of the sample project, created here if missing;
+- ``pictures``: the folder of the pictures;
+- ``scenes``: names of functions of ``module``, each with a suffix for its pictures;
+- ``palette``, ``reverse``: the look of the session;
+- ``result``: the JSON file that is written at the end.
 """
 
 import importlib
@@ -45,10 +49,10 @@ def run() -> None:
 
 
 def note_exception(kind, value, trace, text, *arguments, **options) -> None:
-    """In place of QGIS's dialog, which would wait for a click."""
+    """Replace QGIS's dialog, which would wait for a click."""
     messages.append("".join(traceback.format_exception(kind, value, trace)))
 
 
 qgis.utils.showException = note_exception
-# The window is complete only when its event loop runs.
+# The window is complete only while its event loop runs.
 QTimer.singleShot(3000, run)

@@ -1,4 +1,4 @@
-"""QGIS's window with the dock, ready on the sample project: what the scenes of pictures are made of."""
+"""Prepare QGIS's window with the dock and the sample project for the scenes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ WINDOW = 1280, 900
 
 DOCK_WIDTH = 400
 LIMIT_S = 300
-# Toolbars that SemRef's users do not need; they would fill the window with rows of icons.
+# Toolbars that SemRef's users do not need.
 KEPT_TOOLBARS = ("mFileToolBar", "mMapNavToolBar", "mAttributesToolBar", "mPluginToolBar")
 
 
@@ -39,11 +39,11 @@ PALETTES = {
         "PlaceholderText": "#c0c0c0",
     }
 }
-"""Roles of a palette and their colors: those of Windows's “High contrast black”."""
+"""Roles of a palette and their colors, as in “High contrast black” of Windows."""
 
 
 class Session:
-    """The window and the dock, ready on the sample project."""
+    """The window and the dock with the sample project."""
 
     def __init__(self, job: dict) -> None:
         self.job = job
@@ -57,7 +57,7 @@ class Session:
         self.taken = []
 
     def tidy(self) -> None:
-        """The window without what SemRef's users do not need."""
+        """Hide parts of the window that SemRef's users do not need."""
         for bar in self.window.findChildren(QToolBar):
             if bar.parent() is self.window:
                 bar.setVisible(bar.objectName() in KEPT_TOOLBARS)
@@ -69,19 +69,19 @@ class Session:
         self.resize(*WINDOW)
 
     def open(self) -> None:
-        """The sample project, made first where it is missing."""
+        """Open the sample project; create it if it is missing."""
         dress(self.job)
         self.tidy()
         self.plugin._entry._sample_project().make(Path(self.job["sample"]))
         wait_until(lambda: self.is_open() or failures(), "the sample project")
         if failures():
-            raise RuntimeError(f"the sample project could not be made: {failures()}")
+            raise RuntimeError(f"the sample project could not be created: {failures()}")
         self.iface.messageBar().clearWidgets()
         self.resize(*WINDOW)
         self.show_everything()
 
     def is_open(self) -> bool:
-        """As the sample project leaves it: with the images in the dock."""
+        """Restore the state of the sample project, with the images in the dock."""
         return bool(QgsProject.instance().fileName()) and bool(self.dock.content.localize.images.paths())
 
     def resize(self, width: int, height: int, dock_width: int = DOCK_WIDTH) -> None:
@@ -93,7 +93,7 @@ class Session:
         settle(0.3)
 
     def show_layers(self, shown: bool) -> None:
-        """Moving pictures are small; without the list of layers the map has more of them."""
+        """Hide the list of layers, because animations are small."""
         self.window.findChild(QDockWidget, "Layers").setVisible(shown)
         settle(0.3)
 
@@ -104,7 +104,7 @@ class Session:
         settle(0.2)
 
     def show_everything(self) -> None:
-        """The whole sample, nothing marked on it."""
+        """Show the whole sample area without marks."""
         self.dock.content.localize.results.table.clearSelection()
         self.dock.content.inspect.use(None)
         self.iface.mapCanvas().setReferencedExtent(QgsProject.instance().viewSettings().defaultViewExtent())
@@ -116,12 +116,12 @@ class Session:
     # --- pictures ---
 
     def take(self, name: str, *widgets) -> None:
-        """A picture of the screen where these widgets are; of the whole window without any."""
+        """Take a picture of these widgets, or of the whole window without arguments."""
         self.settle_map()
         self._grab(f"{name}{self.suffix}.png", widgets)
 
     def frame(self, name: str, shown_ms: int, settled: bool = True) -> None:
-        """A frame of a moving picture of the window; not settled: as it is just now, while something runs."""
+        """Take a frame of an animation of the window. Without settling, it shows the current state of a run."""
         if settled:
             self.settle_map()
         self._grab(frame_name(f"{name}{self.suffix}", len(self.taken), shown_ms), ())
@@ -129,7 +129,7 @@ class Session:
     def settle_map(self) -> None:
         self.iface.mapCanvas().waitWhileRendering()
         settle(1.0)
-        # QGIS tells of every task that took a while.
+        # QGIS reports every task that took some time.
         self.iface.messageBar().clearWidgets()
         settle(0.5)
 
@@ -146,7 +146,7 @@ class Session:
 
 
 def dress(job: dict) -> None:
-    """The palette and the direction that the session is to be seen in."""
+    """Set the palette and the layout direction of the session."""
     application = QApplication.instance()
     if job.get("reverse"):
         application.setLayoutDirection(Qt.LayoutDirection.RightToLeft)
@@ -157,7 +157,7 @@ def dress(job: dict) -> None:
             palette.setColor(getattr(QPalette.ColorRole, role), QColor(color))
         for role in ("WindowText", "Text", "ButtonText"):
             palette.setColor(QPalette.ColorGroup.Disabled, getattr(QPalette.ColorRole, role), QColor("#3ff23f"))
-        # Under a style sheet a palette reaches only windows to come.
+        # With a style sheet a palette applies to new windows only.
         sheet = application.styleSheet()
         application.setStyleSheet("")
         application.setStyle("Fusion")
@@ -166,7 +166,7 @@ def dress(job: dict) -> None:
 
 
 def settle(seconds: float) -> None:
-    """Lets the window do what it has to for a while."""
+    """Run the event loop of the window for some time."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         QCoreApplication.processEvents()
@@ -177,10 +177,10 @@ def wait_until(condition, what: str, limit_s: float = LIMIT_S) -> None:
     end = time.monotonic() + limit_s
     while not condition():
         if time.monotonic() > end:
-            raise RuntimeError(f"{what} did not come within {limit_s:g} s")
+            raise RuntimeError(f"{what} did not appear within {limit_s:g} s")
         settle(0.1)
 
 
 def failures() -> list:
-    """What the message bar says at its reddest."""
+    """Return the most severe text of the message bar."""
     return [item.text() for item in qgis.utils.iface.messageBar().items() if int(item.level()) == 2]

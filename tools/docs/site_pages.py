@@ -157,5 +157,5 @@ def navigation(root: Path) -> str:
         lines += [f'      - "{title}": {page}' for title, page in entries]
     named = {page for entries in MENU.values() for _, page in entries}
     others = sorted({page for page in page_places(root).values() if page.endswith(".md")} - named)
-    lines += [f"      - {page}" for page in others]
+    lines += ['      - "All decisions":', *(f"          - {page}" for page in others)]
     return "\n".join(lines)

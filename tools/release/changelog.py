@@ -1,4 +1,4 @@
-"""CHANGELOG.md as news: what the plugin manager and the plugin repository show of each version."""
+"""Read the news of each version from CHANGELOG.md, for the plugin manager and the plugin repository."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SHOWN_VERSIONS = 3
 
 @dataclass(frozen=True)
 class Release:
-    """A version of the changelog; ``date`` is empty before it is out; ``news``: a sentence or two each."""
+    """A version of the changelog. ``date`` is empty before the release; ``news`` has a sentence or two per change."""
 
     version: str
     date: str
@@ -20,7 +20,7 @@ class Release:
 
 
 def releases(changelog: str) -> list[Release]:
-    """The versions, the newest first."""
+    """Return the versions, the newest first."""
     headings = list(_VERSION.finditer(changelog))
     ends = [heading.start() for heading in headings[1:]] + [len(changelog)]
     return [
@@ -30,7 +30,7 @@ def releases(changelog: str) -> list[Release]:
 
 
 def _news(section: str) -> tuple[str, ...]:
-    """The list below the heading "News", as plain text: no links, no stars."""
+    """Return the list below the heading "News" as plain text, without links and stars."""
     _, _, rest = section.partition(f"{NEWS}\n")
     text = re.split(r"^#", rest, maxsplit=1, flags=re.MULTILINE)[0]
     entries = re.split(r"^- ", text, flags=re.MULTILINE)[1:]
@@ -43,7 +43,7 @@ def _plain(entry: str) -> str:
 
 
 def for_metadata(changelog: str) -> str:
-    """The value of ``changelog`` in metadata.txt: the news of the newest versions."""
+    """Return the value of ``changelog`` in metadata.txt: the news of the newest versions."""
     shown = [release for release in releases(changelog) if release.news][:SHOWN_VERSIONS]
     lines = []
     for release in shown:

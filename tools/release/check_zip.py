@@ -1,4 +1,4 @@
-"""Whether a zip is fit to be released: .venv/bin/python tools/release/check_zip.py FILE [VERSION]."""
+"""Check a zip before its release: .venv/bin/python tools/release/check_zip.py FILE [VERSION]."""
 
 from __future__ import annotations
 
@@ -34,9 +34,14 @@ SAMPLE_MARKER = "semref/sample/sample.json"
 
 
 def faults(package: Path, version: str = "") -> list[str]:
-    """What keeps the zip from being released, a sentence each; ``version`` is what it should be, empty for any."""
+    """Return the reasons against a release of the zip, one sentence each.
+
+    Args:
+        package: The zip.
+        version: The expected version; empty for any.
+    """
     if package.stat().st_size > MAXIMUM_BYTES:
-        return [f"The zip has {package.stat().st_size / 1024**2:.1f} MB; the plugin repository takes 25."]
+        return [f"The zip has {package.stat().st_size / 1024**2:.1f} MB; the plugin repository accepts at most 25."]
     with zipfile.ZipFile(package) as archive:
         contents = {name: archive.read(name) for name in archive.namelist()}
     return [*_of_names(contents), *_of_contents(contents), *_of_metadata(contents, version)]
@@ -47,7 +52,7 @@ def _of_names(contents: dict[str, bytes]) -> list[str]:
     for name in contents:
         parts = PurePosixPath(name).parts
         if parts[0] != "semref" or ".." in parts:
-            found.append(f"{name} does not lie in the folder semref.")
+            found.append(f"{name} is not in the folder semref.")
         elif any(part.startswith(".") for part in parts) or name.endswith(".pyc") or parts[1] in FOR_DEVELOPERS:
             found.append(f"{name} is not for users.")
     languages = {PurePosixPath(name).stem.split("_")[1] for name in contents if name.endswith(".qm")}
@@ -78,7 +83,7 @@ def _of_metadata(contents: dict[str, bytes], version: str) -> list[str]:
     found = general(text)
     keys = [*REQUIRED, *(f"{key}[{language}]" for key in ("description", "about") for language in LANGUAGES)]
     told = [f"metadata.txt lacks {key}." for key in keys if not found.get(key)]
-    # QGIS reads the file with Python's interpolation, which stumbles over it.
+    # QGIS reads the file with Python's interpolation, which fails at this sign.
     told += [f"metadata.txt: {key} has a per cent sign." for key in found if "%" in found[key]]
     has = found.get("version", "")
     if version and has != version:
@@ -104,9 +109,9 @@ def main() -> None:
     with zipfile.ZipFile(package) as archive:
         count = len(archive.namelist())
         left = placeholders(archive.read("semref/metadata.txt").decode("utf-8"))
-    print(f"{package}: {count} files, {package.stat().st_size / 1024**2:.1f} MB, in order")
+    print(f"{package}: {count} files, {package.stat().st_size / 1024**2:.1f} MB, no faults")
     if left:
-        print(f"Not to be published yet: {', '.join(left)} (docs/publishing.md)", file=sys.stderr)
+        print(f"Fill in before publishing: {', '.join(left)} (docs/publishing.md)", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""Writes the models that ship, models/*.model3.
+"""Write the shipped Processing models, models/*.model3.
 
-Run with QGIS's Python (``.venv/bin/python tools/release/make_model.py``) after a change of the algorithms' parameters.
-Their titles and helps come from processing/base/shipped_models.py.
+Run it with QGIS's Python (``.venv/bin/python tools/release/make_model.py``) after parameters of the algorithms change.
+Titles and help texts of the models come from processing/base/shipped_models.py.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ TARGET = ROOT / "models"
 
 
 class ModelMaker:
-    """Puts a model together: parameters first, then steps in their order."""
+    """Build a model: first the parameters, then the steps in their order."""
 
     def __init__(self, name: str, parameters) -> None:
         from qgis.core import QgsProcessingModelAlgorithm, QgsProcessingModelParameter
@@ -38,9 +38,11 @@ class ModelMaker:
         self.model.setHelpContent({"ALG_DESC": texts.summary, "ALG_VERSION": "1", **texts.helps})
 
     def step(self, child_id: str, algorithm: str, inputs: dict, outputs: dict) -> None:
-        """Adds a step.
+        """Add a step.
 
-        inputs: by key, the name of a model's parameter, (step, its output), or a number; outputs: title by key.
+        Args:
+            inputs: By key: name of a model parameter, (step, output of this step), or a number.
+            outputs: Title by key.
         """
         from qgis.core import (
             QgsProcessingModelChildAlgorithm,
@@ -74,7 +76,7 @@ class ModelMaker:
 
 
 def annotation_parameters() -> list:
-    """Those of an annotation layer that is rasterized."""
+    """Add the parameters of a land-cover layer to rasterize."""
     from qgis.core import (
         QgsProcessing,
         QgsProcessingParameterFeatureSource,
@@ -95,14 +97,14 @@ def annotation_parameters() -> list:
 
 
 def other_ground():
-    """Whether ground without a polygon is a class of its own."""
+    """Add the parameter for ground without a polygon."""
     from qgis.core import QgsProcessingParameterBoolean
 
     return QgsProcessingParameterBoolean("OTHER_GROUND", "Treat ground without a polygon as class “other”", False)
 
 
 def same(*names: str) -> dict:
-    """Inputs of a step that have the names of the model's parameters."""
+    """Return inputs of a step with the same names as the model's parameters."""
     return {name: name for name in names}
 
 
@@ -125,7 +127,7 @@ def annotation_to_database():
     rasterized = same("INPUT", "CLASS_FIELD", "CLASS", "PRIORITY_FIELD", "CLASS_TABLE", "PIXEL_SIZE", "OTHER_GROUND")
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Label map"})
     built = same("REFERENCE_CLASSES", "WINDOW_SIZE", "STRIDE", "MINIMUM_AREA")
-    # The model designer finds an error where a parameter that must be given is left to its default.
+    # The model designer reports an error if a required parameter has only its default.
     built.update(LABELS=("rasterize", "OUTPUT"), REFERENCES_PER_VECTOR=10, OPEN_OUTPUT=True)
     maker.step("build", "semref:builddatabase", built, {"DATABASE": "Reference database"})
     return maker.model
@@ -178,7 +180,7 @@ def correction_to_database():
         ],
     )
     maker.step("pixels", "native:rasterlayerproperties", {"INPUT": "LABELS"}, {})
-    # A layer stands for its extent and for its CRS.
+    # A layer gives its extent and its CRS.
     grid = {"PIXEL_SIZE": ("pixels", "PIXEL_WIDTH"), "EXTENT": "LABELS", "TARGET_CRS": "LABELS"}
     rasterized = {**same("INPUT", "CLASS_FIELD", "CLASS", "PRIORITY_FIELD", "CLASS_TABLE", "OTHER_GROUND"), **grid}
     maker.step("rasterize", "semref:rasterizeannotation", rasterized, {"OUTPUT": "Corrected label map"})
@@ -192,11 +194,11 @@ MODELS = {
     "orthophoto_to_disagreements": orthophoto_to_disagreements,
     "correction_to_database": correction_to_database,
 }
-"""By name of file."""
+"""Models by file name."""
 
 
 def write(model, path: Path) -> bool:
-    """Whether it could be written; with the attributes in one order, while Qt's changes from run to run."""
+    """Write a model and return whether that worked. Attributes are sorted; Qt's order changes from run to run."""
     if not model.toFile(str(path)):
         return False
 

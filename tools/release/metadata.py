@@ -1,4 +1,4 @@
-"""metadata.txt as it ships: with what is new in it, and with the translations under every name that QGIS asks for."""
+"""Build the shipped metadata.txt: with the news, and with the translations under all names that QGIS uses."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ ROOT = Path(__file__).resolve().parents[2]
 PLACEHOLDER = "example.org"
 ADDRESSES = ("email", "homepage", "repository", "tracker")
 SAME_LANGUAGE = {"zh": ("zh-Hans", "zh_CN")}
-"""QGIS asks for the language as its settings name it, and then for what stands before an underscore."""
+"""QGIS looks up the language by the name in its settings, then by the part before an underscore."""
 
 
 def general(text: str) -> configparser.SectionProxy:
-    """The section [general], read as QGIS reads it."""
+    """Return the section [general], read in the same way as in QGIS."""
     metadata = configparser.ConfigParser(interpolation=None)
     metadata.read_string(text)
     return metadata["general"]
 
 
 def plugin_version(root: Path = ROOT) -> str:
-    """The version in metadata.txt, the only place that has it."""
+    """Return the version in metadata.txt."""
     return general((root / "metadata.txt").read_text(encoding="utf-8"))["version"]
 
 
 def placeholders(text: str) -> list[str]:
-    """Addresses that an owner has not filled in yet, as ``key=value``."""
+    """Return the addresses that the owner has not filled in yet, as ``key=value``."""
     found = general(text)
     told = {key: found.get(key, PLACEHOLDER) for key in ADDRESSES}
     return [f"{key}={address}" for key, address in told.items() if PLACEHOLDER in address]
 
 
 def shipped_metadata(root: Path = ROOT) -> str:
-    """metadata.txt of the zip; ``changelog`` is made here and stands nowhere else, so it can't say anything else."""
+    """Return metadata.txt for the zip. Its ``changelog`` is built here from CHANGELOG.md."""
     text = (root / "metadata.txt").read_text(encoding="utf-8").rstrip("\n")
     lines = []
     for line in text.splitlines():

@@ -1,4 +1,4 @@
-"""Makes dist/semref-VERSION.zip, the file that users install: python tools/release/package.py [--output FILE]."""
+"""Build dist/semref-VERSION.zip, the file that users install: python tools/release/package.py [--output FILE]."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SHIPPED_FILES = ("metadata.txt", "LICENSE", "README.md", "CHANGELOG.md", "CITATI
 HELP, SAMPLE = "help", "sample"
 SHIPPED_FOLDERS = ("core", "storage", "cluster", "training", "processing", "ui", "resources", "models")
 DATA_SUFFIXES = (".onnx", ".png", ".webp", ".tif", ".jpg", ".shp", ".shx", ".dbf")
-"""The demonstration model, the guide's pictures, the sample area; all else is text."""
+"""Suffixes of the sample model, the pictures of the documentation, and the sample area. All other files are text."""
 
 BINARY_SUFFIXES = (*DATA_SUFFIXES, ".qm")
 MAXIMUM_BYTES = 25 * 1024 * 1024  # limit of plugins.qgis.org
@@ -27,7 +27,7 @@ LRELEASE_NAMES = ("lrelease", "lrelease-qt5", "/usr/lib/qt5/bin/lrelease", "/usr
 
 
 def shipped_paths(root: Path = ROOT) -> list[Path]:
-    """Paths relative to `root` that go into the zip as they are, sorted."""
+    """Return the sorted paths, relative to `root`, of the files that the zip contains unchanged."""
     paths = [Path(name) for name in SHIPPED_FILES if (root / name).is_file()]
     for folder in (*SHIPPED_FOLDERS, SAMPLE, *([HELP] if has_guide(root) else [])):
         paths += [path.relative_to(root) for path in (root / folder).rglob("*") if path.is_file()]
@@ -35,7 +35,7 @@ def shipped_paths(root: Path = ROOT) -> list[Path]:
 
 
 def has_guide(root: Path) -> bool:
-    """Whether the guide's pages were made, and from what the docs are now; if not, this is said."""
+    """Return whether help/ was built from the current docs; otherwise print a warning."""
     tool = root / "tools" / "docs" / "build_site.py"
     spec = importlib.util.spec_from_file_location("build_site", tool)
     sys.path.append(str(tool.parent))
@@ -44,7 +44,7 @@ def has_guide(root: Path) -> bool:
     sys.path.remove(str(tool.parent))
     if build_site.is_up_to_date(root / HELP, root):
         return True
-    print("The guide's pages are left out: run tools/docs/build_site.py, which makes them anew.", file=sys.stderr)
+    print("The zip has no help pages, because help/ is missing or old. Run tools/docs/build_site.py.", file=sys.stderr)
     return False
 
 
@@ -53,13 +53,16 @@ def is_leftover(path: Path) -> bool:
 
 
 def compiled_translations(root: Path = ROOT) -> dict[Path, bytes]:
-    """The .qm of every i18n/*.ts; none where Qt's lrelease is not installed, which is said."""
+    """Return the .qm of every i18n/*.ts; print a warning and return nothing if Qt's lrelease is missing."""
     sources = sorted((root / "i18n").glob("*.ts"))
     if not sources:
         return {}
     lrelease = next(filter(None, map(shutil.which, LRELEASE_NAMES)), None)
     if lrelease is None:
-        print("Translations are left out: lrelease (Debian: qttools5-dev-tools) is not installed.", file=sys.stderr)
+        print(
+            "The zip has no translations: lrelease (Debian: qttools5-dev-tools) is missing.",
+            file=sys.stderr,
+        )
         return {}
     translations = {}
     with tempfile.TemporaryDirectory() as folder:
@@ -71,16 +74,16 @@ def compiled_translations(root: Path = ROOT) -> dict[Path, bytes]:
 
 
 def read_shipped_file(path: Path) -> bytes:
-    """Content of a shipped file, which must be text or data: the plugin repository refuses binaries."""
+    """Return the content of a shipped file: text or known data, as the plugin repository rejects binaries."""
     content = path.read_bytes()
     if path.suffix in DATA_SUFFIXES:
         return content
     try:
         content.decode("utf-8")
     except UnicodeDecodeError:
-        sys.exit(f"{path} is not UTF-8 text, and the plugin repository refuses binaries; move it out of the plugin.")
+        sys.exit(f"{path} is not UTF-8 text. The plugin repository rejects binaries, so move it out of the plugin.")
     if b"\0" in content:
-        sys.exit(f"{path} is binary, which the plugin repository refuses; move it out of the plugin.")
+        sys.exit(f"{path} is binary. The plugin repository rejects binaries, so move it out of the plugin.")
     return content
 
 
@@ -98,7 +101,7 @@ def write_package(target: Path, root: Path = ROOT) -> None:
     if target.stat().st_size > MAXIMUM_BYTES:
         size = target.stat().st_size / 1024**2
         target.unlink()
-        sys.exit(f"The zip has {size:.1f} MB, and the plugin repository takes at most 25 MB.")
+        sys.exit(f"The zip has {size:.1f} MB. The plugin repository accepts at most 25 MB.")
 
 
 def main() -> None:
@@ -110,7 +113,7 @@ def main() -> None:
     print(f"{target} ({target.stat().st_size / 1024:.0f} kB)")
     left = placeholders((ROOT / "metadata.txt").read_text(encoding="utf-8"))
     if left:
-        print(f"Not to be published yet: {', '.join(left)}; docs/publishing.md tells what to fill in.", file=sys.stderr)
+        print(f"Fill in before publishing: {', '.join(left)} (docs/publishing.md)", file=sys.stderr)
 
 
 if __name__ == "__main__":

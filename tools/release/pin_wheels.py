@@ -1,10 +1,10 @@
-"""Writes which wheels *Settings ▸ Options ▸ SemRef* installs, with their hashes, as the package index tells them today.
+"""Write which wheels *Settings ▸ Options ▸ SemRef* installs, with the hashes in the package index of today.
 
     .venv/bin/python tools/release/pin_wheels.py [--check]
 
-One requirement a line in pip's format, for Pythons with numpy 1 and with numpy 2, in processing/packages/. The versions
-stand below: ones that tests passed with (tools/requirements.txt, tools/test_newest.sh). ``--check`` writes nothing and
-ends with 1 where the index tells another hash than the file, or lacks a wheel that the file has.
+The files in processing/packages/ have one requirement per line in pip's format, for numpy 1 and for numpy 2. The
+versions below passed the tests (tools/requirements.txt, tools/test_newest.sh). ``--check`` writes nothing
+and exits with 1 if the index has another hash for a wheel, or does not have the wheel.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ DASK = (
     *(("sortedcontainers", "2.4.0", ""), ("toolz", "1.2.0", ""), ("tornado", "6.5.10", ""), ("zict", "3.0.0", "")),
     ("zipp", "4.1.0", ""),
 )
-"""With all that it needs of others, which come with it."""
+"""Packages, each with its dependencies."""
 CRYPTOGRAPHY = (
     *(("cryptography", "46.0.7", ""), ("cffi", "2.0.0", ""), ("pycparser", "2.23", "")),
     ("typing_extensions", "4.15.0", ""),
@@ -77,19 +77,19 @@ PINS = {
     ),
 }
 _NO_SYSTEM_OF_QGIS = re.compile(r"-(cp3[678]|pp\d+)-|-cp3\d+t-|musllinux|win32\.whl")
-"""Wheels for Pythons before 3.9, PyPy, Pythons without a lock, and systems that QGIS is not made for."""
+"""Wheels that are not pinned: Python before 3.9, PyPy, free-threaded Python, and systems without QGIS."""
 
 
 @functools.cache
 def files_of(name: str) -> list[dict]:
-    """What the index has of a package: filename and hashes of each file."""
+    """Return the files of a package in the index, with file name and hashes."""
     asked = urllib.request.Request(INDEX.format(name=name), headers={"Accept": FORMAT})
     with urllib.request.urlopen(asked, timeout=60) as answer:
         return json.load(answer)["files"]
 
 
 def wheel_hashes(name: str, version: str) -> list[str]:
-    """The SHA-256 of each wheel of a version, sorted by file name; abi3 wheels carry their oldest Python's name."""
+    """Return the SHA-256 of each wheel of a version, sorted by file name; abi3 wheels name their oldest Python."""
     start = f"{name.replace('-', '_')}-{version}-"
     wheels = {
         file["filename"]: file["hashes"]["sha256"]
@@ -100,13 +100,13 @@ def wheel_hashes(name: str, version: str) -> list[str]:
 
 
 def line(name: str, version: str, marker: str) -> str:
-    """One requirement in pip's format."""
+    """Return a requirement in pip's format."""
     condition = f" ; {marker}" if marker else ""
     return f"{name}=={version}{condition} " + " ".join(f"--hash=sha256:{text}" for text in wheel_hashes(name, version))
 
 
 def main() -> int:
-    """Writes the files, or compares them."""
+    """Write the files, or compare them with the index."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
@@ -115,7 +115,7 @@ def main() -> int:
         text = "\n".join(["# Written by tools/release/pin_wheels.py.", *(line(*pin) for pin in pins)]) + "\n"
         if options.check:
             lacking = set((FOLDER / file).read_text(encoding="ascii").split()) - set(text.split())
-            print(f"{file}: {'the index has it all' if not lacking else f'not in the index: {sorted(lacking)}'}")
+            print(f"{file}: {'all wheels are in the index' if not lacking else f'not in the index: {sorted(lacking)}'}")
             status |= bool(lacking)
         else:
             (FOLDER / file).write_text(text, encoding="ascii")

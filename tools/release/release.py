@@ -1,7 +1,7 @@
-"""From a tag to a checked zip, by one command: .venv/bin/python tools/release/release.py v0.2.0 [--output FOLDER].
+"""Build a checked zip from a tag: .venv/bin/python tools/release/release.py v0.2.0 [--output FOLDER].
 
-What is released is what the tag says, whatever the working tree has: the tag is cloned, its guide built, its zip made,
-checked and written with its SHA-256. The tag is not made here, and nothing leaves the machine.
+The script clones the tag, builds the documentation, packages and checks the plugin, and writes the zip and its SHA-256.
+It ignores changes in the working tree, creates no tag, and uploads nothing.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ DOCS_ENVIRONMENT = ROOT / ".venv-docs"
 
 
 def release(repository: Path, tag: str, folder: Path, docs_environment: Path = DOCS_ENVIRONMENT) -> Path:
-    """Writes semref-VERSION.zip and its .sha256 into the folder; ends the program where something is not in order."""
+    """Write semref-VERSION.zip and its .sha256 to the folder; exit at a fault."""
     version = tag[1:] if tag.startswith("v") else tag
     _require_tag(repository, tag)
     with tempfile.TemporaryDirectory(prefix="semref-release-") as temporary:
@@ -45,7 +45,7 @@ def _require_tag(repository: Path, tag: str) -> None:
         ["git", "-C", str(repository), "tag", "--list", tag], capture_output=True, text=True, check=True
     ).stdout.split()
     if tag not in known:
-        sys.exit(f"There is no tag {tag}; make one with: git tag -a {tag} -m 'SemRef {tag.lstrip('v')}'")
+        sys.exit(f"There is no tag {tag}. Create it with: git tag -a {tag} -m 'SemRef {tag.lstrip('v')}'")
 
 
 def _run(command: list[str]) -> None:

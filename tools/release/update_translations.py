@@ -1,7 +1,7 @@
-"""Brings i18n/*.ts up to date with the texts in the code: ``python tools/release/update_translations.py``.
+"""Update i18n/*.ts from the texts in the code: ``python tools/release/update_translations.py``.
 
-Qt's pylupdate gives each text the context of its class; SemRef has one context for all. Translations are kept,
-texts that are gone are dropped, new ones are marked unfinished. Compiled to .qm when packaging.
+Qt's pylupdate gives each text the context of its class; SemRef has one context for all texts. The script keeps
+translations, removes old texts, and marks new texts as unfinished. Packaging compiles the files to .qm.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ STYLE_TITLES = {"alias": "name", "attributeEditorContainer": "name", "category":
 
 
 def name_of(function: ast.expr) -> str:
-    """Of what is called."""
+    """Return the name of a called function."""
     return getattr(function, "id", getattr(function, "attr", ""))
 
 
 def makers() -> frozenset[str]:
-    """Names of what is made with a template: ``Sentence``, ``SemRefError`` and the classes of errors made of it."""
+    """Return the names of the classes with a template: ``Sentence``, ``SemRefError`` and its subclasses."""
     found, before = {"Sentence", "SemRefError"}, set()
     trees = [ast.parse(path.read_text(encoding="utf-8")) for room in ROOMS for path in (ROOT / room).rglob("*.py")]
     classes = [node for tree in trees for node in tree.body if isinstance(node, ast.ClassDef)]
@@ -38,7 +38,7 @@ MAKERS = makers()
 
 
 def templates_of(call: ast.Call) -> list[str]:
-    """The templates of a sentence or error: none where it takes another one's, both of ``"…" if … else "…"``."""
+    """Return the template literals of a call: both of ``"…" if … else "…"``, or an empty list for a variable."""
 
     def literals(node: ast.expr) -> list[str]:
         if isinstance(node, ast.IfExp):
@@ -49,14 +49,14 @@ def templates_of(call: ast.Call) -> list[str]:
 
 
 def sentence_texts(source: str) -> list[str]:
-    """The templates of all sentences and errors, but those that are nothing but a value."""
+    """Return the templates of all sentences and errors, except those that are a single value."""
     calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
     found = [text for call in calls if name_of(call.func) in MAKERS for text in templates_of(call)]
     return [text for text in found if not re.fullmatch(r"\{\w+\}", text)]
 
 
 def texts_of(source: str) -> list[str]:
-    """The literals of all ``tr("…")`` calls."""
+    """Return the literals of all ``tr("…")`` calls."""
     found = []
     for node in ast.walk(ast.parse(source)):
         is_call = isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "tr"
@@ -67,7 +67,7 @@ def texts_of(source: str) -> list[str]:
 
 
 def step_texts(source: str) -> list[str]:
-    """The texts of ``yield "text", share``, which whoever shows them translates."""
+    """Return the texts of ``yield "text", share``. The caller translates them."""
     found = []
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Yield) and isinstance(node.value, ast.Tuple):
@@ -78,7 +78,7 @@ def step_texts(source: str) -> list[str]:
 
 
 def title_texts(source: str) -> list[str]:
-    """The English texts in the tables that are named ``SENTENCES…``: titles of columns and layers."""
+    """Return the English texts in the tables ``SENTENCES…``: titles of columns and layers."""
     found = []
     for node in ast.parse(source).body:
         target = node.targets[0] if isinstance(node, ast.Assign) else getattr(node, "target", None)
@@ -88,7 +88,7 @@ def title_texts(source: str) -> list[str]:
 
 
 def style_texts(source: str) -> list[str]:
-    """The texts of a style file that ``processing/layers/styles.py`` translates."""
+    """Return the texts of a style file that ``processing/layers/styles.py`` translates."""
     root = ElementTree.fromstring(source)
     found = [element.get(name, "") for tag, name in STYLE_TITLES.items() for element in root.iter(tag)]
     expressions = root.findtext("previewExpression", "") + root.findtext("mapTip", "")
@@ -96,7 +96,7 @@ def style_texts(source: str) -> list[str]:
 
 
 def all_texts() -> list[str]:
-    """All texts that a user may read, sorted, each once."""
+    """Return all texts that a user can read, sorted, without repetition."""
     found = []
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*.py")):
@@ -108,7 +108,7 @@ def all_texts() -> list[str]:
 
 
 def translations_in(path: Path) -> dict[str, str]:
-    """Finished translations by source text."""
+    """Return the finished translations by source text."""
     if not path.exists():
         return {}
     known = {}
@@ -120,7 +120,7 @@ def translations_in(path: Path) -> dict[str, str]:
 
 
 def write(path: Path, texts: list[str], known: dict[str, str]) -> int:
-    """Writes the .ts file; returns how many texts have no translation."""
+    """Write the .ts file and return the number of texts without a translation."""
     language = path.stem.split("_", 1)[1]
     root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
     context = ElementTree.SubElement(root, "context")
@@ -145,7 +145,7 @@ def main() -> None:
         missing = write(path, texts, translations_in(path))
         print(f"{path.name}: {len(texts)} texts, {missing} without translation")
     if not texts:
-        sys.exit("No text was found; is this the repository?")
+        sys.exit("No text was found. Run the script in the repository.")
 
 
 if __name__ == "__main__":
