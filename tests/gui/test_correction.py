@@ -139,7 +139,7 @@ def test_a_bug_between_the_steps_of_an_update_ends_it_and_is_told(dock, box, dat
 
     reports = []
     dock.content.correct.run.broke.connect(reports.append)
-    monkeypatch.setattr(correction_run.CorrectionRun, "_update", lambda self, rasterized: rasterized["nothing"])
+    monkeypatch.setattr(correction_run.CorrectionRun, "_beside", lambda self, database: {}["nothing"])
     before = Path(database).read_bytes()
     press(dock, box)
     assert len(reports) == 1 and "KeyError" in reports[0]

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import traceback
+from collections.abc import Generator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from functools import partial
+from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -97,15 +99,12 @@ class CorrectionRun(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.running = False
-        self._wanted: Correction | None = None
-        self._folder = self._updated = ""
+        self._steps: Generator[Callable, Any, str] | None = None
         self._workplace: Batch | None = None
         self._first_percent = 0
         self.rasterizing: dict[str, Any] = {}
         self.asked: dict[str, Any] = {}
         self._known: _Known | None = None
-        self._changed: QgsVectorLayer | None = None
-        self._next = self._rasterize
         self._reader = Reader(self)
         self._reader.answered.connect(self._go_on)
         self._run = AlgorithmRun(self)
@@ -114,9 +113,9 @@ class CorrectionRun(QObject):
         self._run.logged.connect(self.logged)
         self._run.progressed.connect(self._show_progress)
         for part in (self._reader, self._run):
-            part.failed.connect(self._fail)
-            part.broke.connect(self._break)
-        self._run.canceled.connect(self._cancel)
+            part.failed.connect(partial(self._end_early, self.failed))
+            part.broke.connect(partial(self._end_early, self.broke))
+        self._run.canceled.connect(partial(self._end_early, self.canceled))
 
     @property
     def title(self) -> str:
@@ -131,20 +130,10 @@ class CorrectionRun(QObject):
 
     def start(self, wanted: Correction) -> None:
         """Start an update. The layer may be edited or removed as soon as rasterizing runs."""
-        # Imported here because it reads databases, which would delay the opening of the dock.
-        from ...processing.inspection.correction import LayerGround, plan_rasterizing
-
-        self.running, self._wanted = True, wanted
-        self._folder = QgsProcessingUtils.generateTempFilename("correction")
-        layers = [layer for layer in (wanted.annotation, wanted.places) if layer is not None and layer.featureCount()]
-        grounds = [LayerGround(layer.name(), layer.extent(), layer.crs()) for layer in layers]
-        context = QgsProject.instance().transformContext()
-        self._next = self._rasterize
+        self.running = True
         self.textChanged.emit(tr("Reading the database"))
-        text = tr("Reading the database")
-        fields = [wanted.annotation.fields().indexOf(name) for name in (wanted.class_field, wanted.priority_field)]
-        read = QgsVectorLayerFeatureSource(wanted.annotation), [index for index in fields if index >= 0]
-        self._reader.read(text, plan_rasterizing, wanted.database, grounds, self._folder, context, *read)
+        self._steps = self._update(wanted)
+        self._go_on(None)
 
     def cancel(self) -> None:
         """Cancel; the database does not change."""
@@ -152,78 +141,81 @@ class CorrectionRun(QObject):
             self._run.cancel()
         elif self.running:
             self._reader.forget()
-            self._cancel()
-
-    # --- steps ---
+            self._end_early(self.canceled)
 
     def _go_on(self, answer: object) -> None:
-        """Run the next step. A bug in it ends the run."""
+        """Start the next step with the answer of the previous one. A bug in it ends the run."""
         try:
-            self._next(answer)
+            begin = self._steps.send(answer)
+        except StopIteration as end:
+            self._stop()
+            self.done.emit(end.value)
         except Exception:
-            self._break(traceback.format_exc())
+            self._end_early(self.broke, traceback.format_exc())
+        else:
+            begin()
 
-    def _rasterize(self, plan: RasterizePlan) -> None:
-        wanted, grid = self._wanted, plan.grid
-        self._next, self._first_percent = self._update, 0
-        self.rasterizing = {
-            "INPUT": wanted.annotation,
-            "CLASS_FIELD": wanted.class_field,
-            "OUTPUT": os.path.join(self._folder, "labels.tif"),
-            "CLASS": wanted.class_of_all,
-            **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
-            **grid,
-        }
-        layer = wanted.annotation
-        of = wanted.database, layer.id(), layer.crs(), wanted.class_field, wanted.priority_field, wanted.class_of_all
-        part = self._part(plan, of)
-        labels = self._known.labels if part is not None and self._known else self.rasterizing["OUTPUT"]
-        self._known = _Known(of, plan.checksums, plan.drawn, labels)
-        asked = self.rasterizing
-        if part is not None:
-            self._next, asked = self._paste, {**asked, "EXTENT": part}
-        self._run.start_algorithm(RASTERIZE, asked, tr("Rasterizing the corrected layer"))
-
-    def _part(self, plan: RasterizePlan, of: tuple) -> QgsReferencedRectangle | None:
-        """Return the part of the map where features changed since the last update; None for the whole map."""
-        from ...processing.inspection.correction import changed_bounds, part_to_rasterize
-
-        known, self._changed = self._known, None
-        if known is None or known.of != of or known.checksums is None or known.checksums != plan.checksums:
-            return None
-        if known.drawn is None or plan.drawn is None:
-            return None
-        changed = changed_bounds(known.drawn, plan.drawn)
-        if not changed or not os.path.isfile(known.labels):
-            return None
-        context = QgsProject.instance().transformContext()
-        # The layer may be deleted before the database is updated.
-        crs = self._wanted.annotation.crs()
-        part = part_to_rasterize(plan.grid, changed, crs, context)
-        self._changed = None if part is None else _layer_of(changed, crs)
-        return part
-
-    def _paste(self, rasterized: dict) -> None:
+    def _update(self, wanted: Correction) -> Generator[Callable, Any, str]:
+        """Yield functions that start the steps, and take the answers. Returns the path of the database."""
+        # Imported here because they read databases, which would delay the opening of the dock.
+        from ...processing.inspection.correction import LayerGround, plan_rasterizing
+        from ...storage.database.undo import replace_keeping
         from ...storage.label_map_file import paste_labels
 
-        self._next = lambda _nothing: self._update({"OUTPUT": self._known.labels})
-        text = tr("Rasterizing the corrected layer")
-        self._reader.read(text, paste_labels, self._known.labels, rasterized["OUTPUT"])
+        layer, database = wanted.annotation, wanted.database
+        folder = QgsProcessingUtils.generateTempFilename("correction")
+        layers = [one for one in (layer, wanted.places) if one is not None and one.featureCount()]
+        grounds = [LayerGround(one.name(), one.extent(), one.crs()) for one in layers]
+        fields = [layer.fields().indexOf(name) for name in (wanted.class_field, wanted.priority_field)]
+        features = QgsVectorLayerFeatureSource(layer), [index for index in fields if index >= 0]
+        where = database, grounds, folder, QgsProject.instance().transformContext()
+        plan = yield partial(self._reader.read, tr("Reading the database"), plan_rasterizing, *where, *features)
 
-    def _update(self, rasterized: dict) -> None:
-        self._next, self._first_percent = self._replace, _RASTERIZED_PERCENT
-        self._updated = self._beside(self._wanted.database) or os.path.join(self._folder, "updated.gpkg")
-        self.asked = {"DATABASE": self._wanted.database, "LABELS": rasterized["OUTPUT"], "OUTPUT": self._updated}
-        if self._changed is not None:
-            self.asked["CHANGED"] = self._changed
-        self._run.start_algorithm(UPDATE, self.asked, tr("Updating the database"))
+        of = database, layer.id(), layer.crs(), wanted.class_field, wanted.priority_field, wanted.class_of_all
+        part, changed = self._changed_part(plan, of)
+        labels = os.path.join(folder, "labels.tif")
+        self.rasterizing = {
+            "INPUT": layer,
+            "CLASS_FIELD": wanted.class_field,
+            "OUTPUT": labels,
+            "CLASS": wanted.class_of_all,
+            **({"PRIORITY_FIELD": wanted.priority_field} if wanted.priority_field else {}),
+            **plan.grid,
+        }
+        title, self._first_percent = tr("Rasterizing the corrected layer"), 0
+        parameters = self.rasterizing if part is None else {**self.rasterizing, "EXTENT": part}
+        yield partial(self._run.start_algorithm, RASTERIZE, parameters, title)
+        if part is not None:
+            labels, rasterized = self._known.labels, labels
+            yield partial(self._reader.read, title, paste_labels, labels, rasterized)
+        self._known = _Known(of, plan.checksums, plan.drawn, labels)
 
-    def _replace(self, _updated: dict) -> None:
-        from ...storage.database.undo import replace_keeping
+        title, self._first_percent = tr("Updating the database"), _RASTERIZED_PERCENT
+        updated = self._beside(database) or os.path.join(folder, "updated.gpkg")
+        self.asked = {"DATABASE": database, "LABELS": labels, "OUTPUT": updated}
+        if changed is not None:
+            self.asked["CHANGED"] = changed
+        yield partial(self._run.start_algorithm, UPDATE, self.asked, title)
+        checksums = yield partial(self._reader.read, title, replace_keeping, database, updated, plan.checksums)
+        self._known = replace(self._known, checksums=checksums)
+        return database
 
-        self._next = self._end
-        title, of = tr("Updating the database"), self._known.checksums
-        self._reader.read(title, replace_keeping, self._wanted.database, self._updated, of)
+    def _changed_part(
+        self, plan: RasterizePlan, of: tuple
+    ) -> tuple[QgsReferencedRectangle, QgsVectorLayer] | tuple[None, None]:
+        """Return the part of the map with changes since the last update, and their bounds; None for the whole map."""
+        from ...processing.inspection.correction import changed_bounds, part_to_rasterize
+
+        known, crs = self._known, of[2]
+        if known is None or known.of != of or known.checksums is None or known.checksums != plan.checksums:
+            return None, None
+        if known.drawn is None or plan.drawn is None:
+            return None, None
+        changed = changed_bounds(known.drawn, plan.drawn)
+        if not changed or not os.path.isfile(known.labels):
+            return None, None
+        part = part_to_rasterize(plan.grid, changed, crs, QgsProject.instance().transformContext())
+        return (None, None) if part is None else (part, _layer_of(changed, crs))
 
     def _beside(self, database: str) -> str:
         """Return a path in a private folder next to the database, from where moving needs no copy; may be empty."""
@@ -243,27 +235,10 @@ class CorrectionRun(QObject):
         if self._workplace is not None:
             self._workplace.close()
 
-    def _end(self, checksums: str | None) -> None:
-        self._known = replace(self._known, checksums=checksums)
-        self._stop()
-        self.done.emit(self._wanted.database)
-
-    # --- early end ---
-
-    def _fail(self, sentence: str) -> None:
+    def _end_early(self, signal, *arguments) -> None:
         self._known = None
         self._stop()
-        self.failed.emit(sentence)
-
-    def _break(self, report: str) -> None:
-        self._known = None
-        self._stop()
-        self.broke.emit(report)
-
-    def _cancel(self) -> None:
-        self._known = None
-        self._stop()
-        self.canceled.emit()
+        signal.emit(*arguments)
 
     def _show_progress(self, percent: float) -> None:
         self.progressed.emit(self._first_percent + percent * _RASTERIZED_PERCENT / 100)
