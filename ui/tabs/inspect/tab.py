@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from html import escape
 from typing import TYPE_CHECKING, Callable
@@ -103,40 +104,15 @@ class InspectTab(QWidget):
         self.title.setWordWrap(True)
         self.title.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.plot = VectorPlot()
-        self.numbers = QTableWidget(0, 4)
-        self.numbers.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.numbers.verticalHeader().hide()
-        self.numbers.setHorizontalHeaderLabels([tr("Class"), tr("Distance"), tr("Angle"), tr("Image")])
-        self.numbers.horizontalHeaderItem(1).setToolTip(
-            tr("Distance from the center, in m. In brackets: the distance divided by the largest one, as in the vector")
-        )
-        self.numbers.horizontalHeaderItem(2).setToolTip(
-            tr("Angle to the next landmark. In brackets: the angle divided by the largest one, as in the vector")
-        )
+        distance = tr("Distance from the center, in m. In brackets: the distance divided by the largest one")
+        angle = tr("Angle to the next landmark. In brackets: the angle divided by the largest one")
+        difference = tr("Largest difference from the vector of the compared image")
+        headings = (tr("Class"), ""), (tr("Distance"), distance), (tr("Angle"), angle), (tr("Image"), difference)
+        self.numbers = _table(tr("Landmarks of the vector"), headings)
         self.numbers.setColumnHidden(_APART, True)
-        self.numbers.horizontalHeaderItem(_APART).setToolTip(
-            tr("Largest difference from the vector of the compared image")
-        )
-        self.look_alikes = QTableWidget(0, 2)
-        for table in (self.numbers, self.look_alikes):
-            # In right-to-left layouts “3360_960” would be painted as “960_3360”, another window.
-            table.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
-        self.look_alikes.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        similarity = tr("Distance between the topology vectors: 0 is a perfect match, above 2 is no match")
+        self.look_alikes = _table(tr("Similar windows"), ((tr("Similar window"), ""), (tr("Distance"), similarity)))
         self.look_alikes.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.look_alikes.verticalHeader().hide()
-        self.look_alikes.setHorizontalHeaderLabels([tr("Similar window"), tr("Distance")])
-        self.look_alikes.horizontalHeaderItem(1).setToolTip(
-            tr("Distance between the topology vectors: 0 is a perfect match, above 2 is no match")
-        )
-        for table, name in (
-            (self.numbers, tr("Landmarks of the vector")),
-            (self.look_alikes, tr("Similar windows")),
-        ):
-            table.setAccessibleName(name)
-            # Otherwise the Tab key would not leave the table.
-            table.setTabKeyNavigation(False)
-            table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-            table.horizontalHeader().setStretchLastSection(True)
         self.look_alikes.setToolTip(
             tr("Windows elsewhere with the most similar vectors. Double-click one to inspect it.")
         )
@@ -296,6 +272,24 @@ class InspectTab(QWidget):
         for number, other in enumerate(window.look_alikes):
             self.look_alikes.setItem(number, 0, QTableWidgetItem(other.name))
             self.look_alikes.setItem(number, 1, QTableWidgetItem(number_text(other.distance, 3)))
+
+
+def _table(name: str, headings: Sequence[tuple[str, str]]) -> QTableWidget:
+    """Return an empty read-only table. ``headings``: title and tool tip of each column."""
+    table = QTableWidget(0, len(headings))
+    table.setAccessibleName(name)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    # Otherwise the Tab key would not leave the table.
+    table.setTabKeyNavigation(False)
+    # In right-to-left layouts “3360_960” would be painted as “960_3360”, another window.
+    table.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
+    table.setHorizontalHeaderLabels([title for title, _ in headings])
+    for column, (_, tip) in enumerate(headings):
+        table.horizontalHeaderItem(column).setToolTip(tip)
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    table.horizontalHeader().setStretchLastSection(True)
+    table.verticalHeader().hide()
+    return table
 
 
 def _title(window: InspectedWindow, compared: Comparison | None, image: str) -> str:
