@@ -1,1 +1,1 @@
-"""Benchmarks of SemRef: scenarios as data, one runner for accuracy, one for time and memory, results as JSON."""
+"""Benchmarks of SemRef: scenarios as data; runners for accuracy, flights, time and memory; results as JSON."""

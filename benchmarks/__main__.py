@@ -1,13 +1,13 @@
-"""Benchmarks of SemRef.
+"""Run the benchmarks of SemRef.
 
     .venv/bin/python -m benchmarks list
     .venv/bin/python -m benchmarks run NAME… [--count N] [--only PARTS] [--save]
     .venv/bin/python -m benchmarks fit NAME… [--only PARTS]
     .venv/bin/python -m benchmarks page
 
-NAME is one of scenarios/*.toml, or ``NAME.PART`` of one with several measurements. ``--work`` keeps label maps,
-databases and records between runs, so that a larger ``--count`` goes on. ``--save`` writes results/NAME.json; ``fit``
-prints which settings would fit the kept records; ``page`` writes docs/benchmarks.md and the README's picture.
+NAME is a file of scenarios/*.toml, or ``NAME.PART`` for a file with several measurements. The folder ``--work`` keeps
+label maps, databases and records, so a run with a larger ``--count`` continues. ``--save`` writes results/NAME.json.
+``fit`` prints the settings that would fit the records. ``page`` writes docs/benchmarks.md and its chart.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ SCENARIOS = Path(__file__).with_name("scenarios")
 
 
 def scenarios() -> dict[str, dict]:
-    """Scenarios by name; tables of a file that have a ``title`` are scenarios of their own."""
+    """Return the scenarios by name. A table with a ``title`` in a file is a separate scenario."""
     found = {}
     for path in sorted(SCENARIOS.glob("*.toml")):
         content = read_toml(path)
@@ -45,7 +45,7 @@ def scenarios() -> dict[str, dict]:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs it."""
+    """Run the command line."""
     known = scenarios()
     parser = argparse.ArgumentParser("python -m benchmarks", description=__doc__.splitlines()[0])
     parser.add_argument("command", choices=("list", "run", "fit", "page"))
@@ -53,8 +53,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
     parser.add_argument("--work", type=Path, default=ROOT.parent / "bench", help="folder kept between runs")
     parser.add_argument("--models", type=Path, help="folder of networks, NAME_without_PLACE.onnx")
-    parser.add_argument("--count", type=int, help="images or flights a row")
-    parser.add_argument("--only", default="", help="rows whose names contain one of these, separated by semicolons")
+    parser.add_argument("--count", type=int, help="images or flights per row")
+    parser.add_argument("--only", default="", help="rows with one of these texts in the name, separated by semicolons")
     parser.add_argument("--save", action="store_true", help="write results/NAME.json")
     options = parser.parse_args(arguments)
     if options.command == "page":
@@ -63,7 +63,7 @@ def main(arguments: list[str] | None = None) -> int:
         page.write()
     for name in options.names:
         if name not in known:
-            parser.error(f"{name} is none of {', '.join(known)}.")
+            parser.error(f"{name} is unknown. Choose from {', '.join(known)}.")
     if options.command == "list":
         print("\n".join(f"{name:20} {one['title']}" for name, one in known.items()))
     elif options.command == "fit":

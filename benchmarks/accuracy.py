@@ -1,7 +1,7 @@
-"""The runner of accuracy: a scenario's rows of images, located and judged one by one; tables of what came of them.
+"""Measure accuracy: draw, localize and judge the images of a scenario's rows, and write tables.
 
-A row says with which map, images, noise and prior; see ``Row``. Every image has its own seed, and its record is a line
-of a file in the work folder, so that a later run with a larger count goes on. Records of other code are not used.
+``Row`` lists map, images, noise and prior of a row. Each image has its own seed. Its record is a line of a file in the
+work folder, so a later run with a larger count continues. Records of other code are not used.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ NOISES = {
     "modest": MODEST,
     "strong": STRONG,
 }
-"""In pixels of the image, but for those of networks."""
+"""Noises in pixels of the image, except those of networks."""
 
 OF_NETWORKS = ("usual", "modest", "strong")
-"""Noises in meters of a map of 1 m whose windows show 1,280 m."""
+"""Noises in meters, for a map with pixels of 1 m and windows of 1,280 m."""
 
 BUILDINGS = (1,)
 STATED_SPREAD_M = 0.2
@@ -62,28 +62,28 @@ class Row:
     """Images of one kind.
 
     Attributes:
-        name: of the row
-        database: name of the map that the database is made of
-        images: name of the map that images are cut from; the same if empty
-        half: of the map that centers are in: north, south or empty
+        name: name of the row
+        database: name of the map for the database
+        images: name of the map from which images are cut; empty for the same map
+        half: half of the map with the image centers: north, south or empty
         method: key of the method
         noise: one of NOISES
-        jitter: instead of the noise's, pixels
-        displaced: whether the map is displaced as maps of another date are
-        shift_m: of all buildings, to any side
-        stated: whether the localizer gets that shift
-        leaning: of roofs, as a share of the distance from the center
-        wanted: what is drawn, as ``ground.Wanted``
-        foreign: kind of images that are not of the map (``foreign.KINDS``); empty for images of the map
-        prior_share: radius of the stated position, as a share of the footprint; 0 for none
-        size_known: how far off the stated pixel size is at most, 0.2 for 20 %; 0 for none
-        heading_known_deg: the same of the heading
-        level_error_deg: of the stated roll and pitch; negative for an image that is not leveled
-        photos: ``sample``, ``tileN``, or a place's name with the number of its photo (``kenya.1``); empty for labels
-        network: part of the name of its network in --models; empty for the network that ships
-        labels: of photos, ``network`` or ``true``
-        right_m: a position is right within so many meters; 0 for 2 % of the footprint
-        count: images
+        jitter: boundary jitter in pixels instead of that of the noise
+        displaced: whether the map is displaced like maps of another date
+        shift_m: shift of all buildings in a random direction
+        stated: whether the localizer knows this shift
+        leaning: shift of roofs, as a share of the distance from the center
+        wanted: kind of views, as ``ground.Wanted``
+        foreign: kind of images of other places (``foreign.KINDS``); empty for images of the map
+        prior_share: radius of the prior position, as a share of the footprint; 0 for no prior
+        size_known: largest error of the known pixel size, 0.2 for 20 %; 0 for unknown
+        heading_known_deg: the same for the heading
+        level_error_deg: error of the known roll and pitch; negative for an image that is not leveled
+        photos: ``sample``, ``tileN``, or the name of a place with the number of a photo (``kenya.1``); empty for labels
+        network: part of the name of the network in --models; empty for the shipped network
+        labels: labels of photos, ``network`` or ``true``
+        right_m: a position is right within this distance; 0 for 2 % of the footprint
+        count: number of images
     """
 
     name: str
@@ -111,7 +111,7 @@ class Row:
 
 
 def rows_of(scenario: dict[str, Any]) -> list[Row]:
-    """The rows of a scenario; ``each`` repeats every row with other values: {method = [...], noise = [...]}."""
+    """Return the rows of a scenario; ``each`` repeats every row with other values: {method = [...], noise = [...]}."""
     rows = [{**scenario.get("defaults", {}), **row} for row in scenario["row"]]
     for key, values in scenario.get("each", {}).items():
         rows = [{**row, key: value, "name": f"{row['name']}, {value}"} for row in rows for value in values]
@@ -121,7 +121,7 @@ def rows_of(scenario: dict[str, Any]) -> list[Row]:
 
 
 def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
-    """Measures a scenario's rows and gives its tables; rows whose data is missing are named and left out."""
+    """Measure the rows of a scenario and return its tables; print and skip rows without data."""
     found: dict[str, list[dict]] = {}
     for row in rows_of(scenario):
         if only and not any(part.casefold() in row.name.casefold() for part in only):
@@ -142,7 +142,7 @@ def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) 
 
 
 def records(world: World, scenario: str, row: Row) -> list[dict]:
-    """What came of each image of a row, as kept or measured now."""
+    """Return the record of each image of a row, from the work folder or measured now."""
     count, key = world.count or row.count, _key(row)
     path = world.work / "records" / f"{scenario}_{zlib.crc32(row.name.encode()):08x}.jsonl"
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -164,7 +164,7 @@ def records(world: World, scenario: str, row: Row) -> list[dict]:
 
 
 def _key(row: Row) -> str:
-    """Of the row and of all code that a figure comes from."""
+    """Return a hash of the row and of all code that affects its figures."""
     digest = hashlib.sha256(json.dumps(asdict(row), sort_keys=True).encode())
     for folder in (ROOT / "core", Path(__file__).parent):
         for path in sorted(folder.rglob("*.py")):
@@ -173,7 +173,7 @@ def _key(row: Row) -> str:
 
 
 class Source:
-    """The images of a row, and the localizer that they are given to."""
+    """The images of a row and their localizer."""
 
     def __init__(self, world: World, row: Row) -> None:
         self.row = row
@@ -186,13 +186,13 @@ class Source:
         self.world = world
 
     def record(self, number: int) -> dict[str, Any]:
-        """Draws, spoils, locates and judges one image."""
+        """Draw an image, add noise, localize it and judge the result."""
         rng = np.random.default_rng([zlib.crc32(self.row.name.encode()), number])
         trial = self._tried(self.image(rng, number), rng)
         return told_of(trial, self.row)
 
     def image(self, rng: np.random.Generator, number: int) -> Image:
-        """An image, with what the localizer gets to know of its labels."""
+        """Return an image, and what the localizer knows about its labels."""
         row, ground = self.row, self.ground
         if self.photos is not None:
             return self.photos.image(rng, number)
@@ -209,7 +209,7 @@ class Source:
             ground.spoiled_values = before
 
     def noise(self, view: View, rng: np.random.Generator) -> tuple[LabelNoise, KnownBiases]:
-        """Return the noise of one image in its pixels, and the part of it that the localizer gets to know."""
+        """Return the noise of an image in its pixels, and the part of it that the localizer knows."""
         row, pixel = self.row, view.pixel_size
         noise = NOISES[row.noise]
         if row.noise in OF_NETWORKS:
@@ -225,7 +225,7 @@ class Source:
             biases = KnownBiases((bias,)) if row.stated else KnownBiases(class_spread=NETWORK_SPREAD)
         if row.leaning:
             shared = replace(shared, leaning=row.leaning, leaning_classes=BUILDINGS)
-        # What is shared is as large on the ground in every image.
+        # Shared errors have the same size on the ground in every image.
         shared = shared.in_pixels(pixel)
         names = ("displaced", "displaced_kernels", "class_shifts", "leaning", "leaning_classes")
         return replace(noise, **{name: getattr(shared, name) for name in names}), biases
@@ -244,7 +244,7 @@ class Source:
         return judge(image.query, self.method, found, within, image.landmarks)
 
     def prior(self, view: View, rng: np.random.Generator) -> Prior | None:
-        """What the camera and the user know of an image."""
+        """Return the prior of an image from camera and user."""
         row, known = self.row, {}
         if row.prior_share:
             radius = row.prior_share * view.footprint
@@ -262,7 +262,7 @@ class Source:
 
 
 def attitude_of(view: View, errors_deg: np.ndarray) -> Attitude:
-    """Roll and pitch of a view, plus errors."""
+    """Return roll and pitch of a view with errors."""
     tilt, direction = np.radians((view.tilt_deg, view.tilt_direction_deg))
     pitch = np.arcsin(np.sin(tilt) * np.cos(direction))
     roll = np.arctan2(np.sin(tilt) * np.sin(direction), np.cos(tilt))
@@ -270,7 +270,7 @@ def attitude_of(view: View, errors_deg: np.ndarray) -> Attitude:
 
 
 def told_of(trial: Trial, row: Row) -> dict[str, Any]:
-    """The record of one image; nothing that JSON cannot hold."""
+    """Return the record of one image, with values for JSON only."""
     found, query = trial.result, trial.query
     best, covariance = found.best, found.covariance
     off = math.inf if best is None else math.dist(best.position, query.view.position)
@@ -316,7 +316,7 @@ def _plain(value: Any) -> Any:
 
 
 def cells(some: Sequence[dict], columns: Sequence[str]) -> list[str]:
-    """The cells of a row, one a column of COLUMNS."""
+    """Return the cells of a row, one per column of COLUMNS."""
     return [COLUMNS[column](some) for column in columns]
 
 
@@ -390,19 +390,19 @@ COLUMNS = {
     "smallest risk": lambda some: f"{min((one['risk'] for one in some if one['risk'] is not None), default=1.0):.2g}",
     "ms median, p95": _milliseconds,
 }
-"""What a column of a scenario says of a row's records; the row is the first column."""
+"""Return the cell of a column for the records of a row. The first column is the row's name."""
 
 RISKS = (0.5, 0.2, 1e-2, 1e-3, 1e-4, 1e-6)
 DECADES = (1.0, 0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 0.0)
 
 
 def _risky(some: Sequence[dict]) -> Iterator[tuple[float, bool]]:
-    """(stated risk, whether the best place is right)."""
+    """Return (stated error probability, whether the best place is right) of each record."""
     return ((1.0 if one["risk"] is None else one["risk"], one["best_right"]) for one in some)
 
 
 def curve(some: Sequence[dict]) -> Table:
-    """Tenths of the stated probability, and the expected calibration error."""
+    """Return a table by tenths of the stated probability, with the expected calibration error."""
     pairs, rows, error = list(_risky(some)), [], 0.0
     for tenth in range(10):
         chosen = [(1 - risk, right) for risk, right in pairs if min(int(10 * (1 - risk)), 9) == tenth]
@@ -415,7 +415,7 @@ def curve(some: Sequence[dict]) -> Table:
 
 
 def by_risk(some: Sequence[dict]) -> Table:
-    """Wrong places by stated risk, against the number that the risks add up to."""
+    """Return the wrong places by stated error probability, and the sum of the error probabilities."""
     pairs, rows = list(_risky(some)), []
     for high, low in zip(DECADES, DECADES[1:]):
         chosen = [(risk, right) for risk, right in pairs if low < risk <= high or risk == low == 0]
@@ -426,7 +426,7 @@ def by_risk(some: Sequence[dict]) -> Table:
 
 
 def costs(found: dict[str, list[dict]]) -> Table:
-    """Best places that a RISK lets through, by row: right; wrong."""
+    """Return the positions at each maximum error probability, by row: right; wrong."""
     rows = []
     for name, some in found.items():
         line = []

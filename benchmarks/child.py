@@ -1,8 +1,9 @@
-"""One algorithm in a process of its own, so that its peak memory and whole running time can be measured.
+"""Run an algorithm in a separate process to measure its peak memory and total time.
 
     python benchmarks/child.py '{"algorithm": "builddatabase", "parameters": {…}}'
 
-Without an algorithm QGIS is started and stopped. The last line printed is JSON: seconds, processor_seconds, peak_bytes.
+Without an algorithm it only starts and stops QGIS. The last line of the output is
+JSON: seconds, processor_seconds, peak_bytes.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def run_in_child(algorithm: str = "", parameters: dict | None = None) -> dict:
-    """Runs an algorithm in a child process.
+    """Run an algorithm in a child process.
 
     Returns:
         seconds, processor_seconds and peak_bytes of the algorithm; ``whole``: seconds of the process.
@@ -35,7 +36,7 @@ def run_in_child(algorithm: str = "", parameters: dict | None = None) -> dict:
 
 
 def peak_bytes() -> int:
-    """Largest resident memory of this process. Not getrusage's: Linux hands the parent's peak down to it."""
+    """Return the largest resident memory of this process. getrusage would include the parent's peak on Linux."""
     for line in Path("/proc/self/status").read_text(encoding="ascii", errors="replace").splitlines():
         if line.startswith("VmHWM:"):
             return int(line.split()[1]) * 1024

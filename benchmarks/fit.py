@@ -1,4 +1,4 @@
-"""What settings would fit the records of scenarios: curves of the risk, and the factor of the radius.
+"""Fit settings to the records of scenarios: curves of the error probability, and the factor of the radius.
 
 The solvers' settings (docs/reference/settings.md) are chosen from the output; this program changes nothing. Fit on one
 place or pair of dates, then run the scenario on another.
@@ -18,7 +18,7 @@ from semref.core.constellation.settings import CONSTELLATION
 
 
 def run(work: Path, names: Sequence[str], only: Sequence[str]) -> Table:
-    """A row for each curve and for the radius, from all kept records of scenarios."""
+    """Return a row for each curve and for the radius, from all records of scenarios."""
     some = [one for name in names for one in read_records(work, name, only)]
     rows = [["records", str(len(some))]]
     stars = [one for one in some if one["by"] == "constellation" and one["log_odds"] is not None]
@@ -42,7 +42,7 @@ def run(work: Path, names: Sequence[str], only: Sequence[str]) -> Table:
 
 
 def read_records(work: Path, name: str, only: Sequence[str]) -> list[dict]:
-    """The kept records of a scenario's rows."""
+    """Return the records of a scenario's rows."""
     found = []
     for path in sorted((work / "records").glob(f"{name}_*.jsonl")):
         head, *lines = path.read_text(encoding="utf-8").splitlines()
@@ -59,7 +59,7 @@ def _fitted(known: np.ndarray, some: Sequence[dict]) -> str:
 
 
 def logistic_fit(x: np.ndarray, y: np.ndarray, steps: int = 50) -> np.ndarray:
-    """Offset and slopes of the logistic curve of (N,) or (N, K), lightly damped: separable data give finite slopes."""
+    """Fit a logistic curve to (N,) or (N, K) values and return offset and slopes. Damping keeps slopes finite."""
     design = np.column_stack([np.ones(len(x)), x])
     weights = np.zeros(design.shape[1])
     for _ in range(steps):

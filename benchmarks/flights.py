@@ -1,4 +1,4 @@
-"""Flights: routes are drawn over a map, their images spoiled, and placed by the flight solver as one track."""
+"""Measure flights: draw routes over a map, add noise to their images, and localize each flight as one track."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ from semref.core.simulation.views import View, cut
 
 LARGEST_TRIES = 5_000
 BEND_DEG, CRAB_DEG = 6.0, 10.0
-"""Deviation of the course from image to image; headings differ from courses by so much at most."""
+"""Deviation of the course from image to image, and largest difference of heading and course."""
 
 WRONG_SHARE = 0.1
-"""A pose farther off than this share of an image's edge is wrong."""
+"""A pose with a larger error, as a share of the image's edge, is wrong."""
 
 AT = (1, 3, 5, 10, 20, 30)
 COLUMNS = (
@@ -48,20 +48,20 @@ class Row:
     """Flights of one kind.
 
     Attributes:
-        name: of the row
-        database: name of the map that the database is made of
-        images: name of the map that is flown over; the same if empty
-        half: of the map that is flown over
-        ground_m: edge of an image on the ground
-        step_m: from image to image
-        length: images
-        noise: of the labels, one of ``accuracy.NOISES``, in meters
-        drift: of the links, a share of the distance
-        missing: every so many-th link is missing; 0 for none
-        scales: pixel sizes, pixels of the map
-        foreign: ``mirrored`` or ``other half``: no place is right
-        heading_known_deg: how far off stated headings are at most; 0 for none
-        count: flights
+        name: name of the row
+        database: name of the map for the database
+        images: name of the map under the flight; empty for the same map
+        half: half of the map under the flight
+        ground_m: footprint width of an image
+        step_m: distance from image to image
+        length: number of images
+        noise: noise of the labels, one of ``accuracy.NOISES``, in meters
+        drift: drift of the links, as a share of the distance
+        missing: every n-th link is missing; 0 for no missing link
+        scales: pixel sizes in pixels of the map
+        foreign: ``mirrored`` or ``other half``; every position is then wrong
+        heading_known_deg: largest error of known headings; 0 for unknown
+        count: number of flights
     """
 
     name: str
@@ -81,7 +81,7 @@ class Row:
 
 
 def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
-    """Measures a scenario's flights; rows whose data is missing are named and left out."""
+    """Measure the flights of a scenario; print and skip rows without data."""
     rows = []
     for settings in scenario["row"]:
         row = Row(**{**scenario.get("defaults", {}), **settings})
@@ -100,7 +100,7 @@ def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) 
 
 
 def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str, list]:
-    """Poses of the whole flight, those known image by image, and seconds an image."""
+    """Return the poses of the whole flight, the poses known at each image, and the seconds per image."""
     rng = np.random.default_rng([1616, len(row.name), number])
     images, links, views = draw(ground, row, rng)
     if row.foreign == "mirrored":
@@ -109,7 +109,7 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
     solver, seconds = FlightSolver(known.localizer), []
     started = time.process_time()
     for done, _ in solver.steps(images, links):
-        # Looks back at images count with the last one.
+        # The time for looking back at images counts for the last image.
         seconds += [0.0] * (done - len(seconds))
         seconds[-1] += time.process_time() - started
         started = time.process_time()
@@ -119,7 +119,7 @@ def one_flight(ground: Ground, known: Ground, row: Row, number: int) -> dict[str
 
 
 def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:
-    """(error, edge of the ground, whether the ellipse contains the truth); None without a fix."""
+    """Return (error, footprint width, whether the ellipse contains the truth); None without a fix."""
     if not pose.is_fix:
         return None
     off = np.subtract(pose.place.position, view.position)
@@ -128,10 +128,10 @@ def _placed(pose: Any, view: View) -> tuple[float, float, bool] | None:
 
 
 def draw(ground: Ground, row: Row, rng: np.random.Generator) -> tuple[list[FlightImage], list[Link], list[View]]:
-    """A flight over a ground's extent whose images all show the map.
+    """Draw a flight over the extent of a ground. All of its images show the map.
 
     Raises:
-        ValueError: When the map has no room for one.
+        ValueError: The map has no room for a flight.
     """
     left, bottom, right, top = ground.extent
     for _ in range(LARGEST_TRIES):
@@ -184,7 +184,7 @@ def _fly(
 
 
 def cells(row: Row, flown: Sequence[dict[str, list]]) -> list[str]:
-    """The cells of a row, one a column."""
+    """Return the cells of a row, one per column."""
     images = [one for flight in flown for one in flight["whole"]]
     placed = [one for one in images if one]
     wrong = [one for one in placed if row.foreign or one[0] > WRONG_SHARE * one[1]]

@@ -1,4 +1,4 @@
-"""Images that are not of the map, so that any fix is wrong: each a function of a row's source, a random, a number."""
+"""Draw images of other places, for which every position is wrong; one function for each kind."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ EDGE_PX = 1280
 SCALES = (0.8, 1.25)
 CLASS_VALUES = (1, 2, 3)
 FIELDS = (4, 5, 6, 7)
-"""Values of landmarks and of background in the map of Liechtenstein."""
+"""Values of landmarks and background classes in the map of Liechtenstein."""
 
 AERIAL_CLASSES = {1: 1, 2: 2, 3: 7, 4: 6, 5: 3}
-"""Classes of Dubai's label maps as those of the map that they resemble."""
+"""Classes of Dubai's label maps, and the similar classes of the map."""
 
 LATTICES = ("square", "rectangular", "hexagonal", "twin rows", "two classes")
 CUTS = (0.3, 0.4, 0.5, 0.6, 0.7)
 A_LANDSCAPE = 10
-"""Images of one made-up landscape."""
+"""Draw images of one made-up landscape."""
 
 
 def landscape(source: Source, rng: np.random.Generator, number: int) -> Image:
-    """Made-up landscapes, whose classes have the values of the map's."""
+    """Draw made-up landscapes with the class values of the map."""
     return _view_of(_landscape(30_000 + number // A_LANDSCAPE), rng)
 
 
@@ -44,7 +44,7 @@ def _landscape(seed: int) -> np.ndarray:
 
 
 def aerial(source: Source, rng: np.random.Generator, number: int) -> Image:
-    """Label maps of real aerial photos."""
+    """Draw images from label maps of real aerial photos."""
     paths = sorted((source.world.data / "dubai_aerial").glob("tile*_label.tif"))
     if not paths:
         raise NoDataError("dubai_aerial is not here.")
@@ -62,7 +62,7 @@ def _view_of(labels_hw: np.ndarray, rng: np.random.Generator) -> Image:
 
 
 def lattice(source: Source, rng: np.random.Generator, number: int) -> Image:
-    """Plots in rows, as in a new estate, with gaps, on two kinds of fields."""
+    """Draw regular rows of plots with gaps, on two kinds of fields."""
     kind = LATTICES[number % len(LATTICES)]
     spacing = rng.uniform(40, 160)
     other = spacing * (1.0 if kind == "square" else rng.choice([1.0, rng.uniform(0.5, 2)]))
@@ -89,7 +89,7 @@ def lattice(source: Source, rng: np.random.Generator, number: int) -> Image:
 
 
 def two_places(source: Source, rng: np.random.Generator, number: int) -> Image:
-    """One side of an image of one place, the other side of another."""
+    """Join one side of an image with the other side of an image of another place."""
     ground = source.ground
     one = ground.draw(source.wanted, rng)
     scale = one.view.pixel_size / ground.frame.pixel_size
@@ -104,4 +104,4 @@ def two_places(source: Source, rng: np.random.Generator, number: int) -> Image:
 
 
 KINDS = {"landscape": landscape, "aerial": aerial, "lattice": lattice, "two places": two_places}
-"""Beside ``mirrored`` and ``other half``, which are drawn like images of the map."""
+"""Kinds by name. ``mirrored`` and ``other half`` are drawn like images of the map and are not listed."""

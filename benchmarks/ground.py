@@ -1,4 +1,4 @@
-"""Images cut from a label map, spoiled, and located in a database, which may be of another date."""
+"""Cut images from a label map, add noise, and localize them in a database, also of another date."""
 
 from __future__ import annotations
 
@@ -24,26 +24,26 @@ from semref.core.simulation.noise import LabelNoise
 from semref.core.simulation.views import View, cut, lies_on, random_view
 
 LARGEST_TRIES = 20_000
-"""Places tried for one view before the map is said to have none like it."""
+"""Number of places to try before a view counts as impossible on the map."""
 
 REACH_PX = 1_200
-"""Images see at most so far beyond the half of the map that their centers are in."""
+"""Largest distance that images reach beyond the half of the map with their centers."""
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """What images to draw.
+    """Kind of images to draw.
 
     Attributes:
         scales: smallest and largest pixel size, in pixels of the map
-        headings_deg: to choose from; any if empty
-        landmarks: fewest and most whole ones in view, before any noise
-        tilt_deg: of the camera, in any direction
-        lens: radial distortion, of either sign
-        labeled: least share of the image
-        sizes_px: edges to choose from; the ground's own if empty
-        share: of a window's edge that the image shows, ± 15 %, at uniform positions over the ground; 0 for ``scales``
-        is_inside: whether all of the image shows the map
+        headings_deg: possible headings; empty for any
+        landmarks: smallest and largest number of whole landmarks, before noise
+        tilt_deg: tilt of the camera in a random direction
+        lens: radial distortion with a random sign
+        labeled: smallest labeled share of the image
+        sizes_px: possible edges; empty for that of the ground
+        share: footprint width as a share of a window's edge, ± 15 %, at random places; 0 to use ``scales``
+        is_inside: whether the whole image shows the map
         is_mirrored: whether left and right are exchanged
     """
 
@@ -61,9 +61,9 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Image:
-    """A simulated image: its truth, its (H, W) labels, the whole landmarks it showed before any noise.
+    """A simulated image: true view, (H, W) labels, and number of whole landmarks before noise.
 
-    ``shares``: of a photo, how sure its network is; ``biases``: what is known of how the labels are shifted.
+    ``shares`` are the class probabilities of a photo, ``biases`` the known class offsets of the labels.
     """
 
     query: Query
@@ -78,11 +78,11 @@ class Image:
 
 
 class Ground:
-    """A label map that images are cut from, and the database they are located in.
+    """A label map as the source of images, and the database to localize them.
 
     Attributes:
-        extent: (x_min, y_min, x_max, y_max) that centers of images are in, map units
-        spoiled_values: classes whose regions noise misses, adds, merges and splits
+        extent: (x_min, y_min, x_max, y_max) of the image centers, map units
+        spoiled_values: classes with regions that noise removes, adds, merges and splits
     """
 
     def __init__(
@@ -102,7 +102,7 @@ class Ground:
         self._cells: np.ndarray | None = None
 
     def known_elsewhere(self) -> Ground:
-        """The same images, but the database has the other half of the map only: any fix is wrong."""
+        """Return the ground with a database of the other half of the map, so every position is wrong."""
         is_north = self.extent[1] >= self.middle
         edge = self.extent[1] - REACH_PX if is_north else self.extent[3] + REACH_PX
         references, overview = self.database.references, self.database.overview.copy()
@@ -115,10 +115,10 @@ class Ground:
         return other
 
     def draw(self, wanted: Wanted, rng: np.random.Generator, is_of_map: bool = True) -> Image:
-        """An image as wanted.
+        """Draw an image of the wanted kind.
 
         Raises:
-            ValueError: When the map has none.
+            ValueError: The map has no such image.
         """
         for _ in range(LARGEST_TRIES):
             view = self._view(wanted, rng)
@@ -148,7 +148,7 @@ class Ground:
         return replace(view, is_mirrored=wanted.is_mirrored)
 
     def _anywhere(self, share: float, rng: np.random.Generator) -> View:
-        """A view at a uniform position over the ground that the map has."""
+        """Draw a view at a random place of the map."""
         parameters = self.database.parameters
         spacing = parameters.window_size / 2
         if self._cells is None:
@@ -163,13 +163,13 @@ class Ground:
         return View(float(x), float(y), float(rng.uniform(0, 360)), edge / size, size, size)
 
     def landmarks_in(self, labels_hw: np.ndarray, pixel_size: float) -> Landmarks:
-        """Landmarks of an image, from the smallest of the map on."""
+        """Return the landmarks of an image that are at least as large as the smallest of the map."""
         least = SMALLEST_OBJECT_PX
         smallest = max(self.database.parameters.minimum_area / pixel_size**2, least)
         return extract_landmarks(labels_hw, self.database.class_table.reference_values, smallest)
 
     def spoiled(self, image: Image, noise: LabelNoise, rng: np.random.Generator) -> Image:
-        """The image with noise, in its pixels; spurious landmarks are those of another view at about its scale."""
+        """Return the image with noise in its pixels. Spurious landmarks come from another view of similar scale."""
         if noise == LabelNoise():
             return image
         pixel = image.view.pixel_size
@@ -186,7 +186,7 @@ class Ground:
     def try_image(
         self, image: Image, method: Method, prior: Prior | None = None, right_within: float | None = None
     ) -> Trial:
-        """A label image in, what came of it out."""
+        """Localize a label image and return the result."""
         started = time.process_time()
         known = {"shares": image.shares, "biases": image.biases}
         found: Localization = self.localizer.localize(image.labels_hw, method, prior, **known)
@@ -194,19 +194,19 @@ class Ground:
         return judge(image.query, method, found, right_within, image.landmarks, seconds)
 
     def _count_near(self, view: View) -> int:
-        """Landmarks of the map in the upright square of the view's size: a quick look before it is cut."""
+        """Count the landmarks of the map in the upright square of the view's size, as a quick test."""
         away = np.abs(self.references.positions - view.position).max(axis=1)
         return int((away < view.footprint / 2).sum())
 
 
 def chosen(references: MapLandmarks, kept: np.ndarray) -> MapLandmarks:
-    """Those landmarks of a map that ``kept`` selects, (N,) bool."""
+    """Return the landmarks of a map that ``kept`` selects, (N,) bool."""
     columns = {name: column[kept] for name, column in vars(references).items() if column is not None}
     return replace(references, **columns)
 
 
 def memory_ground(labels_hw: np.ndarray, classes_csv: str, sizes: Sequence[float], pixel_m: float = 1.0) -> Ground:
-    """The ground of a label map in memory, whose database is built here; ``sizes``: window, stride, minimum area."""
+    """Return the ground of a label map in memory and build its database; ``sizes``: window, stride, minimum area."""
     from semref.core.database.build import BuildSettings, build_from_labels
     from semref.core.labels.class_table import class_table_from_csv
     from semref.core.labels.sources import ArrayLabels

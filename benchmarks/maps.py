@@ -1,4 +1,4 @@
-"""Label maps and databases of the maps in maps.toml: made by the plugin's algorithms once, kept in the work folder."""
+"""Label maps and databases of the maps in maps.toml, created by the plugin's algorithms and kept in the work folder."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ MAPS = read_toml(Path(__file__).with_name("maps.toml"))
 USUAL = {"pixel_size": 1.0, "window": 1280.0, "stride": 350.0, "minimum_area": 100.0}
 LAND = ("building", "bare_land", "water")
 UNLABELED_CODE = 255
-"""Class codes of 0, which means unlabeled in a label map, become this."""
+"""Value for class code 0, because 0 means unlabeled in a label map."""
 
 
 class NoDataError(Exception):
-    """The data of a map is not here."""
+    """The data of a map is missing."""
 
 
 @dataclass(frozen=True)
 class World:
-    """Where benchmarks read and write.
+    """Folders and size of a benchmark run.
 
     Attributes:
         data: folder of the real data
         work: folder of intermediate files, kept between runs
         models: folder of networks, for photos
-        count: images a row; None for as many as the scenario wants
+        count: images per row; None for the number in the scenario
     """
 
     data: Path
@@ -41,14 +41,14 @@ class World:
     count: int | None = None
 
     def ground(self, database: str, images: str = "", half: str = "") -> Ground:
-        """Images of one map, located in the database of the same or another one."""
+        """Return the ground with images of one map and the database of the same or another map."""
         return _ground(self, database, images or database, half)
 
     def label_map(self, name: str) -> Path:
-        """The label map (GeoTIFF) of a map.
+        """Return the label map (GeoTIFF) of a map.
 
         Raises:
-            NoDataError: When its data is not here.
+            NoDataError: The data is missing.
         """
         path, one = self.work / f"{name}.tif", settings(name)
         if path.exists():
@@ -69,7 +69,7 @@ class World:
         return run_rasterize(source, path, table, one)
 
     def database(self, name: str, stride: float | None = None) -> Path:
-        """The database of a map, with its own stride or another."""
+        """Return the database of a map, with the default or another stride."""
         one = settings(name)
         path = self.work / f"{name}_{stride or one['stride']:g}.gpkg"
         if not path.exists():
@@ -95,7 +95,7 @@ class World:
         return _write_table(self.work / "rules_classes.csv", list(enumerate(names, 1)), LAND)
 
     def _class_table(self, name: str, source: Path, one: dict[str, Any]) -> Path:
-        """All classes of all dates of a source, so that maps of two dates have the same values."""
+        """Return the classes of all dates of a source, so that maps of two dates have the same values."""
         from osgeo import ogr
 
         layer, found = ogr.Open(str(source)), set()
@@ -118,7 +118,7 @@ def _ground(world: World, database: str, images: str, half: str) -> Ground:
 
 
 def aligned(world: World, images: str, frame: Any) -> np.ndarray:
-    """Labels of another date on the pixels of a database's map, 0 where they are missing."""
+    """Return labels of another date on the pixels of a database's map; 0 for missing labels."""
     from osgeo import gdal
 
     gdal.UseExceptions()
@@ -128,13 +128,13 @@ def aligned(world: World, images: str, frame: Any) -> np.ndarray:
 
 
 def settings(name: str) -> dict[str, Any]:
-    """What maps.toml says of a map."""
+    """Return the entry of a map in maps.toml."""
     one = MAPS[name]
     return {**(settings(one["like"]) if "like" in one else USUAL), **one}
 
 
 def build_parameters(name: str, labels: Path, output: Path, stride: float | None = None) -> dict[str, Any]:
-    """Parameters of semref:builddatabase."""
+    """Return the parameters for semref:builddatabase."""
     one = settings(name)
     found = {"LABELS": str(labels), "WINDOW_SIZE": one["window"], "STRIDE": stride or one["stride"]}
     return {**found, "MINIMUM_AREA": one["minimum_area"], "DATABASE": str(output)}
@@ -156,7 +156,7 @@ def run_rasterize(annotation: Path, output: Path, table: Path, one: dict[str, An
 
 
 def run_algorithm(name: str, parameters: dict[str, Any]) -> list[str]:
-    """Run ``semref:name`` as the toolbox does; gives the lines of its log."""
+    """Run ``semref:name`` like the toolbox and return the lines of its log."""
     import processing
     from qgis.core import QgsProcessingFeedback
 
@@ -166,14 +166,14 @@ def run_algorithm(name: str, parameters: dict[str, Any]) -> list[str]:
 
 
 def read(path: Path) -> np.ndarray:
-    """All bands of a raster, by GDAL alone."""
+    """Read all bands of a raster with GDAL."""
     from osgeo import gdal
 
     return gdal.Open(str(path)).ReadAsArray()
 
 
 def write_sample(folder: Path, seed: int = 1671) -> None:
-    """Annotation and classes of the made-up sample area, unless they are there."""
+    """Create polygons and classes of the sample area if they are missing."""
     if not (folder / "landcover.shp").exists():
         from sample.files import write_classes, write_shapefile
         from sample.landscape import make_landscape

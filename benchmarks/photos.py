@@ -1,4 +1,4 @@
-"""Photos with known truth: of the sample area, of tiles and places with an annotation, as a network labels them."""
+"""Photos with a known true position, labeled by a network: of the sample area, of tiles, and of places with labels."""
 
 from __future__ import annotations
 
@@ -26,27 +26,27 @@ if TYPE_CHECKING:
 
 SHIPPED = ROOT / "models" / "sample_area.onnx"
 SAMPLE_SEED = 1671
-"""None of the seeds of areas that the network that ships was trained on."""
+"""Seed of an area on which the shipped network was not trained."""
 
 PLACE_PIXEL_M = 0.25
 OTHER = 2
 BUILDINGS_ONLY = "value,name,color,role\n1,building,#3c1098,reference\n2,other,#8429f6,background\n"
 SEARCHED = (0.7, 1.4)
-"""Pixels of the map that an image's pixel may show."""
+"""Possible pixel sizes of an image, in pixels of the map."""
 
 
 @dataclass
 class Photos:
-    """A ground with a picture of it and a network.
+    """A ground with a photo and a network.
 
     Attributes:
-        ground: with the true labels
+        ground: ground with the true labels
         picture: (H, W, 3) uint8 on the same pixels
-        model: None for the true labels
-        wanted: crops
-        searched: pixel sizes looked for; None for the method's own
-        columns: (first, last) of the picture that crops may show
-        only_buildings: whether all other classes of the network are “other”
+        model: network; None for the true labels
+        wanted: kind of crops
+        searched: pixel sizes to search; None for the default of the method
+        columns: first and last column of the photo for crops
+        only_buildings: whether all other classes of the network count as “other”
     """
 
     ground: Ground
@@ -64,7 +64,7 @@ class Photos:
             self._biases = known_biases(self.model.class_bias, table)
 
     def image(self, rng: np.random.Generator, number: int) -> Image:
-        """A crop, labeled by the network, or as the annotation has it."""
+        """Draw a crop, with labels of the network or true labels."""
         if self.columns != (0, 0):
             self._stay_inside()
         image = self.ground.draw(self.wanted, rng)
@@ -74,7 +74,7 @@ class Photos:
         return replace(image, labels_hw=found.labels_hw, shares=found.shares, biases=self._biases)
 
     def seen(self, photo_hw3: np.ndarray) -> SeenLabels:
-        """What *Localize images* sees in a photo."""
+        """Label a photo in the same way as *Localize images*."""
         found = PhotoLabels(self.model, ArrayImage(photo_hw3), self._values).seen()
         if not self.only_buildings:
             return found
@@ -86,7 +86,7 @@ class Photos:
         return SeenLabels(labels, ClassShares(values, np.concatenate([buildings, FULL - buildings], axis=2)))
 
     def _stay_inside(self) -> None:
-        """Crops show nothing but their part of the ground."""
+        """Draw a view that shows only the allowed part of the ground."""
         pixel = self.ground.frame.pixel_size
         reach = max(self.wanted.sizes_px) * self.wanted.scales[1] * np.sqrt(0.5) * pixel
         left, bottom, right, top = self.ground.frame.extent
@@ -98,10 +98,10 @@ class Photos:
 
 
 def of(world: World, row: Row) -> Photos:
-    """The photos of a row.
+    """Return the photos of a row.
 
     Raises:
-        NoDataError: When photos or network are not here.
+        NoDataError: Photos or network are missing.
     """
     if row.photos == "sample":
         return SamplePhotos(*_sample(), _model(world, row), Wanted(), None)
@@ -144,10 +144,10 @@ def _model(world: World, row: Row) -> SegmentationModel | None:
 
 
 class SamplePhotos(Photos):
-    """Photos taken over the sample area: other exposure, blur, JPEG."""
+    """Rendered photos of the sample area, with another exposure, blur and JPEG."""
 
     def image(self, rng: np.random.Generator, number: int) -> Image:
-        """One photo of a place and heading of its own."""
+        """Render a photo at a random place and heading."""
         from sample import photo, pictures
 
         seed = SAMPLE_SEED + number
@@ -173,7 +173,7 @@ def _sample() -> tuple[Ground, np.ndarray]:
 
 
 def shown(ground: Ground, photo_hw3: np.ndarray, view: View) -> np.ndarray:
-    """What the view shows of a photo with the ground's pixels, (H, W, 3), by linear interpolation."""
+    """Return the view of a photo on the ground's pixels, (H, W, 3), by linear interpolation."""
     turn, center = np.radians(view.heading_deg), ground.frame.to_pixels(view.position)
     cosine, sine = np.cos(turn), np.sin(turn)
     matrix = view.pixel_size / ground.frame.pixel_size * np.array([[cosine, -sine], [sine, cosine]])

@@ -1,4 +1,4 @@
-"""Chart of what to expect: a bar of images with a right, a wrong and no position for each line of page.toml."""
+"""Draw the chart of what to expect: a bar of images with right, wrong and no position for each entry of page.toml."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from benchmarks import results
 
 WIDTH, ROW_PX, TOP_PX, LABELS_PX, BAR_PX = 850, 34, 64, 375, 260
 RIGHT, WRONG, INK, PAPER, EMPTY = "#0072b2", "#d55e00", "#222222", "#ffffff", "#e6e6e6"
-"""Colors that can be told apart by the color-blind (Okabe & Ito)."""
+"""Colors that color-blind people can distinguish (Okabe & Ito)."""
 
 NOTE = "Line: 95 % interval of the share. Error probability of each position: at most 1 in 10,000."
 
 
 class Count(NamedTuple):
-    """So many of so many, and the 95 % interval in percent."""
+    """A count, its total, and the 95 % interval in percent."""
 
     count: int
     of: int
@@ -26,7 +26,7 @@ class Count(NamedTuple):
 
 
 def count_in(cell: str) -> Count | None:
-    """The count in a cell such as ``34/40, 85 % (71–93)``; None without one."""
+    """Return the count in a cell such as ``34/40, 85 % (71–93)``; None without a count."""
     found = re.match(r"(\d+)/(\d+)(?:.*?\(([\d.]+)[–-]([\d.]+))?", cell)
     if found is None:
         return None
@@ -36,7 +36,7 @@ def count_in(cell: str) -> Count | None:
 
 
 def figures(bars: Sequence[dict[str, Any]]) -> list[tuple[str, Count | None, Count | None]]:
-    """(images, right, wrong) of each bar; a bar without a figure is left out."""
+    """Return (images, right, wrong) of each bar with figures."""
     found = []
     for bar in bars:
         name, row, right_in, wrong_in, *table = bar["of"]
@@ -56,7 +56,7 @@ def figures(bars: Sequence[dict[str, Any]]) -> list[tuple[str, Count | None, Cou
 
 
 def picture(bars: Sequence[dict[str, Any]]) -> str:
-    """The picture as SVG."""
+    """Return the chart as SVG."""
     rows = figures(bars)
     height = TOP_PX + ROW_PX * len(rows) + 34
     parts = [

@@ -1,7 +1,7 @@
-"""Real places with photos and what was drawn on them: what networks for photos are trained on and flown over.
+"""Real places with photos and labels, to train and test networks for photos.
 
-Of each place the photos are brought to a pixel size and its annotation is burnt on their pixels; both are kept in a
-folder. Nothing of them is part of SemRef.
+The photos of a place are resampled to a pixel size, and its polygons are rasterized on their pixels. Both are kept in a
+folder. SemRef does not contain this data.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ TILE_CLASSES = (
     "value,name,color,role\n1,building,#3c1098,reference\n2,land_unpaved,#8429f6,reference\n3,road,#6ec1e4,reference\n"
     "4,vegetation,#fedd3a,reference\n5,water,#e2a929,reference\n"
 )
-"""Annotated aerial photos, and the class table of their labels."""
+"""Folder of aerial photos with labels, and the class table of the labels."""
 
 BUILDINGS = ("building",)
 ALL_CLASSES = ("building", "land_unpaved", "road", "vegetation", "water")
@@ -27,12 +27,12 @@ OAM_LICENSE = (
 
 @dataclass(frozen=True)
 class Photo:
-    """A photo and what was drawn on it.
+    """A photo and its labels.
 
     Attributes:
-        image: File below the data folder.
+        image: Path in the data folder.
         labels: Polygons of buildings, or a label map on the photo's pixels.
-        part: Share of the width, from and to, that belongs to the place.
+        part: Start and end of the place, as shares of the width.
     """
 
     image: str
@@ -41,20 +41,20 @@ class Photo:
 
     @property
     def name(self) -> str:
-        """Of the files made of it."""
+        """Return the stem of the files created from the photo."""
         return Path(self.image).stem + ("" if self.part == (0.0, 1.0) else f"_{100 * self.part[0]:.0f}")
 
 
 @dataclass(frozen=True)
 class Place:
-    """Ground that is trained on, or left out, as a whole.
+    """A place that is used for training, or left out, as a whole.
 
     Attributes:
-        name: Of the place.
-        about: Where it is and what it looks like.
-        license: Of photos and labels.
-        drawn: Classes that were drawn wherever they are.
-        photos: Of the place.
+        name: Name of the place.
+        about: Location and description.
+        license: License of photos and labels.
+        drawn: Classes that were drawn completely.
+        photos: Photos of the place.
     """
 
     name: str
@@ -97,20 +97,20 @@ PLACES = (
 
 
 def place(name: str) -> Place:
-    """The place of this name; KeyError without one."""
+    """Return the place with this name; KeyError for an unknown name."""
     return {one.name: one for one in PLACES}[name]
 
 
 def class_table(names: tuple[str, ...]) -> str:
-    """The class table of these classes, as CSV."""
+    """Return the class table of these classes as CSV."""
     head, *rows = TILE_CLASSES.strip().split("\n")
     return "\n".join([head, *(row for row in rows if row.split(",")[1] in names)]) + "\n"
 
 
 def prepared(photo: Photo, data: Path, pixel_m: float, folder: Path) -> tuple[Path, Path]:
-    """The photo at a pixel size, and its labels on the same pixels; what is there already is kept.
+    """Return a photo at a pixel size and its labels on the same pixels; use existing files.
 
-    A photo without a place on the ground is left at its own pixels.
+    A photo without a georeference keeps its own pixels.
     """
     from osgeo import gdal, ogr
 

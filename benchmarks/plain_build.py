@@ -1,7 +1,6 @@
-"""The published method written plainly from the paper with numpy and OpenCV: what building is compared with.
+"""The published method, written directly from the paper with numpy and OpenCV, as a reference for speed and vectors.
 
-One window at a time, nothing shared between windows, nothing of the plugin imported: the reference for speed and
-for the vectors themselves.
+It computes one window at a time, shares nothing between windows, and imports nothing from the plugin.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ FEWEST = 3
 
 
 def regions(labels_hw: np.ndarray, classes: Sequence[int], minimum_area: float) -> tuple[np.ndarray, np.ndarray]:
-    """Centers of gravity (N, 2) and ranks 1, 2, … (N,) of the regions of an image (paper §2.2.2 (2))."""
+    """Return centers of gravity (N, 2) and ranks 1, 2, … (N,) of the regions of an image (paper §2.2.2 (2))."""
     centers, ranks = [], []
     for rank, value in enumerate(sorted(classes), start=1):
         mask = (labels_hw == value).view(np.uint8)
@@ -27,14 +26,14 @@ def regions(labels_hw: np.ndarray, classes: Sequence[int], minimum_area: float) 
             if cv2.contourArea(contour) < minimum_area:
                 continue
             moments = cv2.moments(contour)
-            # OpenCV counts from the middle of the first pixel.
+            # OpenCV's origin is the center of the first pixel.
             centers.append((moments["m10"] / moments["m00"] + 0.5, moments["m01"] / moments["m00"] + 0.5))
             ranks.append(rank)
     return np.array(centers).reshape(-1, 2), np.array(ranks)
 
 
 def vector(centers: np.ndarray, ranks: np.ndarray, middle: Sequence[float], class_count: int) -> np.ndarray | None:
-    """Distance ratios, angle differences, labels (paper eqs. 1–4); None with fewer than three regions."""
+    """Return distance ratios, angle differences and labels (paper Eq. 1–4); None for fewer than three regions."""
     if len(centers) < FEWEST:
         return None
     dx, dy = centers[:, 0] - middle[0], centers[:, 1] - middle[1]
@@ -56,7 +55,7 @@ def vector(centers: np.ndarray, ranks: np.ndarray, middle: Sequence[float], clas
 def windows(
     labels_hw: np.ndarray, firsts: Iterable[Sequence[int]], size: int, classes: Sequence[int], minimum_area: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Vectors (M, 30), zeros where there is none, and counts of regions (M,) of windows given by (column, row)."""
+    """Return vectors (M, 30), zero if missing, and numbers of regions (M,) of windows given by (column, row)."""
     vectors, counts = [], []
     for column, row in firsts:
         centers, ranks = regions(labels_hw[row : row + size, column : column + size], classes, minimum_area)

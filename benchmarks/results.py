@@ -1,7 +1,7 @@
-"""Results: one JSON file a study, from which docs/benchmarks.md is written.
+"""Read and write results: one JSON file per study. docs/benchmarks.md is written from them.
 
-A file has a title, its runs (command, date, commit, machine), notes, and tables of displayed cells. ``scenario`` names
-the scenario that measures it again; a study whose code is gone says in ``code`` which commit has it last.
+A file has a title, its runs (command, date, commit, machine), notes, and tables of cells as text. ``scenario`` is the
+scenario that repeats the study. ``code`` gives the last commit with the code of a study if the code was removed.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Table = dict[str, list]
 
 
 def load(name: str) -> dict[str, Any]:
-    """A study; empty where there is none."""
+    """Return a study; empty if there is no file."""
     path = FOLDER / f"{name}.json"
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
@@ -33,7 +33,7 @@ def names() -> list[str]:
 
 
 def save(name: str, title: str, scenario: str, command: str, notes: Sequence[str], tables: Sequence[Table]) -> Path:
-    """Writes a study that was measured just now; one line a row, so that differences can be read."""
+    """Write a new study, with one line per row for readable diffs."""
     study = {"title": title, "scenario": scenario, "runs": [run_now(command)], "notes": notes, "tables": tables}
     path = FOLDER / f"{name}.json"
     path.write_text(as_text(study), encoding="utf-8")
@@ -41,7 +41,7 @@ def save(name: str, title: str, scenario: str, command: str, notes: Sequence[str
 
 
 def as_text(study: dict[str, Any]) -> str:
-    """JSON with a line for each row."""
+    """Return a study as JSON with a line for each row."""
 
     def flat(value: object) -> str:
         return json.dumps(value, ensure_ascii=False)
@@ -56,7 +56,7 @@ def as_text(study: dict[str, Any]) -> str:
 
 
 def rows_of(table: Table, wanted: Sequence[str] = ()) -> list[list[str]]:
-    """Rows whose first two cells match one of the expressions from their start, in the order of the expressions."""
+    """Return the rows with first two cells that match the start of an expression, in the order of the expressions."""
     if not wanted:
         return table["rows"]
     chosen = []
@@ -66,7 +66,7 @@ def rows_of(table: Table, wanted: Sequence[str] = ()) -> list[list[str]]:
 
 
 def cell(name: str, row: str, column: str, table: int = 0) -> str:
-    """One cell; “–” where the study has none."""
+    """Return a cell; “–” if the study does not have it."""
     tables = load(name).get("tables", [])
     if table < len(tables) and column in tables[table]["columns"]:
         found = rows_of(tables[table], [row])
@@ -79,7 +79,7 @@ def cell(name: str, row: str, column: str, table: int = 0) -> str:
 
 
 def rate(successes: int, trials: int) -> str:
-    """“299/300, 100 % (98–100)”: count, share and its 95 % interval; “–” without trials."""
+    """Return count, share and its 95 % interval, as in “299/300, 100 % (98–100)”; “–” without trials."""
     from semref.core.evaluation.rates import wilson
 
     if not trials:
@@ -91,7 +91,7 @@ def rate(successes: int, trials: int) -> str:
 
 
 def size(count: float) -> str:
-    """Bytes for people: “33.1 kB”, in thousands."""
+    """Return bytes as text, such as “33.1 kB” (thousands)."""
     for unit in ("B", "kB", "MB"):
         if count < 1000:
             return f"{count:.0f} {unit}" if unit == "B" else f"{count:.1f} {unit}"
@@ -100,7 +100,7 @@ def size(count: float) -> str:
 
 
 def markdown(columns: Sequence[object], rows: Sequence[Sequence[object]]) -> str:
-    """A Markdown table."""
+    """Return a Markdown table."""
     lines = [columns, ["---"] * len(columns), *rows]
     return "\n".join(f"|{'|'.join(str(cell) for cell in line)}|" for line in lines)
 
@@ -109,7 +109,7 @@ def markdown(columns: Sequence[object], rows: Sequence[Sequence[object]]) -> str
 
 
 def run_now(command: str) -> dict[str, Any]:
-    """Command, date, commit, machine and versions of a measurement that was just made."""
+    """Return command, date, commit, machine and versions of the current measurement."""
     return {
         "command": command,
         "date": datetime.date.today().isoformat(),
@@ -121,7 +121,7 @@ def run_now(command: str) -> dict[str, Any]:
 
 
 def revision() -> str:
-    """The commit of the plugin's code, and whether shipped code was changed since."""
+    """Return the commit of the plugin's code, and whether shipped code has changed since."""
     commit = _git("rev-parse", "--short", "HEAD")
     changed = _git("status", "--porcelain", "--", "core", "storage", "processing")
     return f"{commit or 'unknown'}{' with changes' if changed else ''}"
@@ -152,16 +152,16 @@ def versions() -> str:
 
 
 def footer(command: str) -> str:
-    """The same as a line of Markdown, for pages with tables of other tools."""
+    """Return the same as a line of Markdown, for pages with tables of other tools."""
     run = run_now(command)
     return f"*`{command}` on {run['date']}, commit {run['commit']}. {run['machine']}; {run['versions']}.*"
 
 
 def write_section(path: Path, name: str, body: str) -> None:
-    """Replaces what is between ``<!-- bench:name -->`` and ``<!-- /bench:name -->`` in a page.
+    """Replace the text between ``<!-- bench:name -->`` and ``<!-- /bench:name -->`` in a page.
 
     Raises:
-        ValueError: When the page does not have both markers.
+        ValueError: The page does not have both markers.
     """
     begin, end = f"<!-- bench:{name} -->", f"<!-- /bench:{name} -->"
     text = path.read_text(encoding="utf-8")

@@ -1,10 +1,10 @@
-"""Segmentation as QGIS plugins for it usually do, by the published steps of Deepness (0.7), in plain words of our own.
+"""Segment an image tile by tile, with the published steps of Deepness (0.7), as a reference.
 
-A stand-in to compare with, not Deepness: its windows, tasks and messages are left out, which it would only take longer
-for. Each tile is read band by band through QGIS's data provider with bilinear resampling, standardized, run alone in a
-session with onnxruntime's own settings, its best channel taken by numpy, and its middle put into one array for the
-whole image; a median blur over that array takes seams and specks away. Polygons are OpenCV's contours of each class,
-with their holes, put point by point into features of a layer in memory.
+This is not Deepness: its windows, tasks and messages, which would take more time, are missing. The code reads each tile
+band by band with QGIS's data provider and bilinear resampling, standardizes it, and runs it in a session with
+onnxruntime's default settings. numpy selects the best channel. The middle of each tile goes into one array of the whole
+image, and a median blur removes seams and specks. Polygons are OpenCV's contours of each class with their holes, added
+point by point to features of a memory layer.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ import cv2
 import numpy as np
 
 BLUR_PX = 9
-"""Deepness's own default."""
+"""Default of Deepness."""
 
 
 class TileByTile:
-    """Segments an image; ``labels()`` gives channels + 1 of its pixels, ``polygons(labels)`` a layer for each class."""
+    """Segment an image: ``labels()`` returns channel + 1 of each pixel, ``polygons(labels)`` a layer for each class."""
 
     def __init__(self, model: Path, image: Path) -> None:
-        """Opens both. ``image``: 8 bits, red, green and blue, its pixels of the size that the model wants."""
+        """Open model and image. The image has 8 bits, red, green and blue, and the pixel size of the model."""
         import onnxruntime
         from qgis.core import QgsRasterLayer
 
@@ -37,7 +37,7 @@ class TileByTile:
         )
 
     def labels(self) -> np.ndarray:
-        """(H, W) uint8, 1 for the first channel."""
+        """Return labels (H, W) uint8, 1 for the first channel."""
         height, width = self._layer.height(), self._layer.width()
         rows, columns = (max(0, -(-(size - self._tile) // self._stride)) + 1 for size in (height, width))
         whole = np.zeros(((rows - 1) * self._stride + self._tile, (columns - 1) * self._stride + self._tile), np.uint8)
@@ -52,7 +52,7 @@ class TileByTile:
         return cv2.medianBlur(whole, BLUR_PX)[:height, :width]
 
     def _planes(self, row: int, column: int) -> np.ndarray:
-        """(1, 3, tile, tile) float32 standardized pixels."""
+        """Return standardized pixels (1, 3, tile, tile) float32."""
         from qgis.core import QgsRectangle
 
         extent, size = self._layer.extent(), self._layer.rasterUnitsPerPixelX()
@@ -69,7 +69,7 @@ class TileByTile:
         return np.ascontiguousarray(pixels.transpose(2, 0, 1)[None], np.float32)
 
     def polygons(self, labels_hw: np.ndarray) -> list:
-        """A layer in memory for each class that is there."""
+        """Return a memory layer for each class in the labels."""
         return [self._layer_of(labels_hw == value) for value in np.unique(labels_hw)]
 
     def _layer_of(self, mask_hw: np.ndarray) -> object:

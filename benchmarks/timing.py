@@ -28,12 +28,12 @@ TILE_PX = 512
 
 
 def run(world: World, name: str, scenario: dict[str, Any], only: Sequence[str]) -> list[Table]:
-    """Runs the scenario's measurement."""
+    """Run the measurement of a scenario."""
     return MEASUREMENTS[scenario["measure"]](world, scenario)
 
 
 def one_fix(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Time of one fix, by method and number of landmarks, one core; in a catalogue of more, copies are far away."""
+    """Measure the time of one position by method and number of landmarks, on one core."""
     cv2.setNumThreads(1)
     ground, rows = world.ground(scenario["map"], half="south"), []
     for landmarks in scenario["landmarks"]:
@@ -44,7 +44,7 @@ def one_fix(world: World, scenario: dict[str, Any]) -> list[Table]:
             for _ in range((world.count or scenario["count"]) + 1):
                 image = ground.spoiled(ground.draw(Wanted(), rng), GOAL, rng)
                 trials.append(known.try_image(image, method))
-            # The first one makes or opens what is kept beside a database.
+            # The first one builds or opens the cached data of a database.
             milliseconds = 1000 * np.percentile([trial.seconds for trial in trials[1:]], [50, 95])
             right = sum(trial.is_right for trial in trials[1:])
             count = f"{len(known.database.references):,}"
@@ -53,7 +53,7 @@ def one_fix(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def with_copies(ground: Ground, landmarks: int) -> Ground:
-    """The same ground, its database with altered copies of its landmarks beside it."""
+    """Return the same ground with a database that also has changed copies of its landmarks."""
     from dataclasses import replace
 
     from semref.core.database.model import MapLandmarks
@@ -76,7 +76,7 @@ def with_copies(ground: Ground, landmarks: int) -> Ground:
 
 
 def correlation(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Time of map correlation over a country, and near a stated position; all threads."""
+    """Measure the time of map correlation over a country and near a prior position, with all threads."""
     ground, rows = world.ground(scenario["map"], half="south"), []
     started = time.perf_counter()
     ground.localizer.pyramid  # noqa: B018 - made or opened here
@@ -96,7 +96,7 @@ def correlation(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def build(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Building within this process against the plain loop, and the whole command."""
+    """Compare building in this process, and the whole command, with the plain loop."""
     name, rows = scenario["map"], []
     labels, one = world.label_map(name), settings(name)
     database = world.work / "timed.gpkg"
@@ -121,7 +121,7 @@ def build(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def built(labels: Path, name: str, stride: float) -> Any:
-    """core's building of a database: reading, landmarks, overview, hash, windows, vectors."""
+    """Build a database with core: reading, landmarks, overview, hash, windows, vectors."""
     from osgeo import gdal
 
     from semref.core.database.build import BuildSettings, build_from_labels
@@ -139,7 +139,7 @@ def built(labels: Path, name: str, stride: float) -> Any:
 
 
 def classes_of(labels: Path) -> Any:
-    """The class table in a label map."""
+    """Return the class table in a label map."""
     from osgeo import gdal
 
     from semref.core.labels.class_table import class_table_from_csv
@@ -149,7 +149,7 @@ def classes_of(labels: Path) -> Any:
 
 
 def plainly(labels: Path, name: str, stride: float, sampled: int | None) -> float:
-    """Seconds of the plain loop over all windows, scaled up when only a sample of them is computed."""
+    """Return the seconds of the plain loop over all windows, extrapolated from a sample of windows."""
     cv2.setNumThreads(1)
     begin = time.process_time()
     image, grid, size_px, classes, minimum = _plain_inputs(labels, name, stride)
@@ -162,7 +162,7 @@ def plainly(labels: Path, name: str, stride: float, sampled: int | None) -> floa
 
 
 def differences(labels: Path, name: str, stride: float) -> tuple[str, str]:
-    """Windows compared with the plain loop, and the largest difference of their vectors."""
+    """Return the number of windows compared with the plain loop, and the largest difference of their vectors."""
     image, grid, size_px, classes, minimum = _plain_inputs(labels, name, stride)
     windows = built(labels, name, stride).windows
     place = {key: n for n, key in enumerate(windows.names.tolist())}
@@ -182,7 +182,7 @@ def _plain_inputs(labels: Path, name: str, stride: float) -> tuple:
 
 
 def memory(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Peak memory of building maps that grow: copies of the area side by side."""
+    """Measure the peak memory of building from larger and larger maps: copies of the area side by side."""
     name = scenario["map"]
     labels, rows = world.label_map(name), [["QGIS started and stopped", "", size(run_in_child()["peak_bytes"])]]
     for across, down in scenario["grids"]:
@@ -196,7 +196,7 @@ def memory(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def write_copies(path: Path, template: Path, across: int, down: int) -> int:
-    """A label map of copies of another; gives its pixels."""
+    """Write a label map of copies of another map and return its number of pixels."""
     from osgeo import gdal
 
     source, image = gdal.Open(str(template)), read(template)
@@ -214,7 +214,7 @@ def write_copies(path: Path, template: Path, across: int, down: int) -> int:
 
 
 def segment(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Segmenting against bare onnxruntime on the same tiles, and against tile by tile as Deepness does it."""
+    """Compare segmenting with onnxruntime on the same tiles, and with the steps of Deepness."""
     folder = world.work / "segment"
     folder.mkdir(exist_ok=True)
     image, rows = write_photo(folder / "photo.tif", scenario["edge"]), []
@@ -248,7 +248,7 @@ def segment(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def bare_runner(model: Path, image: Path) -> tuple[int, Callable[[], None]]:
-    """(number of tiles, function that runs onnxruntime on them)."""
+    """Return the number of tiles, and a function that runs onnxruntime on them."""
     import onnxruntime
 
     from semref.core.segmentation.tiling import tile_starts
@@ -271,7 +271,7 @@ def bare_runner(model: Path, image: Path) -> tuple[int, Callable[[], None]]:
 
 
 def write_photo(path: Path, edge: int) -> Path:
-    """An RGB GeoTIFF of (edge, edge) pixels of 1 m, in tiles and compressed: the sample area, mirrored."""
+    """Write an RGB GeoTIFF of (edge, edge) pixels of 1 m, tiled and compressed: the sample area, mirrored."""
     from osgeo import gdal, osr
 
     from sample.files import grid_of
@@ -296,7 +296,7 @@ def write_photo(path: Path, edge: int) -> Path:
 
 
 def write_network(path: Path) -> None:
-    """A plain stack of convolutions with seven classes and random weights, as large as networks for photos."""
+    """Write a stack of convolutions with seven classes and random weights, as large as networks for photos."""
     import onnx_writer
 
     random, network, bands = np.random.default_rng(1), onnx_writer.Network(), 3
@@ -321,7 +321,7 @@ def write_network(path: Path) -> None:
 
 
 def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Processor seconds of importing and registering the plugin's provider, in fresh processes of QGIS."""
+    """Measure the processor seconds of importing and registering the plugin's provider, in new processes of QGIS."""
     import subprocess
 
     code = (
@@ -343,7 +343,7 @@ def plugin_load(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """*Localize images* of many label images with all threads against one, and peak memory."""
+    """Compare *Localize images* of many label images with all threads and with one, and measure peak memory."""
     from osgeo import gdal
     from qgis.core import QgsApplication
 
@@ -379,7 +379,7 @@ def many_images(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def update(world: World, scenario: dict[str, Any]) -> list[Table]:
-    """Updating a database after one rectangle was edited, against building it again; both as commands."""
+    """Compare the update of a database after the edit of one rectangle with building it again, both as commands."""
     from osgeo import gdal
 
     name = scenario["map"]
@@ -406,7 +406,7 @@ def update(world: World, scenario: dict[str, Any]) -> list[Table]:
 
 
 def write_area(path: Path, template: Path, area: Sequence[float]) -> Path:
-    """A polygon layer of one rectangle (x_min, x_max, y_min, y_max)."""
+    """Write a polygon layer with one rectangle (x_min, x_max, y_min, y_max)."""
     from osgeo import gdal, ogr, osr
 
     crs = osr.SpatialReference()

@@ -1,4 +1,4 @@
-"""Reading TOML, on Python 3.9 and 3.10 by tomli."""
+"""Read TOML; on Python 3.9 and 3.10 with tomli."""
 
 from __future__ import annotations
 
@@ -13,5 +13,5 @@ else:
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """The content of a TOML file."""
+    """Return the content of a TOML file."""
     return tomllib.loads(path.read_text(encoding="utf-8"))

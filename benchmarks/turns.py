@@ -1,4 +1,4 @@
-"""Fair comparison of running times: candidates take turns within one run, and each turn gives one ratio."""
+"""Compare running times fairly: the candidates take turns in one run, and each turn gives one ratio."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from collections.abc import Callable, Sequence
 
 
 def take_turns(candidates: dict[str, Callable[[], float | None]], repetitions: int) -> dict[str, list[float]]:
-    """Runs all candidates one after another, ``repetitions`` times; gives the seconds of each.
+    """Run all candidates one after the other, ``repetitions`` times, and return the seconds of each.
 
-    A candidate that measures itself returns its seconds. Every other turn runs the other way round, so that none
-    always profits from what its forerunner left in the caches.
+    A candidate that measures itself returns its seconds. Every second turn runs in reverse order, so that no candidate
+    always profits from caches that the previous one filled.
     """
     seconds: dict[str, list[float]] = {name: [] for name in candidates}
     for turn in range(repetitions):
@@ -25,7 +25,7 @@ def take_turns(candidates: dict[str, Callable[[], float | None]], repetitions: i
 
 
 def on_processor(candidate: Callable[[], object]) -> Callable[[], float]:
-    """The candidate, returning the seconds of all processors together that this process spent on it."""
+    """Wrap a candidate so that it returns the processor seconds of this process."""
 
     def run() -> float:
         begin = time.process_time()
@@ -36,10 +36,10 @@ def on_processor(candidate: Callable[[], object]) -> Callable[[], float]:
 
 
 def spread(values: Sequence[float], digits: int = 2) -> str:
-    """Median and extremes: “1.05 (0.98–1.20)”."""
+    """Return median and extremes, as in “1.05 (0.98–1.20)”."""
     return f"{statistics.median(values):.{digits}f} ({min(values):.{digits}f}–{max(values):.{digits}f})"
 
 
 def ratios(numerators: Sequence[float], denominators: Sequence[float], digits: int = 2) -> str:
-    """Spread of the ratios of measurements that were taken in the same turn."""
+    """Return the spread of the ratios of measurements in the same turn."""
     return spread([a / b for a, b in zip(numerators, denominators)], digits)

@@ -1,10 +1,10 @@
-"""How much of the processor's time a command takes here against an earlier commit, the two taking turns.
+"""Compare the processor time of a command in this checkout and in an earlier commit, in turns.
 
     .venv/bin/python tools/against.py COMMIT [--turns N] -- COMMAND [arguments]
 
-The command runs in the root of either working tree; {root}, {folder} and {name} in it become the tree's path, the path
-of the folder above and its name. Prints the median and the extremes of the turns' ratios. Examples (of the first one
-the folder holds label images, and the file is what *Export for onboard use* makes):
+The command runs in the root of both working trees. {root}, {folder} and {name} become the path of the tree, the path of
+the folder above, and its name. The script prints median and extremes of the ratios. Examples (the first one needs an
+onboard file and a folder of label images):
 
     .venv/bin/python tools/against.py v0.1.0 -- python3 -m core localize --database /data/map.npz /data/images
     .venv/bin/python tools/against.py v0.1.0 -- \\
@@ -30,7 +30,7 @@ from benchmarks.turns import ratios, take_turns  # noqa: E402
 
 
 def in_tree(command: Sequence[str], root: Path) -> list[str]:
-    """The command for the working tree at ``root``."""
+    """Return the command for the working tree at ``root``."""
     places = {"{root}": str(root), "{folder}": str(root.parent), "{name}": root.name}
     parts = []
     for part in command:
@@ -41,10 +41,10 @@ def in_tree(command: Sequence[str], root: Path) -> list[str]:
 
 
 def processor_seconds(command: Sequence[str], root: Path) -> float:
-    """Seconds of the processor, of user and system, that the command and its children take in ``root``.
+    """Return the processor seconds (user and system) of the command and its children in ``root``.
 
     Raises:
-        SystemExit: When it fails.
+        SystemExit: The command failed.
     """
     before = os.times()
     done = subprocess.run(in_tree(command, root), cwd=root, stdout=subprocess.DEVNULL, check=False)
@@ -61,7 +61,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("command", nargs="+")
     options = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory(prefix="semref-against-") as folder:
-        # A name that Python can import.
+        # Python must be able to import the name.
         then = Path(folder) / "semref_then"
         git = ["git", "-C", str(ROOT)]
         subprocess.run([*git, "worktree", "add", "--quiet", "--detach", str(then), options.commit], check=True)

@@ -1,6 +1,6 @@
-"""The main job on the sample area: shapefile → label map → reference database → positions.
+"""Run the main steps on the sample area: shapefile → label map → reference database → positions.
 
-Positions of label pictures, by two methods, and of photos, which the model that ships turns into label pictures.
+The demo localizes label images with two methods, and photos with the shipped model.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ WINDOW_SIZE_M, STRIDE_M, MINIMUM_AREA_M2 = 640, 160, 50
 RIGHT_WITHIN_M = 10.0
 MODEL = ROOT / "models" / "sample_area.onnx"
 METHODS = (("positions", 0, "constellation"), ("published", 1, "topology vector"))
-"""Output, METHOD of semref:localizeimages, and heading in the table."""
+"""Output, METHOD of semref:localizeimages, and column title."""
 ABOUT_OFF_GRID = """
    Pictures between windows (off_grid) are matched with a wrong window by the published method, and it does
    not notice: a distance below 2 counts as a match. The constellation verifies its fixes:
@@ -31,7 +31,7 @@ PHOTO_METHODS = (("photo_positions", 0, "photo → network → position"),)
 def main() -> None:
     OUTPUT.mkdir(exist_ok=True)
     sample = OUTPUT / "sample"
-    print("1. Making the sample area")
+    print("1. Sample area")
     if not sample.exists():
         command = [sys.executable, "-m", "tools.sample", str(sample), "--label-images"]
         subprocess.run(command, cwd=ROOT, check=True)
@@ -45,7 +45,7 @@ def main() -> None:
 
 
 def run_algorithms(sample: Path) -> dict[str, str]:
-    """Runs the shipped model and the localization as any user of Processing would; gives the outputs' paths."""
+    """Run the shipped model and the localization with Processing, and return the paths of the outputs."""
     import processing
 
     paths = {
@@ -59,7 +59,7 @@ def run_algorithms(sample: Path) -> dict[str, str]:
             ("photo_positions", "photo_positions.gpkg"),
         )
     }
-    print("\n2. Shapefile to label map and reference database (semref:annotationtodatabase)")
+    print("\n2. From shapefile to label map and reference database (semref:annotationtodatabase)")
     built = processing.run(
         "semref:annotationtodatabase",
         {
@@ -78,13 +78,13 @@ def run_algorithms(sample: Path) -> dict[str, str]:
     )
     counts = built["CHILD_RESULTS"]["build"]
     print(f"   {counts['WINDOW_COUNT']} windows, {counts['REFERENCE_COUNT']} landmarks")
-    print("\n3. Pictures to positions (semref:localizeimages), by constellation and by the published method")
+    print("\n3. From label images to positions (semref:localizeimages), Constellation and published method")
     for name, method, _ in METHODS:
         parameters = {"DATABASE": paths["database"], "IMAGES": [str(sample / "images")], "METHOD": method}
         if method == 0:
             parameters["FOOTPRINTS"] = paths["footprints"]
         processing.run("semref:localizeimages", {**parameters, "OUTPUT": paths[name]})
-    print("\n4. Photos to positions (semref:localizeimages with the model that ships)")
+    print("\n4. From photos to positions (semref:localizeimages with the shipped model)")
     parameters = {"DATABASE": paths["database"], "IMAGES": [str(sample / "photos")], "MODEL": str(MODEL)}
     processing.run("semref:localizeimages", {**parameters, "OUTPUT": paths["photo_positions"]})
     return paths
@@ -104,7 +104,7 @@ def _printing_feedback():
 
 
 def read_positions(path: str) -> dict[str, dict]:
-    """Rows of the positions layer by image name."""
+    """Return the rows of the positions layer by image name."""
     from qgis.core import QgsVectorLayer
 
     layer = QgsVectorLayer(path, "positions", "ogr")
@@ -119,7 +119,7 @@ def read_truth(path: Path) -> list[dict]:
 
 
 def print_fixes(found: dict[str, dict[str, dict]], truth: list[dict], methods) -> None:
-    """One line a picture, then how many of each kind were found where they are."""
+    """Print a line for each image, then the number of right positions of each kind."""
     print(f"\n   {'picture':32s}" + "".join(f" | {title:44s}" for _, _, title in methods))
     right: dict[str, list[list[bool]]] = defaultdict(list)
     for row in truth:
@@ -135,7 +135,7 @@ def print_fixes(found: dict[str, dict[str, dict]], truth: list[dict], methods) -
 
 
 def _error(fix: dict, truth: dict) -> float | None:
-    """Meters between fix and truth, None without a fix."""
+    """Return the distance from the true position in m; None without a position."""
     if fix["status"] != "fix":
         return None
     return hypot(fix["x"] - float(truth["x"]), fix["y"] - float(truth["y"]))
@@ -148,7 +148,7 @@ def _cell(fix: dict, error: float | None) -> str:
         return fix["status"]
     wrong = "" if error <= RIGHT_WITHIN_M else "  WRONG PLACE"
     if fix["method"] == "topology vector":
-        # It has a confidence of its own making, which is no probability.
+        # The published method's confidence is not a probability.
         return f"{error:7.2f} m off, confidence {fix['confidence']:.2f}{wrong}"
     return f"{error:7.2f} m off, error probability {error_probability(fix['confidence'])}{wrong}"
 

@@ -1,4 +1,4 @@
-"""This checkout, whatever its folder is called, as the package ``semref``, and its benchmarks; for tools only."""
+"""Import this checkout as the package ``semref``, with any folder name, and its benchmarks; for tools only."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def load_plugin_package() -> None:
-    """Makes this checkout importable as ``semref``, and its benchmarks as ``benchmarks``.
+    """Make this checkout importable as ``semref``, and its benchmarks as ``benchmarks``.
 
-    The root itself must not be on the path: our processing/ would come before QGIS's.
+    The root must not be on the path, because our processing/ would then hide QGIS's.
     """
     for name, folder in (("semref", ROOT), ("benchmarks", ROOT / "benchmarks")):
         if name not in sys.modules:

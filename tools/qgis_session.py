@@ -1,4 +1,4 @@
-"""QGIS without a window, with Processing and this checkout as the package ``semref``; for tools only."""
+"""Start QGIS without a window, with Processing and this checkout as the package ``semref``; for tools only."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["ROOT", "load_plugin_package", "qgis_session"]
 
 @contextlib.contextmanager
 def qgis_session() -> Iterator[object]:
-    """A QgsApplication in a fresh profile with SemRef's provider registered; gives the provider."""
+    """Start a QgsApplication with a new profile, and yield SemRef's registered provider."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     with tempfile.TemporaryDirectory(prefix="semref-profile-") as home:
         for variable in ("QGIS_CUSTOM_CONFIG_PATH", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
@@ -24,7 +24,7 @@ def qgis_session() -> Iterator[object]:
         os.environ.setdefault("XDG_RUNTIME_DIR", home)
         from qgis.core import QgsApplication, QgsProject
 
-        # Map pictures need the fonts and widgets of the GUI application, also without a window.
+        # Map images need the fonts and widgets of the GUI application.
         application = QgsApplication([], True)
         application.initQgis()
         sys.path.append(os.path.join(QgsApplication.pkgDataPath(), "python", "plugins"))
@@ -35,7 +35,7 @@ def qgis_session() -> Iterator[object]:
         from semref.processing.provider import register_provider
 
         provider = register_provider(QgsApplication.processingRegistry())
-        # Not in a finally: after an error its traceback still holds objects of QGIS, and quitting would crash.
+        # Not in a finally: after an error the traceback still holds QGIS objects, and quitting would crash.
         yield provider
         QgsProject.instance().clear()
         QgsApplication.processingRegistry().removeProvider("semref")

@@ -3,11 +3,11 @@
     .venv/bin/python tools/docs/time_walk.py --python PYTHON_WITH_TORCH [--minutes 5] [--processor-time] [--write]
                                              [--place banepa [--data FOLDER]]
 
-A fresh profile with the packaged plugin on a virtual screen. The ground is the sample area unless a folder is named
-that has the same files (orthophoto.tif, landcover.shp, photos, photos.csv), or a real place, which walk_ground.py cuts
-out of the real data; without that, or without torch, it says so and does nothing. With --write the table and the
-pictures of the guide are replaced by those of this run; else they come into the folder that --pictures names. On a
-machine that does other work --processor-time gives the training the time of one processor that it would have had alone.
+The walk uses a new profile with the packaged plugin on a virtual screen. The ground is the sample area, a folder with
+the same files (orthophoto.tif, landcover.shp, photos, photos.csv), or a real place, which walk_ground.py cuts from the
+real data. Without the data or torch, the script prints a message and exits. --write replaces table and pictures
+of the docs; otherwise they go to the folder --pictures. On a busy machine, --processor-time counts the processor time
+of the training instead of elapsed time.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ LIMIT_S = 7200
 SAMPLE = {
     "polygons": "landcover.shp",
     "buildings_alone": False,
-    # As the sample project's: about what its photos show, and its houses.
+    # Sizes of the sample project: about those of its photos and houses.
     "fields": {"WINDOW_SIZE": "640", "STRIDE": "160", "MINIMUM_AREA": "50"},
     "picture": "",
 }
@@ -55,15 +55,15 @@ STEPS = {
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--python", required=True, help="one with torch")
-    parser.add_argument("--minutes", type=float, default=5, help="of training")
-    parser.add_argument("--processor-time", action="store_true", help="minutes of the processor, not of the clock")
-    parser.add_argument("--place", choices=PLACES, help="a real place in place of the sample area")
+    parser.add_argument("--python", required=True, help="a Python with torch")
+    parser.add_argument("--minutes", type=float, default=5, help="minutes of training")
+    parser.add_argument("--processor-time", action="store_true", help="count processor time instead of elapsed time")
+    parser.add_argument("--place", choices=PLACES, help="a real place instead of the sample area")
     parser.add_argument("--data", type=Path, default=ROOT.parent / "shared" / "data", help="folder of the real data")
-    parser.add_argument("--ground", type=Path, help="folder as tools/sample fills it")
-    parser.add_argument("--folder", type=Path, help="where the walk's files lie meanwhile, as the pictures show")
-    parser.add_argument("--pictures", type=Path, help="folder for the pictures, if they are not the guide's")
-    parser.add_argument("--write", action="store_true", help="into the guide")
+    parser.add_argument("--ground", type=Path, help="folder with the files of tools/sample")
+    parser.add_argument("--folder", type=Path, help="folder of the walk's files, which the pictures show")
+    parser.add_argument("--pictures", type=Path, help="folder for the pictures instead of the docs")
+    parser.add_argument("--write", action="store_true", help="write table and pictures into the docs")
     arguments = parser.parse_args()
     place = PLACES.get(arguments.place)
     missing = (place and lacks(place, arguments.data)) or lacks_torch(arguments.python)
@@ -98,7 +98,7 @@ def main() -> None:
 
 
 def lacks_torch(python: str) -> str:
-    """A sentence where this Python can't train; empty where it can."""
+    """Return a message if this Python cannot train; otherwise an empty text."""
     try:
         found = subprocess.run([python, "-c", "import torch"], check=False, capture_output=True).returncode == 0
     except OSError:
@@ -109,10 +109,10 @@ def lacks_torch(python: str) -> str:
 def walk(
     package: Path, home: Path, ground: Path | None, python: str, minutes: float, place: RealPlace | None = None
 ) -> dict:
-    """What the session saw; ends this program where it came to an error."""
+    """Run the session and return its result; exit at an error."""
     work, made = home / "work", home / "ground"
     work.mkdir(parents=True)
-    # Packaging has made it.
+    # Packaging created it.
     shutil.copytree(ROOT / "sample", made, ignore=shutil.ignore_patterns(".*"))
     job = {"tools": str(SESSION.parent), "ground": str(ground or made), "work": str(work)}
     job |= {"python": str(python), "minutes": minutes, "pictures": str(home / "pictures"), **there(place)}
@@ -122,14 +122,14 @@ def walk(
 
 
 def there(place: RealPlace | None) -> dict:
-    """What the walk does at a place, as the session's job has it."""
+    """Return the job of the session for a place."""
     if place is None:
         return SAMPLE
     return {"polygons": "buildings.gpkg", "buildings_alone": True, "fields": place.fields, "picture": REAL_PICTURE}
 
 
 def keep(pictures: Path, folder: Path | None, place: RealPlace | None = None) -> None:
-    """Small, in that folder; without one they go. Of a real place only the last: dialogs look the same everywhere."""
+    """Write small pictures to the folder, or delete them without a folder. Of a real place keep the last one only."""
     if folder is None:
         return
     folder.mkdir(parents=True, exist_ok=True)
@@ -139,14 +139,14 @@ def keep(pictures: Path, folder: Path | None, place: RealPlace | None = None) ->
 
 
 def by_processor_time(folder: Path, python: str) -> str:
-    """A program that trains with this Python, the minutes of whose jobs are one processor's."""
+    """Write a program that trains with this Python and counts minutes of processor time."""
     program = folder / "python"
     program.write_text(_BY_PROCESSOR_TIME.format(own=sys.executable, python=python), encoding="utf-8")
     program.chmod(0o755)
     return str(program)
 
 
-# The first line may not name a path with a space: sh reads the second, Python takes it for a text.
+# The first line cannot have a path with a space. sh reads the second line; for Python it is a string.
 _BY_PROCESSOR_TIME = """\
 #!/bin/sh
 '''exec' "{own}" "$0" "$@"
