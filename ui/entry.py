@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Callable
+from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsApplication, QgsProject, QgsSettings
-from qgis.gui import QgisInterface, QgsCustomDropHandler
-from qgis.PyQt.QtCore import Qt, QUrl
+from qgis.gui import QgisInterface, QgsCustomDropHandler, QgsOptionsWidgetFactory
+from qgis.PyQt.QtCore import Qt, QUrl, pyqtSignal
 from qgis.PyQt.QtGui import QDesktopServices, QIcon
 from qgis.PyQt.QtWidgets import QAction
 
@@ -20,12 +20,17 @@ from ..processing.version import guide_url
 from .diagnostics import Diagnostics
 from .dock.dock import SemRefDock
 from .dock.preload import Preload
-from .options import PAGE, OptionsFactory
 from .packages.component_installer import ComponentInstaller
 from .running.localization_run import named_results
 from .widgets.messages import Messages
 
+if TYPE_CHECKING:
+    from .packages.components_page import ComponentsPage
+
 MENU = "SemRef"
+
+PAGE = "SemRefOptions"
+"""Name of the options page, by which QGIS opens it."""
 
 _VISIBLE_SETTING = "semref/dock/visible"
 """Whether the dock was open when the plugin was unloaded."""
@@ -122,6 +127,29 @@ class DockEntry:
 
     def _show_options(self) -> None:
         self._iface.showOptionsDialog(self._iface.mainWindow(), PAGE)
+
+
+class OptionsFactory(QgsOptionsWidgetFactory):
+    """changed: packages were removed on the page."""
+
+    changed = pyqtSignal()
+
+    def __init__(
+        self, installer: ComponentInstaller, training_installer: ComponentInstaller, diagnostics: Diagnostics
+    ) -> None:
+        super().__init__("SemRef", QIcon(str(ICON_PATH)))
+        self._diagnostics = diagnostics
+        self._installer, self._training_installer = installer, training_installer
+
+    def createWidget(self, parent=None) -> ComponentsPage:
+        # Imported here because few sessions open the options.
+        from .packages.components_page import ComponentsPage
+
+        page = ComponentsPage(self._installer, self._training_installer, parent)
+        page.setObjectName(PAGE)
+        page.removed.connect(self.changed)
+        page.diagnosticsAsked.connect(lambda: page.state.setText(self._diagnostics.copy()))
+        return page
 
 
 def _open_user_guide() -> None:

@@ -93,7 +93,7 @@ def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page
 def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
     from qgis.PyQt.QtWidgets import QTabWidget
 
-    from semref.ui.options import PAGE
+    from semref.ui.entry import PAGE
 
     iface.tool_bar_actions[0].trigger()
     dock = iface.docks[0]

@@ -203,7 +203,7 @@ def test_unloading_while_pictures_are_read_leaves_nothing(plugin, dock, iface, a
 
 def test_photos_without_onnx_runtime_point_to_the_installer(plugin, dock, iface, area, monkeypatch, tmp_path, tab):
     from semref.processing.packages import components
-    from semref.ui.options import PAGE
+    from semref.ui.entry import PAGE
     from semref.ui.packages import missing_notice
 
     for module in (components, missing_notice):

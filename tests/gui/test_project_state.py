@@ -7,7 +7,21 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
+import pytest
 from dock_area import corners, localize, messages, settle, shown_outline, start, table, wait_until
+
+
+@pytest.fixture
+def saved(dock, area, tab, tmp_path, monkeypatch):
+    """Path of a GeoPackage of the results of one image, which the dock shows."""
+    from qgis.PyQt.QtWidgets import QFileDialog
+
+    path = tmp_path / "elsewhere" / "results.gpkg"
+    path.parent.mkdir()
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    localize(dock, area.database, [area.image])
+    tab.results.save.click()
+    return path
 
 
 def test_a_project_closed_while_a_run_works_ends_the_run(dock, area, tab):
@@ -71,14 +85,9 @@ def test_the_project_brings_the_dock_back_as_it_was_saved(dock, iface, area, tmp
     assert tab.prior.text.text_shown == "Search area: radius 60 m"
 
 
-def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, area, tmp_path, monkeypatch, tab):
+def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface, saved, tmp_path):
     from qgis.core import QgsProject
-    from qgis.PyQt.QtWidgets import QFileDialog
 
-    saved = tmp_path / "results.gpkg"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
-    localize(dock, area.database, [area.image])
-    tab.results.save.click()
     QgsProject.instance().write(str(tmp_path / "project.qgs"))
     QgsProject.instance().clear()
     saved.unlink()
@@ -129,19 +138,12 @@ def test_other_images_leave_the_results_where_they_are(dock, area, tab):
     assert table(dock) == shown
 
 
-def test_results_of_a_database_that_was_replaced_are_among_the_earlier_ones(dock, area, tab):
+def test_earlier_results_are_shown_until_another_choice(dock, area, tab, tmp_path):
     localize(dock, area.database, [area.image])
     shown = table(dock)
+    # The database is replaced, then another one is chosen.
     dock.choose_database(area.database)
     assert table(dock) == []
-    tab.results.earlier.aboutToShow.emit()
-    tab.results.earlier.actions()[0].trigger()
-    assert table(dock) == shown
-
-
-def test_earlier_results_of_another_database_are_shown_until_another_choice(dock, area, tab, tmp_path):
-    localize(dock, area.database, [area.image])
-    shown = table(dock)
     dock.content.database.file.setFilePath(str(shutil.copy(area.database, tmp_path / "other.gpkg")))
     tab.results.earlier.aboutToShow.emit()
     tab.results.earlier.actions()[0].trigger()
@@ -161,34 +163,19 @@ def test_a_message_that_waits_for_a_click_goes_with_its_project(dock, iface, tab
     assert messages(iface) == []
 
 
-def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(
-    dock, iface, area, tmp_path, monkeypatch, tab
-):
+def test_saved_results_that_are_dropped_on_qgis_come_with_all_their_layers(iface, area, saved):
     from qgis.core import QgsProject
-    from qgis.PyQt.QtWidgets import QFileDialog
 
-    saved = str(tmp_path / "results.gpkg")
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (saved, ""))
-    localize(dock, area.database, [area.image])
-    tab.results.save.click()
     QgsProject.instance().clear()
     (handler,) = iface.drop_handlers
-    assert handler.handleFileDrop(saved) and not handler.handleFileDrop(area.image)
+    assert handler.handleFileDrop(str(saved)) and not handler.handleFileDrop(area.image)
     names = sorted(layer.name() for layer in QgsProject.instance().mapLayers().values())
     assert {"SemRef footprints", "SemRef positions", "SemRef matches"} <= set(names)
 
 
-def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list(
-    dock, iface, area, tmp_path, monkeypatch, tab
-):
+def test_results_from_a_stranger_show_only_images_in_their_folder_or_in_the_list(iface, area, saved, monkeypatch, tab):
     from qgis.core import QgsProject
-    from qgis.PyQt.QtWidgets import QFileDialog
 
-    saved = tmp_path / "elsewhere" / "results.gpkg"
-    saved.parent.mkdir()
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(saved), ""))
-    localize(dock, area.database, [area.image])
-    tab.results.save.click()
     state = tab.state_now()
     QgsProject.instance().clear()
     drawn = []
