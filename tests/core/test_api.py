@@ -31,7 +31,7 @@ def test_the_example_of_the_readme_runs(repository, tmp_path, monkeypatch, capsy
     assert capsys.readouterr().out.startswith("fix (6002")
 
 
-def test_the_package_alone_loads_nothing(repository):
+def test_importing_the_package_loads_no_module(repository):
     program = "import core, sys; print({'numpy', 'cv2', 'core.api'} & set(sys.modules), core.localize.__module__)"
     done = subprocess.run([sys.executable, "-c", program], cwd=repository, capture_output=True, text=True, check=True)
     assert done.stdout == "set() core.api\n"

@@ -267,7 +267,7 @@ def test_processes_that_start_at_once_give_the_same_arrays(path, repository):
     assert not list(path.parent.glob("*.semref-tmp"))
 
 
-def test_a_digest_tells_where_one_column_ends_and_the_next_begins():
+def test_a_digest_depends_on_the_borders_between_columns():
     assert digest([b"ab", b"c"]) != digest([b"a", b"bc"])
     column = np.arange(6)
     assert digest([column]) == digest([column.tobytes()]) == digest([np.repeat(column, 2)[::2]])

@@ -14,14 +14,14 @@ KINDS = [kind for kind in vars(errors).values() if isinstance(kind, type) and is
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_error_is_caught_as_one_the_user_can_mend_and_says_its_sentence(kind):
+def test_every_error_is_a_user_error_with_its_sentence(kind):
     with pytest.raises(SemRefError) as caught:
         raise kind("The image has no pixels.")
     assert str(caught.value) == "The image has no pixels."
     assert caught.value.sentence == Sentence("The image has no pixels.")
 
 
-def test_an_error_can_say_what_another_said():
+def test_an_error_can_repeat_the_sentence_of_another():
     said = DatabaseError("{count} other place fits almost as well as the best one.", count=1)
     assert str(ImageError(said.sentence)) == str(said)
 

@@ -12,7 +12,7 @@ from semref.core.localization import Localization, Matches, Method, Place, Statu
 FIX = Localization(Status.FIX, Method.CONSTELLATION, best=Place((1.0, 2.0), heading_deg=30.0, pixel_size_m=0.5))
 
 
-def test_a_fix_tells_where_the_image_lies():
+def test_a_fix_has_the_position_of_the_image():
     assert (FIX.is_fix, FIX.position, FIX.heading_deg, FIX.pixel_size_m) == (True, (1.0, 2.0), 30.0, 0.5)
 
 

@@ -23,12 +23,12 @@ ELSEWHERE = [
 
 
 @pytest.mark.parametrize("path", ELSEWHERE)
-def test_a_path_of_another_computer_is_none_of_this_one(path):
+def test_a_path_of_another_computer_is_not_followed(path):
     assert is_elsewhere(path)
 
 
 @pytest.mark.parametrize("path", ["/home/me/a.tif", r"C:\maps\a.tif", "C:/maps/a.tif", "a.tif", "../a.tif", ""])
-def test_a_path_of_this_computer_is_one(path):
+def test_a_path_of_this_computer_is_a_path(path):
     assert not is_elsewhere(path)
 
 

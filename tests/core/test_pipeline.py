@@ -43,7 +43,7 @@ def test_scales_become_pixel_sizes_of_the_image_s_shorter_edge():
     assert prior == Prior((1.0, 2.0), 30.0, pixel_size_range=(1.25, 5.0))
 
 
-def test_what_the_camera_knows_counts_where_nobody_said_otherwise():
+def test_camera_data_count_if_no_value_is_given():
     camera = Camera(heading_deg=70.0)
     assert Search(Method.CONSTELLATION).prior_of(Localizer(), camera, (40, 60)).heading_deg == 70.0
     told = Search(Method.CONSTELLATION, Prior(heading_deg=10.0))

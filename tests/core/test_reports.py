@@ -59,7 +59,7 @@ def test_a_page_needs_no_network_and_no_script():
     assert not re.search(r"<script|<link|@import|url\(|\bsrc=|\bhref=", html)
 
 
-def test_texts_are_escaped_wherever_they_stand():
+def test_texts_are_escaped_everywhere():
     html = page.page(
         HOSTILE,
         HOSTILE,
@@ -77,7 +77,7 @@ def test_a_table_aligns_numbers_and_marks_good_and_bad():
     assert '<td class="good">yes</td>' in html and '<td class="bad">no</td>' in html
 
 
-def test_numbers_are_told_with_unit_and_what_is_unknown_with_a_dash():
+def test_numbers_have_units_and_unknown_values_are_dashes():
     assert page.number(0.08869, "m") == "0.0887\u00a0m"
     assert (page.number(12345.6), page.number(2.04, "°", 2), page.number(None, "m")) == ("12,346", "2°", "–")
     assert (page.percent(0.125), page.percent(None)) == ("12.5\u00a0%", "–")

@@ -33,7 +33,7 @@ def drawn_area():
     return drawn + [(1, 60, box(x, y, x + 14, y + 10)) for x in range(210, 390, 24) for y in (170, 195, 220)]
 
 
-def test_it_is_small_and_knows_the_classes_of_the_sample(model):
+def test_the_model_is_small_and_has_the_classes_of_the_sample(model):
     assert MODEL.stat().st_size < 3_000_000
     assert [(c.value, c.name, c.color, c.role) for c in model.classes.table] == [
         (c.value, c.name, c.color, c.role) for c in CLASSES

@@ -47,7 +47,7 @@ def test_a_sentence_without_values_is_its_template():
     assert english(NO_PIXELS) == "The image has no pixels."
 
 
-def test_numbers_are_shown_as_the_template_says():
+def test_numbers_have_the_format_of_the_template():
     said = Sentence(TOO_FAR, distance=0.123456, threshold=0.25)
     assert str(said) == "The nearest window has distance 0.123, more than 0.25."
 
@@ -91,7 +91,7 @@ def test_a_missing_value_is_an_error_rather_than_a_gap():
     ],
     ids=range(7),
 )
-def test_a_value_stands_in_one_line_whatever_it_holds(value, said):
+def test_any_value_is_shown_in_one_line(value, said):
     text = english(("x", value))
     assert text == f"x, {said}"
     text.encode("utf-8")
@@ -103,7 +103,7 @@ def test_a_long_value_is_cut_in_its_middle():
     assert text.startswith("/folder/xxx") and "x/name.png is damaged" in text and len(text) < 600
 
 
-def test_a_path_of_usual_length_is_told_whole():
+def test_a_path_of_usual_length_is_not_cut():
     path = "/folder" * 60 + "/name.png"
     assert english(Sentence(DAMAGED, path=path)).startswith(f"{path} is damaged")
 
@@ -118,13 +118,13 @@ def test_a_path_of_usual_length_is_told_whole():
     ],
     ids=["list", "dict", "number of 5,000 digits in a dict", "values with commas"],
 )
-def test_what_holds_many_values_is_cut_too(value, said):
+def test_long_lists_are_cut_too(value, said):
     text = english(Sentence("a model of type {kind}", kind=value))
     assert f"a model of type {said}" in text
     assert "…" in text and len(text) < 1700 and text.isprintable()
 
 
-def test_names_of_all_classes_of_a_table_are_told_whole():
+def test_names_of_all_classes_of_a_table_are_not_cut():
     names = tuple(f"class {n}" for n in range(1, 129))
     assert ", ".join(names) in english(Sentence("{kind}", kind=names))
 

@@ -102,7 +102,7 @@ def test_any_metadata_of_a_network_are_settings_and_classes_or_one_sentence(text
 
 @seeded
 @hypothesis.given(strategies.text() | strategies.integers() | strategies.lists(strategies.text()))
-def test_any_value_stands_in_a_sentence_of_one_line(value):
+def test_any_value_in_a_sentence_stays_in_one_line(value):
     text = english(Sentence("{path} is damaged or cut short; copy it again.", path=value))
     assert text.endswith(" is damaged or cut short; copy it again.") and text.encode("utf-8")
     assert not set(text) & set("\n\r\0\x1b\u2028\x85\u202e")

@@ -184,7 +184,7 @@ def assessed(run_algorithm, database, tmp_path_factory):
 
 
 @pytest.mark.slow
-def test_points_lie_along_the_route_and_tell_what_to_expect(assessed):
+def test_points_along_the_route_have_expectations(assessed):
     rows = assessed[1]
     assert [row["along"] for row in rows] == pytest.approx(np.arange(0, 551, 50).tolist(), abs=0.1)
     assert all(row["heading"] == pytest.approx(90, abs=0.1) for row in rows)
@@ -193,7 +193,7 @@ def test_points_lie_along_the_route_and_tell_what_to_expect(assessed):
 
 
 @pytest.mark.slow
-def test_the_longest_gap_ends_the_route_and_is_told_in_seconds_too(assessed):
+def test_the_longest_gap_ends_the_route_and_is_given_in_seconds_too(assessed):
     results, rows = assessed
     assert 100 < results["LONGEST_GAP"] < 400
     assert results["LONGEST_GAP_SECONDS"] == pytest.approx(results["LONGEST_GAP"] / 10)
@@ -308,7 +308,7 @@ def test_a_waypoint_file_passes_the_check_of_parameters_and_other_text_does_not(
 
 
 @pytest.mark.slow
-def test_flights_tell_where_they_have_a_position_and_how_exactly(run_algorithm, database, tmp_path):
+def test_simulated_flights_give_position_share_and_radius(run_algorithm, database, tmp_path):
     layer = write_layer(tmp_path / "route.gpkg", [(line([(110, 300), (480, 300)]), "a")])
     parameters = {
         "DATABASE": database,

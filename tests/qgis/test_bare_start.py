@@ -36,7 +36,7 @@ def test_what_starts_with_qgis_leaves_numpy_to_the_first_use(start):
     assert not start["loads_numpy"]
 
 
-def test_the_dock_says_what_is_missing_and_leads_to_the_installer(start):
+def test_the_dock_names_missing_packages_and_opens_the_installer(start):
     assert "OpenCV, Pillow, Shapely, ONNX Runtime" in start["notice"]
     assert start["options"] == ["SemRefOptions"]
 
@@ -45,7 +45,7 @@ def test_the_sample_project_asks_for_its_package(start):
     assert [text for text in start["bar"] if "The sample project needs OpenCV, Pillow" in text]
 
 
-def test_each_algorithm_says_in_one_sentence_what_is_missing_and_where_to_install_it(start):
+def test_each_algorithm_names_the_missing_package_and_the_installer(start):
     assert {name for name, told in start["refusals"].items() if not told} == WITHOUT_PACKAGES
     for name, told in start["refusals"].items():
         assert all("Settings ▸ Options ▸ SemRef" in sentence for sentence in told), (name, told)

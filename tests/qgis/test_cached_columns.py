@@ -128,7 +128,7 @@ def test_another_database_in_its_place_is_read_though_it_is_as_large_and_as_old(
     assert len(times_read) == 1
 
 
-def test_of_rows_that_were_changed_and_whose_file_was_set_back_in_age_those_that_were_checked_are_used(path):
+def test_checked_rows_are_used_after_a_change_with_the_old_file_time(path):
     first = read_database(path)
     then = os.stat(path)
     edit(path, 'UPDATE "references" SET area = area * 2 WHERE fid = 5')

@@ -85,7 +85,7 @@ def test_a_photo_that_is_straight_or_states_no_lens_is_left_as_it_is(tmp_path, x
     assert camera.distortion is None and camera.leveling((30, 40)) is None
 
 
-def test_a_table_that_states_a_lens_says_all_of_it(tmp_path):
+def test_a_focal_length_in_the_table_replaces_the_lens_of_the_photo(tmp_path):
     photo(tmp_path / "IMG_1.jpg", DEWARP)
     (camera,) = read_cameras([label_image(tmp_path)], table(tmp_path, "image,focal_length_px\nIMG_1.png,35\n"))
     assert camera.distortion is None and camera.lens.value == 35
@@ -98,7 +98,7 @@ def test_a_lens_of_eight_factors_is_read_too(tmp_path):
 
 
 @pytest.mark.real_data
-def test_originals_of_a_drone_tell_what_is_read_and_state_no_lens(real_data):
+def test_original_drone_photos_are_read_and_state_no_lens(real_data):
     path = real_data("dji_brighton_beach/DJI_0018.JPG")
     (camera,) = read_cameras([str(path)], "")
     assert camera.distortion is None
@@ -153,7 +153,7 @@ def test_a_table_that_is_missing_or_no_text_is_one_sentence(tmp_path):
 # --- photos ---
 
 
-def test_the_photo_of_the_same_name_tells_what_its_gimbal_told(tmp_path):
+def test_the_photo_of_the_same_name_gives_the_gimbal_angles(tmp_path):
     exif = {"DateTimeOriginal": "1970:01:01 00:01:00", "SubSecTime_Original": "50", "FocalLengthIn35mmFilm": "24"}
     photo(tmp_path / "IMG_1.jpg", DJI, **exif)
     (camera,) = read_cameras([label_image(tmp_path)], "")
@@ -169,7 +169,7 @@ def test_pix4ds_roll_has_the_right_side_down(tmp_path):
     assert angles(camera) == (-4.5, -3)
 
 
-def test_without_focal_length_the_image_is_taken_as_it_is_and_the_log_says_so(tmp_path):
+def test_without_focal_length_the_image_is_not_leveled_with_a_note(tmp_path):
     photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="0")
     (camera,) = read_cameras([label_image(tmp_path)], "")
     assert camera.leveling((30, 40)) is None
@@ -182,7 +182,7 @@ def test_a_focal_length_does_not_serve_an_image_of_another_shape(tmp_path):
     assert camera.leveling((30, 30)) is None and "shape is not that of IMG_1.jpg" in camera_remark(camera, (30, 30))
 
 
-def test_a_photo_that_viewers_turn_tells_no_attitude(tmp_path):
+def test_a_photo_with_an_orientation_tag_gives_no_attitude(tmp_path):
     photo(tmp_path / "IMG_1.jpg", DJI, FocalLengthIn35mmFilm="24", Orientation="6")
     (camera,) = read_cameras([label_image(tmp_path)], "")
     assert camera.attitude is None

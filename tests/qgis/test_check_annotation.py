@@ -83,13 +83,13 @@ def test_classes_that_are_missing_or_unknown_are_errors(issues, tmp_path, classe
     assert rows[1]["area"] == pytest.approx(81)
 
 
-def test_polygons_outside_the_area_of_the_crs_are_told(issues, tmp_path):
+def test_polygons_outside_the_area_of_the_crs_are_reported(issues, tmp_path):
     far = "POLYGON ((9.5 47.1, 9.6 47.1, 9.6 47.2, 9.5 47.1))"
     rows = issues(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "field"), (far, "field")]))
     assert [(row["kind"], row["feature_id"]) for row in rows if row["kind"] == "outside_crs"] == [("outside_crs", 2)]
 
 
-def test_selected_features_alone_are_checked(issues, tmp_path):
+def test_only_selected_features_are_checked(issues, tmp_path):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), "a"), (square(5, 0, 9), "b"), (square(40, 0, 9), "c")])
     layer = QgsVectorLayer(str(path))
     layer.selectByIds([1, 3])
@@ -114,7 +114,7 @@ def test_a_layer_without_class_is_refused(check, tmp_path):
         check(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), None)]))
 
 
-def test_the_report_counts_by_kind_and_class_and_tells_the_largest(check, tmp_path, classes_csv):
+def test_the_report_counts_by_kind_and_class_and_lists_the_largest(check, tmp_path, classes_csv):
     features = [(square(0, 0, 10), "field"), (square(6, 0, 10), "water"), (square(40, 0, 5), None)]
     layer = write_layer(tmp_path / "a.gpkg", features)
     results = check(layer, CLASS_TABLE=classes_csv, REPORT=str(tmp_path / "report.html"))

@@ -69,7 +69,7 @@ def test_an_extract_becomes_land_cover(run_algorithm, tmp_path, extract, suffix)
     assert found["12"]["priority"] > found["11"]["priority"]
 
 
-def test_land_cover_of_an_extract_becomes_a_label_map_where_buildings_lie_on_top(run_algorithm, tmp_path, extract):
+def test_buildings_are_on_top_in_the_label_map_of_an_extract(run_algorithm, tmp_path, extract):
     cover = run_algorithm(CLASSIFY, {"INPUT": extract, "OUTPUT": str(tmp_path / "cover.gpkg")})["OUTPUT"]
     given = {"INPUT": cover, "CLASS_FIELD": "class", "PRIORITY_FIELD": "priority", "PIXEL_SIZE": 1}
     told = run_algorithm(
@@ -90,7 +90,7 @@ def test_a_shapefile_that_names_values_without_keys_is_understood(run_algorithm,
     assert [(row["osm_id"], row["class"]) for row in rows_of(out)] == [("7", "forest"), ("8", "building")]
 
 
-def test_polygons_that_cross_themselves_are_kept_for_whoever_repairs(run_algorithm, tmp_path):
+def test_polygons_that_cross_themselves_are_kept_for_repair(run_algorithm, tmp_path):
     layer = layer_of("field=building:string", ("yes",))
     bow = QgsGeometry.fromWkt("MultiPolygon(((0 0, 10 10, 10 0, 0 10, 0 0)))")
     assert layer.dataProvider().changeGeometryValues({1: bow})
@@ -98,7 +98,7 @@ def test_polygons_that_cross_themselves_are_kept_for_whoever_repairs(run_algorit
     assert run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": out})["FEATURE_COUNT"] == 1
 
 
-def test_a_layer_without_known_tags_says_which_columns_it_has(run_algorithm, tmp_path):
+def test_a_layer_without_known_tags_is_refused_with_its_columns(run_algorithm, tmp_path):
     layer = layer_of("field=height:double", (3.5,))
     with pytest.raises(QgsProcessingException, match="its columns are height"):
         run_algorithm(CLASSIFY, {"INPUT": layer, "OUTPUT": str(tmp_path / "cover.gpkg")})

@@ -81,7 +81,7 @@ def test_the_report_shows_the_matrix_and_every_class(compare, maps, tmp_path):
     assert "predicted.tif against annotated.tif" in text
 
 
-def test_maps_without_names_are_matched_by_value_and_that_is_said(compare, tmp_path, feedback):
+def test_maps_without_names_are_matched_by_value_with_a_note(compare, tmp_path, feedback):
     annotated = write_raster(tmp_path / "a.tif", LABELS)
     _, results = compare(annotated, write_raster(tmp_path / "b.tif", LABELS, names=NAMES))
     assert results["OVERALL_ACCURACY"] == 1
@@ -125,7 +125,7 @@ def test_blocks_give_the_same_as_the_whole(compare, maps, monkeypatch):
         ({"transform": (WEST, 0.8, 0.6, NORTH, 0.6, -0.8)}, "rotated"),
     ],
 )
-def test_maps_that_do_not_lie_on_each_other_are_refused(compare, tmp_path, options, message):
+def test_maps_that_do_not_overlap_are_refused(compare, tmp_path, options, message):
     predicted = write_raster(tmp_path / "b.tif", LABELS, **options)
     with pytest.raises(QgsProcessingException, match=message):
         compare(write_raster(tmp_path / "a.tif", LABELS), predicted)
@@ -134,7 +134,7 @@ def test_maps_that_do_not_lie_on_each_other_are_refused(compare, tmp_path, optio
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
-def test_where_there_is_no_room_for_its_polygons_it_says_so(tmp_path):
+def test_a_full_disk_for_polygons_is_reported(tmp_path):
     """GDAL takes back all rows where a commit finds the disk full; that was read as maps that agree everywhere."""
     from semref.core.errors import LabelMapError
     from semref.storage.label_comparison import DisagreementMap, LabelMapPair

@@ -122,9 +122,7 @@ def test_a_package_is_installed_without_a_network_and_can_be_used_at_once(root, 
 
 @needs_pip
 @pytest.mark.slow
-def test_a_variant_lies_beside_the_plain_package_and_comes_first_from_the_next_start_on(
-    root, tmp_path, wheels, installer
-):
+def test_a_variant_package_comes_first_from_the_next_start_on(root, tmp_path, wheels, installer):
     variant = replace(GOOD, pip_name="semref-made-gpu")
     installer.start([GOOD], str(wheels))
     assert end_of(installer) == "installed", installer.log

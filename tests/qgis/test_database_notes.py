@@ -44,7 +44,7 @@ def notes(path: str) -> list[QgsLayerMetadata]:
     return [QgsVectorLayer(f"{path}|layername={table}", table, "ogr").metadata() for table in TABLES]
 
 
-def test_both_tables_tell_what_they_are_what_made_them_and_under_which_licenses(database):
+def test_both_tables_have_title_history_and_licenses(database):
     landmarks, windows = notes(database)
     assert (landmarks.title(), windows.title()) == ("Landmarks", "Windows")
     assert landmarks.abstract() != windows.abstract()
@@ -92,7 +92,7 @@ def test_what_is_made_of_a_database_names_its_sources_once(database, run_algorit
     assert QgsVectorLayer(output, "positions", "ogr").metadata().rights() == [SOURCES]
 
 
-def test_on_the_map_the_overview_tells_it_too(database):
+def test_on_the_map_the_overview_has_the_metadata_too(database):
     project = QgsProject()
     group = add_database_to_map(database, project)
     told = {node.name(): node.layer().metadata() for node in group.findLayers()}
@@ -122,7 +122,7 @@ def test_a_damaged_note_of_an_input_costs_nothing(run_algorithm, tmp_path):
     assert [told.rights() for told in notes(database)] == [[], []]
 
 
-def test_the_licenses_of_a_layer_in_a_geopackage_are_read_of_the_file_alone(run_algorithm, tmp_path):
+def test_the_licenses_of_a_geopackage_layer_are_read_from_its_file(run_algorithm, tmp_path):
     features = [(square(10 + 40 * n, 10, 30), name) for n, name in enumerate(("water", "forest"))]
     path = str(write_layer(tmp_path / "annotation.gpkg", features))
     layer = QgsVectorLayer(path, "annotation", "ogr")

@@ -64,7 +64,7 @@ def test_a_paletted_image_is_decoded_by_its_palette(decode, tmp_path):
     np.testing.assert_array_equal(read_pixels(decode(image)), LABELS)
 
 
-def test_what_no_hsv_range_covers_is_unlabeled_and_said(decode, tmp_path, feedback):
+def test_colors_outside_all_hsv_ranges_are_unlabeled_and_reported(decode, tmp_path, feedback):
     red_and_blue = np.zeros((3, 4, 4), np.uint8)
     red_and_blue[0, :, :1] = 255
     red_and_blue[2, :, 1:] = 255
@@ -74,7 +74,7 @@ def test_what_no_hsv_range_covers_is_unlabeled_and_said(decode, tmp_path, feedba
     assert "75.0%" in feedback.textLog()
 
 
-def test_the_label_map_lies_where_the_image_lies(decode, tmp_path):
+def test_the_label_map_has_the_place_of_the_image(decode, tmp_path):
     image = write_raster(tmp_path / "a.tif", painted(LABELS), transform=(WEST, 0.5, 0, NORTH, 0, -0.5), crs=25832)
     raster = gdal.Open(decode(image))
     assert raster.GetGeoTransform() == (WEST, 0.5, 0, NORTH, 0, -0.5)

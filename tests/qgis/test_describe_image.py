@@ -91,7 +91,7 @@ def test_points_of_an_image_without_georeference_are_pixels_with_y_up(describe, 
         assert (row["x"], -row["y"]) == pytest.approx(expected.centers_xy[n] + (30, 0), abs=1e-6)
 
 
-def test_fewer_than_three_landmarks_give_no_vector_and_that_is_said(describe, tmp_path, feedback):
+def test_fewer_than_three_landmarks_give_no_vector_with_a_note(describe, tmp_path, feedback):
     labels = np.full((60, 60), 4, np.uint8)
     labels[10:20, 10:20] = labels[40:50, 40:50] = 2
     found, vector, _ = describe(write_raster(tmp_path / "image.png", labels, transform=None))

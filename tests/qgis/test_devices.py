@@ -42,14 +42,14 @@ def test_the_choice_is_kept_and_an_unknown_one_is_automatic():
     assert devices.chosen_device() == AUTO
 
 
-def test_what_ran_and_how_fast_is_told(segment, feedback):
+def test_device_and_speed_are_reported(segment, feedback):
     devices.choose_device("cpu")
     found = segment()
     assert found["DEVICE"] == "CPU" and found["TILES_PER_SECOND"] > 0
     assert "6 tiles in" in feedback.textLog() and "a second on CPU" in feedback.textLog()
 
 
-def test_a_device_that_is_not_there_is_told_in_log_and_result(segment, feedback, monkeypatch):
+def test_a_missing_device_is_reported_in_log_and_result(segment, feedback, monkeypatch):
     import onnxruntime
 
     monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: [CPU.provider])
@@ -59,7 +59,7 @@ def test_a_device_that_is_not_there_is_told_in_log_and_result(segment, feedback,
     assert found["DEVICE"].startswith(f"CPU ({sentence}") and sentence in feedback.textLog()
 
 
-def test_metadata_that_were_overruled_are_told(segment, feedback):
+def test_overridden_metadata_are_reported(segment, feedback):
     segment(size=(64, 64), metadata=metadata(tile_size=32))
     assert "64 × 64" in feedback.textLog() and "32" in feedback.textLog()
 

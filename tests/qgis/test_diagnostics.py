@@ -24,7 +24,7 @@ def test_the_home_folder_is_left_out(qgis_app, home, line, left):
     assert without_home(line, home) == left
 
 
-def test_diagnostics_tell_versions_packages_settings_and_messages(qgis_app):
+def test_diagnostics_have_versions_packages_settings_and_messages(qgis_app):
     import numpy
     from qgis.core import Qgis
 
@@ -47,7 +47,7 @@ def test_nobody_is_led_to_a_tracker_that_nobody_filled_in(qgis_app, monkeypatch)
     assert version.tracker_url() == "https://forge.net/semref/issues"
 
 
-def test_diagnostics_without_messages_say_so(qgis_app):
+def test_diagnostics_show_that_there_are_no_messages(qgis_app):
     from semref.processing.packages.diagnostics import diagnostics
 
     assert diagnostics().endswith("Last messages:\n(none)\n")

@@ -41,7 +41,7 @@ def footprint_of(roll, pitch, heading=0.0, pixel_m=0.5):
 
 @pytest.mark.parametrize("attitude", [(0, 0), (0, 10), (12, 20), (-5, -30)])
 @pytest.mark.parametrize("heading", [0.0, 200.0])
-def test_each_pixel_lies_where_a_camera_without_distortion_saw_it(photo, tmp_path, attitude, heading):
+def test_each_pixel_is_where_a_camera_without_distortion_saw_it(photo, tmp_path, attitude, heading):
     footprint = footprint_of(*attitude, heading)
     target = str(tmp_path / "laid.vrt")
     write_draped(photo, target, wkt(), footprint)
@@ -62,6 +62,6 @@ def test_each_pixel_lies_where_a_camera_without_distortion_saw_it(photo, tmp_pat
     assert (away / half).max() < 1.6
 
 
-def test_an_image_that_is_not_there_is_said(tmp_path):
+def test_a_missing_image_is_reported(tmp_path):
     with pytest.raises(LabelMapError, match="missing.tif"):
         write_draped(str(tmp_path / "missing.tif"), str(tmp_path / "x.vrt"), wkt(), footprint_of(0, 0))

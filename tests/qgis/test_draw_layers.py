@@ -105,7 +105,7 @@ def test_more_ground_than_may_be_drawn_is_refused_before_any_tile(segment, tiles
         segment(tiles(), EXTENT=extent)
 
 
-def test_a_server_without_tiles_is_said(segment, tiles, tmp_path):
+def test_a_server_without_tiles_is_reported(segment, tiles, tmp_path):
     with pytest.raises(QgsProcessingException, match="Nothing of “tiles” shows in the extent"):
         segment(tiles(status=404))
     assert not (tmp_path / "labels.tif").exists()
@@ -163,7 +163,7 @@ def test_a_server_that_never_ends_a_tile_is_given_up_after_a_while(segment, tile
         segment(tiles(delay_s=30))
 
 
-def test_requests_of_others_are_left_alone_while_a_layer_is_drawn(tiles, tmp_path):
+def test_other_requests_are_not_changed_while_a_layer_is_drawn(tiles, tmp_path):
     from qgis.core import QgsNetworkAccessManager
 
     from semref.processing.layers.downloads import install, watched_downloads
@@ -176,7 +176,7 @@ def test_requests_of_others_are_left_alone_while_a_layer_is_drawn(tiles, tmp_pat
 
 
 @pytest.mark.parametrize("north_up", [True, False])
-def test_a_part_of_a_file_is_segmented_alone(segment, model, tmp_path, north_up):
+def test_only_a_part_of_a_file_is_segmented(segment, model, tmp_path, north_up):
     photo = np.moveaxis(painted(LABELS), 2, 0)
     north, step = (NORTH, -2) if north_up else (NORTH - 340, 2)
     image = write_raster(
@@ -269,7 +269,7 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
     ("transform", "column", "sentence"),
     [((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "No polygon of MASK"), (None, 10, "The image has no place")],
 )
-def test_a_mask_that_lies_on_no_part_of_the_layer_is_told_as_the_mask(
+def test_a_mask_outside_the_layer_is_refused_as_the_mask(
     run_algorithm, database, tmp_path, transform, column, sentence
 ):
     layer = write_raster(tmp_path / "map.tif", AREA, names=["unlabeled", "building"], transform=transform)

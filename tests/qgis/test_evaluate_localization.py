@@ -120,7 +120,7 @@ def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
 
 
 @pytest.mark.slow
-def test_the_numbers_agree_with_the_outputs_and_hold_the_tables(reported):
+def test_the_numbers_agree_with_the_outputs_and_include_the_tables(reported):
     _, numbers, results = reported
     summary = numbers["methods"]["automatic"]
     assert list(numbers["methods"]) == ["automatic", "topology vector"]
@@ -171,7 +171,7 @@ def test_wrong_values_are_named(evaluate, wrong, said):
     assert said in refused(evaluate, **wrong)
 
 
-def test_a_cancel_during_one_image_is_heeded_before_it_ends(inputs, tmp_path, monkeypatch):
+def test_a_cancel_during_an_image_stops_before_the_image_is_done(inputs, tmp_path, monkeypatch):
     from semref.core.evaluation.evaluation import Evaluation
 
     go_on, ended = threading.Event(), []

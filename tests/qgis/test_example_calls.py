@@ -58,7 +58,7 @@ def test_what_an_example_reads_is_of_the_sample_or_of_an_example_before_it(calls
         written |= {str(value).partition("/")[0] for key, value in values.items() if key in outputs}
 
 
-def test_both_calls_say_the_same(calls):
+def test_both_calls_have_the_same_parameters(calls):
     for name, values in calls.EXAMPLES.items():
         words = shlex.split(calls.in_terminal(name).replace("\\\n", " "))
         assert words[:4] == ["qgis_process", "run", f"semref:{name}", "--"]

@@ -48,7 +48,7 @@ def onboard(path):
     return read_onboard(path)
 
 
-def test_the_file_holds_the_database_as_exactly_as_it_says(export, database, feedback):
+def test_the_file_has_the_database_within_its_stated_errors(export, database, feedback):
     results = export()
     found, expected = onboard(results["OUTPUT"]), whole(database)
     assert results["BYTES"] == Path(results["OUTPUT"]).stat().st_size == found.size_bytes
@@ -141,7 +141,7 @@ def test_an_area_elsewhere_is_refused(export, tmp_path, parameters):
 # --- what stands there already ---
 
 
-def test_an_older_onboard_file_is_replaced_which_is_said(export, feedback):
+def test_an_older_onboard_file_is_replaced_with_a_note(export, feedback):
     path = Path(export()["OUTPUT"])
     before = path.read_bytes()
     assert "is replaced" not in feedback.textLog()
@@ -155,7 +155,7 @@ def test_an_older_onboard_file_is_replaced_which_is_said(export, feedback):
     ("content", "reason"),
     [(b"measurements", "is another kind of file"), (b"PK\x03\x04 somebody's archive", "is no onboard file")],
 )
-def test_any_other_file_is_left_alone(export, tmp_path, content, reason):
+def test_any_other_file_is_not_replaced(export, tmp_path, content, reason):
     (tmp_path / "area.npz").write_bytes(content)
     with pytest.raises(QgsProcessingException, match=reason):
         export()

@@ -53,7 +53,7 @@ def tile_pairs(folder, manifest, suffix="png"):
         )
 
 
-def test_every_tile_is_the_piece_of_image_and_labels_that_its_name_says(export):
+def test_every_tile_is_the_piece_that_its_name_states(export):
     result, manifest = export()
     assert result["TILE_COUNT"] == len(manifest["tiles"]) > 50
     for tile, image, labels in tile_pairs(result["OUTPUT"], manifest):
@@ -149,7 +149,7 @@ def test_sixteen_bits_and_four_bands_become_geotiffs_with_all_values(export, tmp
 
 
 @pytest.mark.slow
-def test_the_manifest_tells_what_a_network_will_see_of_deep_images(export, tmp_path):
+def test_the_manifest_states_how_deep_images_are_stretched(export, tmp_path):
     from semref.storage.images import GdalImage
 
     image = photo_of(LABELS, np.uint16, bands=4)
@@ -174,7 +174,7 @@ def test_where_the_image_has_no_data_the_labels_are_cleared(export, tmp_path):
     np.testing.assert_array_equal(names["64_96"][:4], LABELS[96:100, 64:96])
 
 
-def test_an_earlier_export_is_left_alone_as_any_folder_is_that_holds_files(export):
+def test_an_earlier_export_and_any_filled_folder_are_not_changed(export):
     """What the user has put among the tiles since was once deleted with them."""
     first, _ = export(STRIDE=64)
     before = sorted(Path(first["OUTPUT"]).rglob("*"))
@@ -192,7 +192,7 @@ def test_an_earlier_export_is_left_alone_as_any_folder_is_that_holds_files(expor
         (np.where(LABELS == 1, 9, LABELS), {}, "the value 9, which the class table lacks"),
     ],
 )
-def test_what_can_not_be_exported_is_said(export, tmp_path, labels, parameters, sentence):
+def test_impossible_exports_are_refused_with_a_reason(export, tmp_path, labels, parameters, sentence):
     with pytest.raises(QgsProcessingException, match=sentence):
         export(labels=labels.astype(np.uint8), **parameters)
     assert not (tmp_path / "tiles").exists()

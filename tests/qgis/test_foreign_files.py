@@ -459,7 +459,7 @@ def test_what_gdal_derived_from_the_older_raster_is_not_applied_to_the_newer_one
 
 
 @pytest.mark.parametrize("name", ["labels.tif.ovr", "labels.tif.aux.xml", "labels.tif.msk"])
-def test_what_would_be_applied_to_a_new_raster_and_is_of_none_is_left_and_said(run_algorithm, tmp_path, name):
+def test_a_side_car_without_its_raster_is_kept_and_refused(run_algorithm, tmp_path, name):
     layer = annotation(tmp_path, "classes.shp")
     write_text(tmp_path / name, "mine")
     with pytest.raises(QgsProcessingException, match=name):

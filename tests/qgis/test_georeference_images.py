@@ -117,7 +117,7 @@ def test_matched_landmarks_become_control_points_with_how_far_each_is_off(georef
     np.testing.assert_allclose(np.hypot(points[:, 5], points[:, 6]), points[:, 7], rtol=1e-6)
 
 
-def test_where_map_correlation_placed_an_image_its_fix_tells_the_control_points(georeference, localized, tmp_path):
+def test_an_image_placed_by_map_correlation_has_control_points_of_its_fix(georeference, localized, tmp_path):
     """Of houses that a network joins centers are off by meters, while areas place the image to decimeters."""
     by_areas = tmp_path / "by_areas.gpkg"
     shutil.copy(localized["OUTPUT"], by_areas)

@@ -249,7 +249,7 @@ BAD_VALUES = [
 
 
 @pytest.mark.parametrize("statement", BAD_VALUES)
-def test_a_value_that_can_not_be_is_refused_in_one_sentence(read, database, statement):
+def test_an_impossible_value_is_refused_in_one_sentence(read, database, statement):
     spoil(database, statement)
     refusal(read, database)
 

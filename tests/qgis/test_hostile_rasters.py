@@ -84,7 +84,7 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(qgis_app, tmp_path,
             door(str(path))
 
 
-def test_a_picture_whose_name_says_nothing_is_read(qgis_app, tmp_path):
+def test_a_picture_without_a_suffix_is_read(qgis_app, tmp_path):
     from semref.storage.label_maps import GdalLabels
 
     write_raster(tmp_path / "labels.tif", LABELS)

@@ -151,12 +151,12 @@ def test_a_map_tip_shows_no_smaller_error_probability_than_was_tested(positions,
     assert "<td>Error probability</td><td><b>below 1 in 10,000</b></td>" in tip
 
 
-def test_the_map_tip_shows_a_status_that_has_no_words_as_it_is(positions):
+def test_the_map_tip_shows_an_unknown_status_unchanged(positions):
     tip = tip_of(positions, feature_of(positions, image="a.tif", status="<img src='file:///seen.png'>"))
     assert "<img" not in tip and "&lt;img src=" in tip
 
 
-def test_the_confidence_of_topology_vectors_is_not_told_as_a_probability(positions):
+def test_the_confidence_of_topology_vectors_is_not_shown_as_a_probability(positions):
     values = {"image": "a.tif", "status": "fix", "method": "topology vector", "confidence": 0.8}
     assert "Wrong once in" not in tip_of(positions, feature_of(positions, **values))
 
@@ -204,7 +204,7 @@ def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, ru
     assert drawn == [rule]
 
 
-def test_keys_have_words_in_the_attribute_table(positions):
+def test_keys_have_labels_in_the_attribute_table(positions):
     index = positions.fields().lookupField("status")
     words = positions.editorWidgetSetup(index).config()["map"]
     assert {"No match": "no_match"} in words and {"could not be read": "error"} in words
@@ -238,7 +238,7 @@ def annotation(qgis_app, tmp_path):
     QgsProject.instance().removeMapLayer(layer)
 
 
-def test_a_layer_tells_what_it_is_what_made_it_and_the_license_of_its_source(annotation, run_algorithm, tmp_path):
+def test_a_layer_has_a_title_a_history_and_the_license_of_its_source(annotation, run_algorithm, tmp_path):
     output = str(tmp_path / "issues.gpkg")
     run_algorithm("semref:checkannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "ISSUES": output})
     told = QgsVectorLayer(output, "issues", "ogr").metadata()
@@ -261,7 +261,7 @@ def test_a_name_that_reads_like_an_archive_is_one_as_any(annotation, run_algorit
     assert any("<history>" in text for (text,) in noted)
 
 
-def test_a_label_map_tells_the_same_beside_it(annotation, run_algorithm, tmp_path):
+def test_a_label_map_has_the_same_metadata_beside_it(annotation, run_algorithm, tmp_path):
     output = tmp_path / "labels.tif"
     run_algorithm("semref:rasterizeannotation", {"INPUT": annotation, "CLASS_FIELD": "class", "OUTPUT": str(output)})
     layer = QgsRasterLayer(str(output), "labels")

@@ -73,7 +73,7 @@ def test_the_risk_that_is_allowed_decides_and_the_confidence_has_all_its_digits(
     assert localize(image, RISK=0.5)[0]["confidence"] == found["confidence"]
 
 
-def test_matches_say_where_image_and_map_have_the_same_landmarks(localize, tmp_path):
+def test_matches_pair_landmarks_of_image_and_map(localize, tmp_path):
     column, row, heading, scale = 612, 455, 200, 1.2
     matches = tmp_path / "matches.gpkg"
     found, _ = localize(view(column, row, heading, scale), MATCHES=str(matches))

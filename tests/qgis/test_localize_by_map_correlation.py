@@ -87,7 +87,7 @@ def database_without_overview(database, tmp_path):
     return str(path)
 
 
-def test_automatic_says_that_a_database_without_overview_leaves_the_constellation_alone(
+def test_automatic_reports_that_without_overview_only_the_constellation_is_used(
     localize, database_without_overview, feedback
 ):
     found = localize(LABELS[300 : 300 + SIZE, 400 : 400 + SIZE].copy(), METHOD=0, DATABASE=database_without_overview)

@@ -105,7 +105,7 @@ def test_the_flight_is_placed_on_one_track(found):
         assert row["sigma_east"] > 0 and -1 <= row["correlation"] <= 1
 
 
-def test_an_image_that_shows_nothing_is_placed_by_the_flight_alone(found):
+def test_an_image_without_content_is_placed_by_the_flight(found):
     rows, _ = found
     row, view = rows[BLANK], VIEWS[BLANK]
     assert (row["status"], row["source"], row["outvoted"]) == ("fix", "flight", 0)
@@ -123,7 +123,7 @@ def test_its_times_are_dates_that_qgis_can_play(found):
     assert played.isActive() and played.startField() == "time" and played.accumulateFeatures()
 
 
-def test_the_style_tells_own_fixes_flight_poses_and_outvoted_ones_apart(found):
+def test_the_style_distinguishes_own_flight_and_outvoted_positions(found):
     layer = QgsVectorLayer(found[1]["OUTPUT"], "flight", "ogr")
     assert isinstance(layer.renderer(), QgsRuleBasedRenderer)
     rules = layer.renderer().rootRule().children()
@@ -149,7 +149,7 @@ def test_the_track_goes_through_its_images(found):
     assert values["length"] == pytest.approx(line.GetGeometryRef().Length())
 
 
-def test_the_report_tells_what_held_where(found):
+def test_the_report_lists_images_times_and_reasons(found):
     page = Path(found[1]["REPORT"]).read_text(encoding="utf-8")
     assert "Report of a flight" in page and page.count("<ellipse") >= found[1]["FIX_COUNT"]
     assert "image10.png" in page and "told by the table" in page and "2025-05-09 10:00:10" in page
@@ -215,7 +215,7 @@ def test_a_mistake_in_the_odometry_stops_before_any_work(localize, tmp_path, tab
 
 
 @pytest.mark.parametrize("percent", [10, 70])
-def test_a_cancel_is_heeded_at_once_and_leaves_nothing(localize, tmp_path, percent):
+def test_a_cancel_stops_at_once_and_leaves_nothing(localize, tmp_path, percent):
     class CancelAt(QgsProcessingFeedback):
         canceled_at = None
 

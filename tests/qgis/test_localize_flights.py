@@ -105,7 +105,7 @@ def test_a_mistake_in_the_table_stops_before_anything_is_written(localize, tmp_p
 
 
 @pytest.mark.parametrize("heading", [30, 30 - 360, 45, "20"])
-def test_a_heading_known_roughly_is_heeded(localize, heading):
+def test_a_rough_heading_is_a_prior(localize, heading):
     (found,), _, _ = localize([ahead(tilt=0)], PRIOR_HEADING=heading, PRIOR_HEADING_RANGE=20)
     assert found["status"] == "fix"
 

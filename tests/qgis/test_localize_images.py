@@ -100,7 +100,7 @@ def test_a_labels_folder_with_other_files_is_refused_before_anything_is_localize
     assert not (tmp_path / "positions.gpkg").exists()
 
 
-def test_the_topology_vector_has_no_matches_because_it_knows_no_heading(localize, tmp_path):
+def test_the_published_method_has_no_matches(localize, tmp_path):
     matches = tmp_path / "matches.gpkg"
     localize([image(tmp_path, "a.png", window(0, 0))], MATCHES=str(matches))
     assert rows(str(matches)) == []
@@ -139,7 +139,7 @@ def test_an_image_cut_on_a_window_is_found_there(localize, tmp_path, column, row
     assert results["FIX_COUNT"] == 1
 
 
-def test_too_few_references_give_no_geometry_and_say_how_many_are_missing(localize, tmp_path):
+def test_too_few_references_give_a_reason_with_the_missing_number(localize, tmp_path):
     labels = np.full((SIZE, SIZE), 4, np.uint8)
     labels[20:40, 20:40] = 1
     (found,), results = localize([image(tmp_path, "a.png", labels)])
@@ -181,7 +181,7 @@ def three(tmp_path):
     return folder, paths
 
 
-def test_a_folder_stands_for_its_images_in_order_of_name(localize, three):
+def test_a_folder_means_its_images_in_order_of_name(localize, three):
     folder, paths = three
     found, _ = localize([str(folder)])
     assert [row["image"] for row in found] == paths

@@ -87,9 +87,7 @@ def test_a_photo_of_another_resolution_keeps_its_own_pixel_size(localize, folder
 
 
 @pytest.mark.parametrize("algorithm", [LOCALIZE, "semref:localizeflight"])
-def test_a_photos_height_and_lens_tell_how_large_the_network_sees_it(
-    run_algorithm, folder, tmp_path, feedback, algorithm
-):
+def test_height_and_lens_of_a_photo_set_its_scale_for_the_network(run_algorithm, folder, tmp_path, feedback, algorithm):
     model = write_model(tmp_path / "m.onnx", ground_and_colors(), metadata=metadata(class_names=CLASSES, resolution=50))
     photo = write_raster(tmp_path / "a.png", photo_of(turned_view(LABELS, SIZE, 311.4, 207.8, 0)), transform=None)
     table = tmp_path / "cameras.csv"
@@ -100,7 +98,7 @@ def test_a_photos_height_and_lens_tell_how_large_the_network_sees_it(
     assert "sees the photo at 50 cm a pixel" in feedback.textLog()
 
 
-def test_photos_without_a_model_are_told_so(localize, tmp_path, feedback):
+def test_photos_without_a_model_get_a_warning(localize, tmp_path, feedback):
     photo, plain = tmp_path / "a.jpg", write_raster(tmp_path / "a.png", photo_of(LABELS[:SIZE, :SIZE]), transform=None)
     gdal.Translate(str(photo), str(plain), format="JPEG")
     localize([photo], MODEL=None)

@@ -85,7 +85,7 @@ def test_a_layer_without_classes_or_an_unknown_reference_class_is_refused(made, 
     assert not list(tmp_path.glob("classes*"))
 
 
-def test_a_label_map_tells_its_classes_as_gdals_attribute_table(made, run_algorithm, tmp_path):
+def test_a_label_map_has_its_classes_as_gdals_attribute_table(made, run_algorithm, tmp_path):
     layer = layer_of(tmp_path, "water", "forest")
     table, _ = made(layer)
     output = str(tmp_path / "labels.tif")

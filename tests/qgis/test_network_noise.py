@@ -113,7 +113,7 @@ def test_another_file_is_refused_in_a_sentence(qgis_app, tmp_path, content):
     assert not able and said.startswith(f"{page} is no report of “Compare label maps” that tells of landmarks;")
 
 
-def test_a_comparison_of_a_handful_of_landmarks_tells_nothing(conditions, tmp_path):
+def test_a_comparison_of_few_landmarks_gives_no_noise(conditions, tmp_path):
     from semref.core.errors import ParameterError
     from semref.processing.reports import page as report
     from semref.processing.reports.network_noise import network_meta
@@ -124,7 +124,7 @@ def test_a_comparison_of_a_handful_of_landmarks_tells_nothing(conditions, tmp_pa
         conditions("semref:assessdatabase", {"COMPARISON": str(page)})
 
 
-def test_lengths_that_the_maps_do_not_tell_stay_as_the_numbers_say(conditions, tmp_path):
+def test_lengths_not_measured_by_the_comparison_keep_their_numbers(conditions, tmp_path):
     from semref.processing.reports import page as report
     from semref.processing.reports.network_noise import network_meta
 

@@ -138,7 +138,7 @@ def test_a_route_layer_off_the_earth_is_refused(qgis_app, tmp_path, place):
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), "nan", "-inf"])
 @pytest.mark.parametrize(("name", "key"), [("evaluatelocalization", "MIRRORED"), ("rasterizeannotation", "PIXEL_SIZE")])
-def test_a_number_that_is_none_is_refused_by_every_algorithm(qgis_app, name, key, value):
+def test_every_algorithm_refuses_nan(qgis_app, name, key, value):
     """QGIS itself takes NaN for a number within any limits."""
     from qgis.core import QgsApplication, QgsProcessingContext
 
@@ -172,7 +172,7 @@ PRIORS = (["nan", "1", "2", "3", "EPSG:32632"], ["1e308", "1", "2", "3", "EPSG:3
 
 
 @pytest.mark.parametrize("prior", PRIORS)
-def test_a_project_keeps_no_circle_that_can_not_be(qgis_app, prior):
+def test_a_project_keeps_no_impossible_circle(qgis_app, prior):
     from qgis.core import QgsProject
 
     from semref.ui.project_state import read_state
@@ -206,7 +206,7 @@ def test_a_list_of_images_with_a_character_0_is_refused(run_algorithm, tmp_path,
 
 
 @pytest.mark.parametrize("text", ["/folder/area.gpkg", "1,5", "x", "0x10", "1_000"])
-def test_a_text_that_is_no_number_is_refused_also_where_none_is_needed(qgis_app, tmp_path, text):
+def test_a_text_that_is_no_number_is_refused_even_for_optional_numbers(qgis_app, tmp_path, text):
     """QGIS takes 0 for it, which no scale is."""
     from qgis.core import QgsApplication, QgsProcessingContext
 

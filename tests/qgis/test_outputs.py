@@ -156,14 +156,14 @@ def test_layers_of_any_format_are_written_whole(run_algorithm, given, suffix):
     assert [path for path in given.iterdir() if path.name.startswith(".")] == []
 
 
-def test_a_run_whose_outputs_all_lie_in_memory_has_nothing_to_move(run_algorithm, given):
+def test_a_run_with_outputs_in_memory_has_nothing_to_move(run_algorithm, given):
     parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg"), "REFERENCES": "memory:"}
     found = run_algorithm(DESCRIBE, parameters)
     assert found["REFERENCES"].featureCount() == found["REFERENCE_COUNT"] > 0
 
 
 @pytest.mark.parametrize("suffix", ["gpkg", "shp", "geojson"])
-def test_nothing_holds_a_layer_open_that_was_written(run_algorithm, given, suffix):
+def test_a_written_layer_is_not_kept_open(run_algorithm, given, suffix):
     """QGIS keeps what it reads open for a minute; Windows moves no open file, and disks stay full of replaced ones."""
     parameters = {"INPUT": str(given / "photo.png"), "DATABASE": str(given / "area.gpkg")}
     for _ in range(2):
@@ -211,7 +211,7 @@ def test_a_full_disk_is_an_error_and_leaves_the_older_file(run_algorithm, given,
     assert [path.name for path in disk.iterdir()] == ["positions.gpkg"]
 
 
-def test_a_layer_whose_style_found_no_room_is_not_called_whole(run_algorithm, given, monkeypatch):
+def test_a_layer_without_room_for_its_style_is_an_error(run_algorithm, given, monkeypatch):
     """On a full disk QGIS leaves it out without a word."""
     target = given / "issues.gpkg"
     before = write_older(target)
@@ -222,7 +222,7 @@ def test_a_layer_whose_style_found_no_room_is_not_called_whole(run_algorithm, gi
     assert target.read_bytes() == before
 
 
-def test_a_layer_whose_index_found_no_room_is_not_called_whole(run_algorithm, given, monkeypatch):
+def test_a_layer_without_room_for_its_index_is_an_error(run_algorithm, given, monkeypatch):
     from semref.processing.base import outputs
 
     target = given / "landmarks.gpkg"

@@ -89,12 +89,12 @@ def test_a_label_image_is_where_the_photo_of_its_name_beside_it_was_taken(tmp_pa
     ],
     ids=["none", "0, 0", "void", "no side", "too far", "side missing"],
 )
-def test_a_photo_without_a_position_that_can_be_says_nothing(tmp_path, tags):
+def test_an_impossible_photo_position_is_ignored(tmp_path, tags):
     assert photo_lon_lat(photo(tmp_path / "a.jpg", **tags)) is None
 
 
 @pytest.mark.parametrize(("meters", "said"), [(1_234.0, "1.2 km"), (12_340.0, "12 km"), (8_412_300.0, "8,412 km")])
-def test_the_distance_is_as_long_as_it_is_told_exactly(meters, said):
+def test_a_distance_is_shown_with_its_own_accuracy(meters, said):
     assert far_sentence(meters) == f"{SAID} {said} from the ground of the database."
 
 
@@ -113,7 +113,9 @@ def lon_lat(east: float, north: float) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("algorithm", ["semref:localizeimages", "semref:localizeflight"])
-def test_photos_taken_far_away_say_how_far_beside_their_reason(run_algorithm, database, tmp_path, feedback, algorithm):
+def test_photos_taken_far_away_show_the_distance_with_their_reason(
+    run_algorithm, database, tmp_path, feedback, algorithm
+):
     """Found or not: a fix elsewhere than its photo's GPS is for the reader to judge."""
     empty = np.zeros((SIZE, SIZE), np.uint8)
     shown = {"empty": empty, "found": turned_view(LABELS, SIZE, 311.4, 207.8, 40)}

@@ -77,7 +77,7 @@ def test_a_photo_has_the_same_labels_and_shares_in_qgis_and_on_board(qgis_app, m
     assert in_qgis.shape == PHOTO.shape[:2] and len(np.unique(in_qgis)) >= (1 if name == "gray" else 3)
 
 
-def test_height_and_lens_tell_the_same_in_qgis_and_on_board(qgis_app, model, tmp_path):
+def test_height_and_lens_give_the_same_scale_in_qgis_and_on_board(qgis_app, model, tmp_path):
     path = str(PHOTOS["PNG"](tmp_path / "photo.png"))
     camera = Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(20.0))
     in_qgis = PhotoLabelReader(model, TABLE, QgsProcessingFeedback(False))(path, camera)

@@ -120,7 +120,7 @@ def test_a_photo_on_a_server_is_localized_as_one_on_the_disk(run_algorithm, mode
     assert (far["x"], far["y"], far["error_95"]) == (near["x"], near["y"], near["error_95"])
 
 
-def test_a_file_that_the_server_has_not_is_said(run_algorithm, model, served, tmp_path):
+def test_a_file_missing_on_the_server_is_reported(run_algorithm, model, served, tmp_path):
     (tmp_path / "gone.tif").write_bytes(b"")
     name = served(tmp_path / "gone.tif").replace("gone", "never")
     given = {"INPUT": name, "MODEL": model, "OUTPUT": str(tmp_path / "labels.tif")}

@@ -59,7 +59,7 @@ def test_a_feature_cut_in_two_becomes_two_of_the_same_attributes(repair, tmp_pat
     assert [(row["note"], row["fid"]) for row in rows] == [("cut", 1), ("cut", 2), ("river", 3)]
 
 
-def test_parts_heights_and_self_intersections_are_mended_and_told(repair, tmp_path):
+def test_parts_heights_and_self_intersections_are_repaired_and_reported(repair, tmp_path):
     z = f"POLYGON Z (({WEST} 5219000 3, {WEST + 9} 5219000 3, {WEST + 9} 5218991 3, {WEST} 5219000 3))"
     features = [
         (f"MULTIPOLYGON (({ring([(0, 0), (5, 0), (5, 5), (0, 5)])[1:-1].join('()')}))", "a"),
@@ -91,7 +91,7 @@ def test_a_repaired_layer_has_no_findings_left(repair, run_algorithm, tmp_path):
     assert {row["kind"] for row in left} <= {"same_class_neighbors"} and results["ERROR_COUNT"] == 0
 
 
-def test_the_label_map_changes_only_where_an_issue_is_told(repair, run_algorithm, tmp_path):
+def test_the_label_map_changes_only_at_reported_issues(repair, run_algorithm, tmp_path):
     layer = random_layer(tmp_path / "a.gpkg", 3)
     extent = f"{WEST},{WEST + 180},{5_219_800},{5_220_000} [EPSG:32632]"
     common = {"CLASS_FIELD": "class", "PRIORITY_FIELD": "zorder"}

@@ -33,7 +33,7 @@ def test_it_has_annotation_class_table_orthophoto_and_photos(sample):
     assert len(photos) == PHOTO_COUNT
 
 
-def test_it_holds_a_flight_with_the_times_of_its_photos(sample):
+def test_it_has_a_flight_with_the_times_of_its_photos(sample):
     with (sample / "flight.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert [row["image"] for row in rows] == sorted(path.name for path in (sample / "flight").iterdir())

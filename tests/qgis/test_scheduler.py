@@ -40,7 +40,7 @@ def test_workers_build_the_database_that_qgis_builds(run_algorithm, label_map, f
 
 
 @needs_dask
-def test_what_the_process_tells_is_said_as_the_algorithm_s_error(run_algorithm, label_map, tmp_path):
+def test_errors_of_the_process_are_errors_of_the_algorithm(run_algorithm, label_map, tmp_path):
     asked = {"LABELS": str(label_map), **SETTINGS, "DATABASE": str(tmp_path / "none.gpkg")}
     with pytest.raises(QgsProcessingException, match="no scheduler at tcp://127.0.0.1:1 "):
         run_algorithm(BUILD, {**asked, "SCHEDULER": "tcp://127.0.0.1:1"})
@@ -57,7 +57,7 @@ def test_what_is_no_scheduler_is_refused_before_any_work(run_algorithm, label_ma
 
 
 @pytest.mark.parametrize("package", [components.DASK, components.CRYPTOGRAPHY], ids=["dask", "cryptography"])
-def test_a_qgis_without_dask_says_what_to_install(run_algorithm, label_map, tmp_path, monkeypatch, package):
+def test_a_qgis_without_dask_names_the_package_to_install(run_algorithm, label_map, tmp_path, monkeypatch, package):
     monkeypatch.setattr(components, "is_missing", lambda asked: asked is package)
     asked = {"LABELS": str(label_map), **SETTINGS, "DATABASE": str(tmp_path / "a.gpkg")}
     with pytest.raises(QgsProcessingException, match=package.pip_name):
@@ -66,7 +66,7 @@ def test_a_qgis_without_dask_says_what_to_install(run_algorithm, label_map, tmp_
 
 
 @needs_dask
-def test_a_cancel_is_heeded_at_once_and_leaves_neither_files_nor_workers(run_algorithm, label_map, feedback, tmp_path):
+def test_a_cancel_stops_at_once_and_leaves_neither_files_nor_workers(run_algorithm, label_map, feedback, tmp_path):
     psutil = pytest.importorskip("psutil")
     before = psutil.Process().children(recursive=True)
     others: list[psutil.Process] = []

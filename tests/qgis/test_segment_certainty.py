@@ -56,7 +56,7 @@ def test_probabilities_have_a_band_for_each_class_and_fit_the_labels(segment, im
     assert each.GetProjection() == gdal.Open(found["OUTPUT"]).GetProjection() != ""
 
 
-def test_certainty_comes_with_a_style_that_says_percent(segment, image, tmp_path):
+def test_certainty_has_a_style_in_percent(segment, image, tmp_path):
     found = segment(image, **certainty(tmp_path))
     for key in ("CONFIDENCE", "PROBABILITIES"):
         layer = QgsRasterLayer(found[key])
@@ -65,7 +65,7 @@ def test_certainty_comes_with_a_style_that_says_percent(segment, image, tmp_path
         assert [item.label for item in renderer.shader().rasterShaderFunction().colorRampItemList()][-1] == "100 %"
 
 
-def test_the_class_that_is_none_is_not_shown_first(segment, image, tmp_path):
+def test_the_class_without_a_name_is_not_shown_first(segment, image, tmp_path):
     more = metadata(class_names=["background", "water", "bare_land"])
     model = write_model(tmp_path / "m.onnx", metadata=more)
     found = segment(image, MODEL=str(model), **certainty(tmp_path))
@@ -121,7 +121,7 @@ def test_a_mask_with_a_hole_leaves_the_hole_out(segment, image, tmp_path):
     np.testing.assert_array_equal(found > 0, wanted)
 
 
-def test_a_mask_in_degrees_lies_where_its_ground_is(segment, image, tmp_path):
+def test_a_mask_in_degrees_covers_its_ground(segment, image, tmp_path):
     metric, degrees = osr.SpatialReference(), osr.SpatialReference()
     metric.ImportFromEPSG(32632)
     degrees.ImportFromEPSG(4326)

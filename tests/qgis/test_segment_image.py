@@ -62,7 +62,7 @@ def test_the_label_map_has_the_models_classes(segment, tmp_path):
     assert (tmp_path / "labels.qml").exists()
 
 
-def test_a_class_table_says_values_roles_and_colors(segment, tmp_path):
+def test_a_class_table_gives_values_roles_and_colors(segment, tmp_path):
     table = write_text(tmp_path / "classes.csv", CLASSES_CSV.replace("1,building", "40,Building"))
     raster = gdal.Open(segment(write_raster(tmp_path / "a.tif", PHOTO), CLASS_TABLE=str(table)))
     np.testing.assert_array_equal(raster.ReadAsArray(), np.array([40, 40, 2, 3])[LABELS])
@@ -166,7 +166,7 @@ def test_a_resampled_image_keeps_its_pixels_without_data(segment, tmp_path):
     assert (found[:, :50] == 0).all() and (found[:, 50:] > 0).all()
 
 
-def test_the_provider_and_classes_are_said(segment, tmp_path, feedback):
+def test_the_log_names_provider_and_classes(segment, tmp_path, feedback):
     segment(write_raster(tmp_path / "a.tif", PHOTO))
     assert "building, water, bare_land; run by CPU, tiles of 64 × 64 pixels" in feedback.textLog()
 

@@ -38,7 +38,7 @@ def copied(file, target):
     return raised[0] if raised else None
 
 
-def test_a_copy_holds_what_was_committed(file, tmp_path):
+def test_a_copy_contains_what_was_committed(file, tmp_path):
     target = tmp_path / "copy.gpkg"
     assert copied(file, target) is None
     with closing(sqlite3.connect(target)) as copy:
@@ -46,7 +46,7 @@ def test_a_copy_holds_what_was_committed(file, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_file_that_another_program_keeps_locked_is_said_to_be_locked(file, tmp_path):
+def test_a_file_that_another_program_keeps_locked_is_reported(file, tmp_path):
     with closing(sqlite3.connect(file, isolation_level=None)) as other:
         other.execute("BEGIN EXCLUSIVE")
         error = copied(file, tmp_path / "copy.gpkg")

@@ -49,7 +49,7 @@ def telling(dialog, clock):
     return TellingFeedback(dialog)
 
 
-def test_a_long_run_says_how_long_it_still_takes_and_until_when(dialog, clock, telling, monkeypatch):
+def test_a_long_run_shows_the_time_left_and_its_end(dialog, clock, telling, monkeypatch):
     from semref.processing.base import time_left
 
     class Noon:
@@ -68,7 +68,7 @@ def test_a_long_run_says_how_long_it_still_takes_and_until_when(dialog, clock, t
     assert dialog.texts == ["Localizing", f"Localizing – about 9 min left, until {at}"]
 
 
-def test_a_run_that_slows_down_says_so(dialog, clock, telling):
+def test_a_run_that_slows_down_corrects_its_estimate(dialog, clock, telling):
     clock[0] = 30.0
     telling.setProgress(50)
     clock[0] = 120.0
@@ -83,7 +83,7 @@ def test_what_is_done_next_keeps_the_time_beside_it(dialog, clock, telling):
     assert dialog.texts[-1].startswith("Epoch 2 – about 4 min left, until ")
 
 
-def test_the_dock_whose_bar_tells_is_not_told_twice(dialog, clock):
+def test_the_time_left_is_shown_once_in_the_dock(dialog, clock):
     from semref.processing.base.time_left import TellingFeedback
 
     dialog.shows_time_left = True
@@ -102,7 +102,7 @@ def test_a_cancel_is_passed_on_whenever_it_came(dialog, telling):
     assert telling.isCanceled() and TellingFeedback(dialog).isCanceled()
 
 
-def test_every_algorithm_works_with_feedback_that_tells(dialog, clock):
+def test_every_algorithm_works_with_feedback_of_the_time_left(dialog, clock):
     from semref.processing.base.algorithm import SemRefAlgorithm
 
     class Slow(SemRefAlgorithm):

@@ -192,7 +192,7 @@ def is_running(pid):
     return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] not in "ZX"
 
 
-def test_a_second_training_of_the_same_model_leaves_the_first_one_alone(train, tmp_path):
+def test_a_second_training_of_the_same_model_does_not_touch_the_first(train, tmp_path):
     refused = []
 
     class Impatient(Said):
@@ -265,7 +265,7 @@ def test_a_python_without_torch_is_refused_before_anything_is_cut(train, tmp_pat
     ],
     ids=["no labels", "no Python", "no such Python"],
 )
-def test_what_is_missing_is_said_before_any_work(train, parameters, said):
+def test_missing_inputs_are_reported_before_any_work(train, parameters, said):
     QgsSettings().remove("semref/options/training_python")
     with pytest.raises(QgsProcessingException, match=said):
         train(**parameters)
@@ -288,7 +288,7 @@ def test_ground_around_the_only_class_of_a_layer_is_the_other_class(train, tmp_p
     assert json.loads((kept / "job.json").read_text())["learn_unlabeled"] is True
 
 
-def test_a_single_class_on_the_image_is_said_before_the_python_is_asked(train, tmp_path):
+def test_a_single_class_on_the_image_is_refused_before_python_starts(train, tmp_path):
     asked = tmp_path / "asked"
     polygons = [(square(100, 300, 80), "building"), (square(900, 300, 90), "water")]
     annotation = {"LABELS": None, "INPUT": str(write_layer(tmp_path / "drawn.gpkg", polygons)), "CLASS_FIELD": "class"}
@@ -309,7 +309,7 @@ def test_only_classes_of_the_wanted_ground_count(train, tmp_path):
 
 
 @pytest.mark.parametrize("as_polygons", [False, True], ids=["label map", "polygons"])
-def test_a_single_class_among_the_pixels_is_said_before_tiles_are_cut(train, tmp_path, as_polygons):
+def test_a_single_class_among_the_pixels_is_refused_before_tiles_are_cut(train, tmp_path, as_polygons):
     if as_polygons:
         # The corner of the water's box lies on the mask, its pixels don't.
         water = polygon([(300, 600), (700, 600), (700, 100)])
@@ -331,7 +331,7 @@ def test_image_and_labels_of_different_ground_are_refused(train, tmp_path):
         train(LABELS=None, INPUT=str(layer), CLASS_FIELD="class")
 
 
-def test_too_little_ground_is_said_with_what_helps(train, tmp_path):
+def test_too_little_ground_is_refused_with_advice(train, tmp_path):
     extent = f"{WEST},{WEST + 130},{NORTH - 130},{NORTH}"
     with pytest.raises(QgsProcessingException, match="label more ground"):
         train(EXTENT=extent)
@@ -388,7 +388,7 @@ def test_a_training_is_not_lost_where_its_model_can_t_be_moved_to_its_place(trai
     assert folders(tmp_path) == []
 
 
-def test_a_run_whose_job_can_t_be_read_is_not_gone_on_with(train, tmp_path):
+def test_a_run_with_an_unreadable_job_is_not_continued(train, tmp_path):
     with pytest.raises(QgsProcessingException, match="is kept"):
         train(Said(cancel_at=50), training=f"{EPOCH}; time.sleep(60)")
     (folder,) = folders(tmp_path)
@@ -400,7 +400,7 @@ def test_a_run_whose_job_can_t_be_read_is_not_gone_on_with(train, tmp_path):
 
 
 @pytest.mark.skipif(shutil.which("ps") is None, reason="this system has no ps")
-def test_ps_tells_what_proc_tells(monkeypatch):
+def test_ps_gives_the_same_as_proc(monkeypatch):
     """macOS has no /proc."""
     ours = event_process._descendants(os.getppid())
     monkeypatch.setattr(os.path, "isdir", lambda _: False)

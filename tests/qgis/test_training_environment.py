@@ -75,7 +75,7 @@ def test_without_graphics_cards_torch_comes_first_from_its_makers(folder):
     ("failing", "said"),
     [("venv", "python3-venv"), ("pip", "could not be filled: no matching distribution"), ("training", "can’t be used")],
 )
-def test_what_fails_is_said_and_nothing_stays(folder, failing, said):
+def test_a_failed_step_is_reported_and_leaves_nothing(folder, failing, said):
     well = making(folder)
 
     def answer(command):

@@ -157,7 +157,7 @@ def test_index_extent_and_counts_are_right_afterwards(update, folder, rebuilt):
     assert layer.isValid() and layer.featureCount() == len(references(rebuilt))
 
 
-def test_the_log_tells_what_changed(update, folder, old, feedback):
+def test_the_log_counts_the_changes(update, folder, old, feedback):
     output = update(feedback, CHANGED=str(folder / "changed.gpkg"))
     before, after = references(old), references(output)
     told = f"{len(set(before) - set(after))} landmarks removed, {len(set(after) - set(before))} added."

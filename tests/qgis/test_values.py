@@ -115,7 +115,7 @@ def test_a_point_comes_in_the_crs_asked_for(read):
     assert (round(x), round(y)) == (500000, 5205164)
 
 
-def test_a_source_that_cannot_be_read_is_refused_and_one_left_out_is_none(read):
+def test_an_unreadable_source_is_refused_and_a_missing_one_is_none(read):
     from semref.core.errors import ParameterError
 
     assert read().source("source") is None

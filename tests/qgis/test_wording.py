@@ -17,7 +17,7 @@ def language(monkeypatch):
     return lambda texts: monkeypatch.setattr(sentences, "tr", lambda text: texts.get(text, text))
 
 
-def test_an_error_says_what_its_sentence_says():
+def test_an_error_has_the_text_of_its_sentence():
     said = Sentence("{path} does not exist.", path="a.onnx")
     assert worded(ModelError(said)) == worded(said) == str(said)
 
@@ -54,7 +54,7 @@ def test_a_severity_is_called_the_same_in_legend_table_report_dock_and_log(qgis_
     assert "duplicate (Error): 1" in feedback.textLog()
 
 
-def test_kinds_and_roads_of_trials_have_words(qgis_app):
+def test_kinds_and_methods_of_trials_have_labels(qgis_app):
     from semref.core.evaluation.evaluation import MAP, MIRRORED
     from semref.core.localization import Method
     from semref.processing.messages.columns import column_words

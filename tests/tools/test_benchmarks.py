@@ -22,7 +22,7 @@ def benchmarks():
     return lambda name: importlib.import_module(f"benchmarks.{name}")
 
 
-def test_the_page_and_the_picture_are_what_the_results_say(benchmarks):
+def test_the_page_and_the_picture_are_made_from_the_results(benchmarks):
     page = benchmarks("page")
     content = benchmarks("toml").read_toml(page.CONTENT)
     written = page.PAGE.read_text(encoding="utf-8")
@@ -44,7 +44,7 @@ def test_every_figure_of_the_page_is_in_a_result(benchmarks):
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "benchmarks" / "results").glob("*.json")), ids=lambda path: path.stem)
-def test_a_result_says_how_it_was_measured_and_where_its_code_is(benchmarks, path):
+def test_a_result_states_its_command_date_and_code(benchmarks, path):
     study = json.loads(path.read_text(encoding="utf-8"))
     for run in study["runs"]:
         assert run["command"] and re.fullmatch(r"\d{4}-\d\d-\d\d", run["date"])

@@ -117,7 +117,7 @@ def test_the_zip_of_this_repository_is_in_order(faults):
         ({"semref/metadata.txt": b"[general]\nabout=100 %\n"}, "about has a per cent sign"),
     ],
 )
-def test_what_keeps_a_zip_from_being_released_is_told(faults, changed, told):
+def test_faults_of_a_zip_are_reported(faults, changed, told):
     assert any(told in fault for fault in faults("", changed))
 
 
@@ -135,7 +135,7 @@ def test_files_that_a_forge_reads_can_be_read(path):
 
 
 @pytest.mark.skipif(shutil.which("git") is None, reason="git is not installed")
-def test_a_release_of_a_tag_that_does_not_exist_says_how_to_make_it(tmp_path):
+def test_a_release_of_a_missing_tag_shows_how_to_make_it(tmp_path):
     subprocess.run(["git", "init", "--quiet", str(tmp_path)], check=True)
     with pytest.raises(SystemExit, match="git tag -a v9.9.9"):
         release.release(tmp_path, "v9.9.9", tmp_path / "dist")

@@ -15,7 +15,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess:
     return subprocess.run(command, capture_output=True, text=True, timeout=WITHIN_S, check=False)
 
 
-def test_lanes_run_at_the_same_time_and_are_told_in_order(tmp_path):
+def test_lanes_run_at_the_same_time_and_are_printed_in_order(tmp_path):
     """Each waits for the other: run one after the other they would never end."""
     first = f"first: until [ -e {tmp_path}/b ]; do sleep 0.1; done; echo one; touch {tmp_path}/a"
     second = f"second: echo two; touch {tmp_path}/b; until [ -e {tmp_path}/a ]; do sleep 0.1; done; echo three >&2"

@@ -131,7 +131,7 @@ def test_intersection_over_union_counts_ignored_pixels_nowhere():
     assert np.isnan(iou[2])
 
 
-def test_what_a_network_shifts_is_told_apart_by_what_the_ground_shifts():
+def test_shifts_of_a_network_are_separated_from_shifts_of_the_ground():
     rng = np.random.default_rng(8)
     tiles_hw = []
     for _ in range(4):
@@ -182,7 +182,7 @@ def test_ground_where_only_one_class_was_drawn_allows_all_the_others_but_not_wha
     assert told[:4].all()
 
 
-def test_a_pixel_of_a_set_counts_against_the_classes_that_it_excludes_alone():
+def test_a_pixel_of_a_set_counts_only_against_the_classes_it_excludes():
     allowed, _ = partial.partial_labels(4, {tiles.Path("a"): [1]})
     labels, predicted = np.array([1, 1, 2, 4, 4, 4], np.uint8), np.array([1, 2, 2, 1, 2, 3])
     confusion = metrics.confusion_matrix(labels, predicted, 4, 1)
@@ -191,7 +191,7 @@ def test_a_pixel_of_a_set_counts_against_the_classes_that_it_excludes_alone():
     assert np.isnan(iou[3])
 
 
-def test_the_ground_without_a_label_of_each_folder_is_what_its_folder_says(tmp_path):
+def test_unlabeled_ground_follows_the_setting_of_its_folder(tmp_path):
     cv2.imwrite(str(tmp_path / "image.png"), np.zeros((1, 3, 3), np.uint8))
     cv2.imwrite(str(tmp_path / "labels.png"), np.array([[0, 7, 9]], np.uint8))
     pairs = [

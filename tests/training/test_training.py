@@ -80,7 +80,7 @@ def first(training_python, tiles, tmp_path_factory):
     return job, trained(training_python, job)
 
 
-def test_a_python_without_torch_says_what_it_lacks():
+def test_a_python_without_torch_reports_what_it_lacks():
     done = subprocess.run([sys.executable, str(ROOT / "training")], capture_output=True, text=True, check=False)
     event = json.loads(done.stdout.splitlines()[-1])
     assert (
@@ -95,7 +95,7 @@ def test_a_python_without_torch_says_what_it_lacks():
     )
 
 
-def test_it_tells_each_epoch_and_in_the_end_what_it_made(first):
+def test_training_reports_each_epoch_and_its_results(first):
     job, events = first
     kinds = [event["event"] for event in events if event["event"] != "step"]
     assert kinds == ["begun", "epoch", "epoch", *["exporting"] * 3, "done"]
@@ -172,7 +172,7 @@ def test_the_model_is_written_before_its_time_is_over(training_python, tiles, tm
     assert shares[-1] == pytest.approx(elapsed_s / 45, abs=0.15)
 
 
-def test_a_base_model_goes_on_from_what_it_knows(training_python, first, tiles, tmp_path):
+def test_training_continues_from_the_base_model(training_python, first, tiles, tmp_path):
     """With no step worth the name it still answers as its base did; classes are found by name."""
     base, _ = first
     (tmp_path / "reordered").mkdir()
@@ -244,7 +244,7 @@ def test_a_base_model_reads_no_other_file(training_python, first, tiles, tmp_pat
     )
 
 
-def test_a_damaged_checkpoint_is_told_as_a_sentence(training_python, tiles, tmp_path):
+def test_a_damaged_checkpoint_is_reported_in_a_sentence(training_python, tiles, tmp_path):
     job = job_of(tiles, tmp_path, resume=True)
     Path(job.folder).mkdir()
     (Path(job.folder) / "last.pt").write_bytes(bytes(1000))
@@ -254,7 +254,7 @@ def test_a_damaged_checkpoint_is_told_as_a_sentence(training_python, tiles, tmp_
     )
 
 
-def test_a_full_disk_is_told_as_a_sentence(training_python, tiles, tmp_path):
+def test_a_full_disk_is_reported_in_a_sentence(training_python, tiles, tmp_path):
     with files_of_at_most(100_000):
         events = trained(training_python, job_of(tiles, tmp_path))
     assert events[-1]["template"] == (
@@ -286,12 +286,12 @@ def test_a_full_disk_is_told_as_a_sentence(training_python, tiles, tmp_path):
     ],
     ids=["no base", "a base that is none", "weights that are none", "no tiles"],
 )
-def test_what_can_t_work_is_told_as_a_sentence(training_python, tiles, tmp_path, settings, code):
+def test_impossible_settings_are_reported_in_a_sentence(training_python, tiles, tmp_path, settings, code):
     job = Job(**{**job_of(tiles, tmp_path).__dict__, **settings})
     assert trained(training_python, job)[-1]["template"] == code
 
 
-def test_one_class_alone_is_nothing_to_tell_apart(training_python, tiles, tmp_path):
+def test_training_with_one_class_is_refused(training_python, tiles, tmp_path):
     manifest = json.loads((tiles / "manifest.json").read_text())
     manifest["statistics"]["class_pixels"]["train"] = {"0": 40_000, "1": 45_000}
     for entry in ("train", "validation", "classes.csv"):
@@ -308,7 +308,7 @@ def test_one_class_alone_is_nothing_to_tell_apart(training_python, tiles, tmp_pa
     )
 
 
-def test_settings_that_decide_the_result_are_told_apart_from_those_that_don_t(tiles, tmp_path):
+def test_settings_that_decide_the_result_are_distinguished_from_those_that_don_t(tiles, tmp_path):
     job = job_of(tiles, tmp_path)
     other = Job(
         **{**job.__dict__, "epochs": 99, "output": "elsewhere", "encoder": "another", "fingerprint": {"a": (1,)}}

@@ -118,13 +118,13 @@ def test_each_kind_is_found_with_its_severity_and_ids(features, expected):
     assert found(features) == expected
 
 
-def test_small_landmarks_are_told_as_drawn():
+def test_small_landmarks_are_reported_as_drawn():
     features = [feature(square(x, 0, 3)) for x in (0, 3, 20)] + [feature(square(40, 0, 3), class_value=9)]
     small = [f for f in check(numbered(features), minimum_area=10).findings if f.kind == kinds.SMALL]
     assert [(f.feature_id, f.area) for f in small] == [(2, pytest.approx(9))]
 
 
-def test_coordinates_that_are_none_are_told_and_left_out():
+def test_invalid_coordinates_are_reported_and_left_out():
     with np.errstate(invalid="ignore"):
         broken = shapely.to_wkb(shapely.polygons([[0, 0], [np.nan, 5], [5, 5]]))
     findings = check([AnnotatedFeature(7, broken, 1), feature(square(0, 0, 5))]).findings
@@ -167,7 +167,7 @@ def landmark(wkt_number: int, area: float, class_value: int = 1) -> DrawnRegion:
     return DrawnRegion(b"", (0, 0, 1, 1), class_value, wkt_number, area)
 
 
-def test_what_pixels_do_to_landmarks_is_told():
+def test_losses_of_landmarks_by_pixels_are_reported():
     regions = np.zeros((9, 20), int)
     regions[1:7, 1:7] = 1
     regions[1:7, 7:12] = 2

@@ -14,7 +14,7 @@ TABLE = ClassTable(
 )
 
 
-def test_a_table_knows_names_in_any_case_and_values():
+def test_a_table_finds_names_in_any_case_and_values():
     lookup = ClassLookup(TABLE)
     assert [lookup.value(raw) for raw in ("Building", " field ", 4, 4.0, "4", "lava")] == [1, 4, 4, 4, 4, None]
     assert lookup.draw_orders == {1: 3.0}
@@ -30,7 +30,7 @@ def test_texts_are_numbered_in_their_order_and_numbers_keep_theirs():
     assert numbers.value(7) == 7 and numbers.raw_values(7, as_numbers=True) == [7]
 
 
-def test_classes_of_a_style_may_share_a_label_and_stand_for_several_values():
+def test_classes_of_a_style_may_share_a_label_or_have_several_values():
     lookup = lookup_of([(("a", "b"), "Wood", "#112233"), (("c",), "Wood", "")], False)
     assert [c.name for c in lookup.table] == ["a", "c"]
     assert (lookup.value("b"), lookup.value("c")) == (1, 2) and lookup.table.classes[0].color == "#112233"

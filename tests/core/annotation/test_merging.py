@@ -55,7 +55,7 @@ def test_slivers_that_have_only_each_other_become_one():
     ],
     ids=["gap", "sliver"],
 )
-def test_a_merge_is_told_with_the_feature_seen_there(features, kind, feature_id):
+def test_a_merge_is_reported_with_the_visible_feature(features, kind, feature_id):
     surface = surface_of(*features)
     (merge,) = merge_gaps_and_slivers(surface.partition, surface.classes, MergeSettings())[1]
     finding = merge_finding(merge, WARNING, surface.polygons, surface.partition, surface.top)

@@ -99,7 +99,7 @@ def test_a_neighbors_corner_on_a_straight_edge_becomes_a_vertex():
 
 
 @pytest.mark.parametrize("answers", range(4))
-def test_told_to_stop_anywhere_it_finds_nothing_rather_than_a_part(answers):
+def test_a_cancel_at_any_point_gives_no_partial_result(answers):
     labels = np.random.default_rng(3).integers(0, 4, (60, 70)).astype(np.uint8)
     asked = itertools.count()
     values, polygons = outlined(lambda first, last: labels[first:last], labels.shape, lambda: next(asked) < answers)

@@ -45,7 +45,7 @@ def test_a_duplicate_of_another_class_is_an_error_unless_a_priority_decides(prio
 
 
 @pytest.mark.parametrize(("priority", "severity"), [(0.0, ERROR), (1.0, INFORMATION)])
-def test_an_overlap_is_told_with_the_upper_polygon_first_and_its_area(priority, severity):
+def test_an_overlap_has_its_upper_polygon_first_and_its_area(priority, severity):
     polygons, partition = laid(feature(square(0, 0, 5), 1, priority), feature(square(3, 0, 5), 2))
     (finding,) = find_overlaps(polygons, partition, np.array([1, 0]), nobody(polygons))
     assert told([finding]) == [(OVERLAP, severity, 0, 1)]
@@ -53,20 +53,20 @@ def test_an_overlap_is_told_with_the_upper_polygon_first_and_its_area(priority, 
     assert finding.decided == (priority > 0)
 
 
-def test_a_hidden_polygon_is_told_with_what_covers_most_of_it():
+def test_a_hidden_polygon_is_reported_with_what_covers_most_of_it():
     polygons, partition = laid(feature(square(0, 0, 6)), feature(square(-1, -1, 6), 2), feature(square(0, 0, 9), 3))
     (finding,) = find_hidden(polygons, partition, np.array([0, 2, 1]), [])
     assert told([finding]) == [(HIDDEN, WARNING, 0, 1)]
 
 
-def test_what_a_duplicate_hides_is_not_told_again():
+def test_what_a_duplicate_hides_is_not_reported_again():
     polygons, partition = laid(feature(square(0, 0, 5)), feature(square(0, 0, 5)))
     duplicates, _ = find_duplicates(polygons, partition)
     assert find_hidden(polygons, partition, np.array([0, 1]), duplicates) == []
     assert len(find_hidden(polygons, partition, np.array([0, 1]), [])) == 1
 
 
-def test_neighbors_of_one_class_are_told_smaller_first_with_their_border():
+def test_neighbors_of_one_class_are_listed_smaller_first_with_their_border():
     polygons, partition = laid(feature(square(0, 0, 5)), feature(square(5, 1, 3)), feature(square(0, 5, 5), 2))
     (finding,) = find_same_class_neighbors(polygons, partition, np.arange(3), [1])
     assert (finding.feature_id, finding.other_id, finding.is_landmark) == (1, 0, True)
@@ -74,6 +74,6 @@ def test_neighbors_of_one_class_are_told_smaller_first_with_their_border():
 
 
 @pytest.mark.parametrize(("landmark_classes", "count"), [([1], 1), ([2], 0)])
-def test_touching_in_a_point_counts_for_landmarks_alone(landmark_classes, count):
+def test_touching_in_a_point_counts_only_for_landmarks(landmark_classes, count):
     polygons, partition = laid(feature(square(0, 0, 5)), feature(square(5, 5, 3)))
     assert len(find_same_class_neighbors(polygons, partition, np.arange(2), landmark_classes)) == count

@@ -47,6 +47,6 @@ def test_strips_joined_are_the_runs_of_the_whole():
         np.testing.assert_array_equal(getattr(joined, name), getattr(whole, name))
 
 
-def test_runs_say_where_they_begin_and_end_in_the_raster():
+def test_runs_have_their_first_and_last_pixel():
     runs = runs_of_strip(np.array([[0, 7, 7, 2], [2, 0, 0, 0]]), 10)
     assert list(zip(runs.rows, runs.starts, runs.stops, runs.regions)) == [(10, 1, 3, 7), (10, 3, 4, 2), (11, 0, 1, 2)]

@@ -80,7 +80,7 @@ def test_on_its_own_output_nothing_changes(kind, seed):
 
 @every_kind
 @every_seed
-def test_each_place_keeps_what_lies_on_top_unless_a_change_is_reported_there(kind, seed):
+def test_each_place_keeps_its_top_polygon_unless_a_change_is_reported(kind, seed):
     features = random_features(kind, seed)
     done = repair(features)
     random = np.random.default_rng(seed)
@@ -167,7 +167,7 @@ def test_a_long_gap_is_filled_when_it_is_thin():
     assert shapely.area(polygons_of(done)).sum() == pytest.approx(210 * 90)
 
 
-def test_a_sliver_between_neighbors_is_merged_and_one_that_stands_alone_stays():
+def test_a_sliver_is_merged_only_if_it_has_neighbors():
     features = [
         feature(shapely.box(0, 0, 50, 20), 1),
         feature(shapely.box(0, 20, 50, 20.1), 2),

@@ -27,14 +27,14 @@ def unusable(*features):
     return find_unusable(features, geometries, valid_polygons(features, split_parts(geometries)))
 
 
-def test_a_crossing_is_told_with_its_place_and_reason():
+def test_a_crossing_is_reported_with_its_place_and_reason():
     (finding,) = invalid(feature(square(9, 9, 1)), feature(BOWTIE, 3))
     assert (finding.kind, finding.severity, finding.feature_id, finding.class_value) == (INVALID, ERROR, 1, 3)
     assert finding.reason == f"Self-intersection ({WEST + 2:.2f}, {SOUTH + 2:.2f})"
     assert shapely.from_wkb(finding.wkb).centroid.coords[0] == pytest.approx((WEST + 2, SOUTH + 2))
 
 
-def test_each_broken_part_is_told_and_the_whole_not_again():
+def test_each_broken_part_is_reported_once():
     other = shapely.transform(BOWTIE, lambda xy: xy + (20, 0))
     assert [f.feature_id for f in invalid(feature(shapely.multipolygons([BOWTIE, other, square(50, 0, 2)])))] == [0, 0]
 
@@ -50,12 +50,12 @@ def test_each_broken_part_is_told_and_the_whole_not_again():
     ],
     ids=["none", "empty", "unreadable", "no area", "neither area nor class"],
 )
-def test_what_cannot_be_used_is_told(broken, kind, severity):
+def test_unusable_geometries_are_reported(broken, kind, severity):
     (finding,) = unusable(broken, feature(square(0, 0, 5)))
     assert (finding.kind, finding.severity, finding.feature_id) == (kind, severity, 0)
 
 
-def test_a_geometry_that_cannot_be_read_says_so():
+def test_an_unreadable_geometry_is_reported():
     with np.errstate(invalid="ignore"):
         broken = shapely.to_wkb(shapely.polygons([[0, 0], [np.nan, 5], [5, 5]]))
     assert [f.reason for f in unusable(AnnotatedFeature(7, broken, 1))] == [UNREADABLE]

@@ -35,7 +35,7 @@ def test_success_is_expected_where_landmarks_are_and_nowhere_else(assessed):
 
 
 @pytest.mark.slow
-def test_success_lies_in_its_interval_and_trials_are_spread_evenly(assessed):
+def test_success_is_in_its_interval_and_trials_are_spread_evenly(assessed):
     cells, trials, estimates, _ = assessed
     assert ((estimates.low <= estimates.success) & (estimates.success <= estimates.high)).all()
     assert set(estimates.trials.tolist()) <= {len(trials) // len(cells), len(trials) // len(cells) + 1}

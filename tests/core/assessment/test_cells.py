@@ -27,6 +27,6 @@ def test_unlabeled_ground_counts_inside_the_map_but_not_around_it(built, map_lab
 @pytest.mark.parametrize(
     "size, said", [(0.0, "edge of a square is 0"), (float("nan"), "is nan"), (0.5, "give 2.47 or more")]
 )
-def test_a_spacing_that_cannot_be_is_refused(assessed_database, size, said):
+def test_an_impossible_spacing_is_refused(assessed_database, size, said):
     with pytest.raises(ParameterError, match=said):
         ground_cells(assessed_database, size)

@@ -43,7 +43,7 @@ def test_over_nothing_the_radius_grows_until_the_position_is_given_up(result):
     assert (np.diff(told) > 0).all() or placed[-1] < 1
 
 
-def test_what_is_told_of_many_flights():
+def test_many_flights_are_summarized():
     points = route_points([np.array([(0.0, 0.0), (0.0, 300.0)]), np.array([(0.0, 0.0), (0.0, 100.0)])], 100.0)
     placed = np.array([[0, 1, 1, 0, 0, 0], [0, 0, 1, 1, 0, 1]], bool)
     radii = np.where(placed, [[0, 5.0, 6.0, 0, 0, 0], [0, 0, 8.0, 9.0, 0, 7.0]], np.nan)
@@ -58,7 +58,7 @@ def test_what_is_told_of_many_flights():
     assert route.at(other).tolist() == [0, 0, 1, 1, 2, 2, 2, 3, 3, 4, 4, 5, 5]
 
 
-def test_what_can_not_be_flown_is_refused(assessed_database, localizer):
+def test_impossible_flights_are_refused(assessed_database, localizer):
     from dataclasses import replace
 
     without = replace(assessed_database, overview=None)

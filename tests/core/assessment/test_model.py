@@ -19,7 +19,7 @@ def test_the_model_finds_the_probability_that_the_trials_were_drawn_with():
     assert ((low <= chances.means) & (chances.means <= high)).all()
 
 
-def test_trials_nearby_count_where_the_regression_knows_nothing():
+def test_trials_nearby_correct_the_regression():
     rng = np.random.default_rng(6)
     places = rng.uniform(0, 1000, (800, 2))
     right = places[:, 0] < 500

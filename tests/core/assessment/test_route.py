@@ -11,7 +11,7 @@ from semref.core.errors import ParameterError
 BENT = np.array([(0.0, 0.0), (100.0, 0.0), (100.0, 0.0), (100.0, 55.0)])
 
 
-def test_points_lie_at_even_distances_and_at_both_ends():
+def test_points_are_at_even_distances_and_at_both_ends():
     points = route_points([BENT], 50.0)
     assert points.along.tolist() == [0, 50, 100, 150, 155]
     assert points.places.tolist() == [[0, 0], [50, 0], [100, 0], [100, 50], [100, 55]]
@@ -29,12 +29,12 @@ def test_a_route_without_length_is_refused(lines):
     "spacing, said",
     [(0.0, "between points is 0"), (float("nan"), "is nan"), (1e-3, "or more")],
 )
-def test_a_spacing_that_cannot_be_is_refused(spacing, said):
+def test_an_impossible_spacing_is_refused(spacing, said):
     with pytest.raises(ParameterError, match=said):
         route_points([BENT], spacing)
 
 
-def test_shifted_points_lie_to_the_right_of_the_direction_of_flight():
+def test_shifted_points_are_to_the_right_of_the_direction_of_flight():
     points = route_points([BENT], 50.0)
     assert points.shifted(np.array([1, 3]), 10.0).tolist() == [[50, -10], [110, 50]]
     assert points.shifted(np.array([1]), -10.0).tolist() == [[50, 10]]
@@ -64,13 +64,13 @@ def test_gaps_never_run_from_one_line_into_the_next():
     ]
 
 
-def test_the_shortest_of_equally_good_shifts_is_told():
+def test_the_shortest_of_equally_good_shifts_is_proposed():
     successes = [np.full(3, value) for value in (0.9, 0.88, 0.3, 0.9)]
     hint = best_shift(np.full(3, 0.2), [-100.0, -50.0, 50.0, 100.0], successes)
     assert hint == ShiftHint(-50.0, pytest.approx(0.88), pytest.approx(0.2))
 
 
-def test_no_shift_is_told_when_none_is_worth_it():
+def test_no_shift_is_proposed_without_a_gain():
     assert best_shift(np.full(3, 0.8), [-50.0, 50.0], [np.full(3, 0.85), np.full(3, 0.1)]) is None
 
 

@@ -33,7 +33,7 @@ def windows(assessed_database):
     return replace(known, distinctiveness=np.arange(len(known)) / 10)
 
 
-def test_a_row_tells_verdict_reason_and_what_is_known(windows):
+def test_a_row_has_verdict_reason_and_distinctiveness(windows):
     success = (0.0, 0.31, 0.61, 0.9, 0.96)
     centers = windows.centers[:5].copy()
     centers[4] -= 5000
@@ -49,14 +49,14 @@ def test_a_row_tells_verdict_reason_and_what_is_known(windows):
     assert [row["distinctiveness"] for row in rows] == [0.0, 0.1, 0.2, 0.3, None]
 
 
-def test_reasons_are_said_in_the_words_of_who_asks(windows):
+def test_reasons_are_formatted_by_the_caller(windows):
     cells = Cells(50.0, windows.centers[:1], np.zeros(1, int), np.zeros(1, int))
     told = estimates((0.2,), (REASONS[3],))
     (row,) = square_rows(cells, windows, 250.0, told, 0.9, lambda sentence: sentence.template.upper())
     assert row["reason"] == "SOME FIXES WOULD BE WRONG."
 
 
-def test_every_reason_has_a_sentence_and_none_has_none():
+def test_every_reason_has_a_sentence():
     texts = {english(reason_sentence(reason, 3.0)) for reason in REASONS}
     assert len(texts) == len(REASONS)
     assert reason_sentence("", 3.0) is None

@@ -52,7 +52,7 @@ def test_clusters_of_portions_are_those_of_all_poses_together():
     assert len(clustered([], False, 40).votes) == 0
 
 
-def test_poses_lie_in_cells_that_grow_with_the_pixel_size_by_steps():
+def test_cells_of_poses_grow_with_the_pixel_size_by_steps():
     rng = np.random.default_rng(2)
     count, diagonal = 400, 900.0
     centers = rng.uniform(-5e4, 5e4, count) + 1j * rng.uniform(-5e4, 5e4, count)

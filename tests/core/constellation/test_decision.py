@@ -63,7 +63,7 @@ def test_a_larger_map_and_a_capped_search_ask_for_more():
         ),
     ],
 )
-def test_the_reason_tells_what_is_missing(changed, rivals, status, code):
+def test_the_reason_states_what_is_missing(changed, rivals, status, code):
     found, reason = verdict(replace(SURE, **changed), rivals, RISK, CONSTELLATION.decision)
     assert (found, reason and reason.template) == (status, code)
 

@@ -65,7 +65,7 @@ def test_the_mirrored_image_has_far_fewer_votes_for_any_pose(index, cut):
     assert votes[1] < votes[0] / 5
 
 
-def test_no_seed_lies_outside_the_prior(index, cut):
+def test_no_seed_is_outside_the_prior(index, cut):
     query = cut(*TRUE).query
     prior = Prior((ORIGIN[0] + 1300, ORIGIN[1] + 700), 250.0, 200.0, 60.0, (0.7, 1.9))
     seeds = seeds_of(index, query, prior)
@@ -75,7 +75,7 @@ def test_no_seed_lies_outside_the_prior(index, cut):
     assert np.abs(seeds.turns).min() > 0.69 and np.abs(seeds.turns).max() < 1.91
 
 
-def test_a_cap_leaves_hits_out_and_says_so(index, cut):
+def test_a_cap_that_leaves_hits_out_is_reported(index, cut):
     query = cut(*TRUE).query
     prior = Prior(pixel_size_range=SCALES)
     everything = seeds_of(index, query, prior)

@@ -44,17 +44,17 @@ def test_new_houses_where_the_map_has_nothing_are_no_other_place():
     assert empty_side(seen(0.8, 0.0), left, DIAGONAL, CONSTELLATION.decision) is None
 
 
-def test_a_handful_of_landmarks_tells_nothing():
+def test_few_landmarks_are_no_evidence_of_two_places():
     assert empty_side(seen(1.0, 0.0, 8), seen(1.0, 0.0, 8, 1), DIAGONAL, CONSTELLATION.decision) is None
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_a_side_whose_landmarks_hardly_agree_is_uneven_and_found(seed):
+def test_a_side_with_few_agreeing_landmarks_is_found(seed):
     side = uneven_side(seen(0.6, 0.0, seed=seed), DIAGONAL, CONSTELLATION.decision)
     assert side is not None and side.direction.real > 0.7
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
-def test_chance_makes_hardly_any_image_uneven(share):
+def test_chance_makes_few_images_uneven(share):
     sides = [uneven_side(seen(share, share, 60, seed), DIAGONAL, CONSTELLATION.decision) for seed in range(100)]
     assert sum(side is not None for side in sides) <= 2

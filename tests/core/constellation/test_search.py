@@ -83,7 +83,7 @@ def test_ground_that_a_prior_excludes_is_not_tried(built_twice, index, cut):
     assert search.with_copies(verifier, query, [copy], prior) == [copy]
 
 
-def test_ground_that_lies_nowhere_else_has_no_copies(index, cut):
+def test_unique_ground_has_no_copies(index, cut):
     made = cut(1000.0, 1000.0, 30.0, 1.0)
     verifier = verification.Verifier(index, EDGE, EDGE, 60.0)
     (evidence,) = verification.verify(verifier, made.query, [made.pose])

@@ -40,7 +40,7 @@ def points_as_objects(centers, classes=None, areas=None):
 
 
 @pytest.mark.parametrize("count", [0, 1, 3])
-def test_with_too_few_objects_it_says_how_many_more_are_needed(ground, count):
+def test_too_few_objects_are_counted_with_those_needed(ground, count):
     result = solve(ground, points_as_objects(np.random.default_rng(0).uniform(50, 600, (count, 2))))
     assert result.status == Status.TOO_FEW_REFERENCES
     assert f"shows {count} whole" in str(result.reason) and "more are needed" in str(result.reason)
@@ -76,7 +76,7 @@ def test_a_clean_view_is_found_exactly_at_any_heading_and_scale(ground, heading,
 
 
 @pytest.mark.slow
-def test_most_spoilt_views_are_found_and_no_fix_is_wrong(ground):
+def test_most_noisy_views_are_found_and_no_fix_is_wrong(ground):
     rng = np.random.default_rng(3)
     fixes = []
     for seed in range(25):
@@ -160,7 +160,7 @@ def test_two_places_that_are_alike_are_named_as_alternatives():
     assert abs(result.alternatives[1].position[0] - result.best.position[0]) == pytest.approx(1400, abs=1)
 
 
-def test_a_prior_tells_twins_apart():
+def test_a_prior_distinguishes_twins():
     piece = town(9, 1200, 500)
     labels = np.zeros((1200, 2600), np.uint8)
     labels[:, :1200] = piece
@@ -197,7 +197,7 @@ def test_matches_name_objects_of_the_image_and_of_the_map(ground):
     np.testing.assert_allclose(matches.residuals, np.hypot(*(matches.seen_xy - on_map).T), atol=1e-6)
 
 
-def test_matches_at_a_place_told_by_another_method_are_those_of_a_fix_there(ground):
+def test_matches_at_the_place_of_another_method_are_those_of_a_fix_there(ground):
     view = seen_from(1500.0, 1490.0)
     objects = ground.see(view)
     x, y = np.array(ORIGIN) + view.position

@@ -21,13 +21,13 @@ def test_a_known_triangle_has_the_numbers_worked_out_by_hand():
 
 
 @pytest.mark.parametrize("turn", [1j, 2.5 + 0j, 0.3 - 0.7j])
-def test_turning_moving_and_scaling_change_none_of_the_numbers(turn):
+def test_turning_moving_and_scaling_change_no_number(turn):
     points, log_areas = made_triangles(1)
     moved = describe_triangles(points * turn + (300 - 20j), log_areas + 2 * np.log(abs(turn)))
     np.testing.assert_allclose(moved, describe_triangles(points, log_areas), atol=1e-8)
 
 
-def test_a_mirrored_triangle_differs_in_its_handedness_alone():
+def test_a_mirrored_triangle_differs_only_in_its_handedness():
     points, log_areas = made_triangles(2)
     there, mirrored = describe_triangles(points, log_areas), describe_triangles(-points.conj(), log_areas)
     np.testing.assert_allclose(mirrored, there * [1, -1, 1, 1, 1], atol=1e-8)

@@ -28,7 +28,7 @@ def of_two(left, right, cut=SIZE / 2):
     return joined(left.select(left.centers_xy[:, 0] < cut), right.select(right.centers_xy[:, 0] >= cut))
 
 
-def test_an_image_of_two_places_is_told_as_such(ground):
+def test_an_image_of_two_places_is_recognized(ground):
     left, right = (ground.see(seen_from(*center, 20.0)) for center in ((1400, 1600), (900, 900)))
     found = solve(ground, of_two(left, right))
     assert (found.status, found.reason.template) == (
@@ -65,7 +65,7 @@ def test_a_second_place_is_found_by_few_landmarks_where_the_map_has_nothing_at_t
     assert np.hypot(*(first - (1400, -1600))) < 5 and np.hypot(*(second - (900, -900))) < 5
 
 
-def test_a_fix_says_which_part_of_the_image_it_does_not_hold_for(ground, half_mapped):
+def test_a_fix_names_the_part_of_the_image_that_disagrees(ground, half_mapped):
     view = seen_from(1400, 1600)
     found = localize(ground.see(view), (SIZE, SIZE), half_mapped, PRIOR)
     assert found.status == Status.FIX and error(found, view) < 1
@@ -77,6 +77,6 @@ def test_a_fix_says_which_part_of_the_image_it_does_not_hold_for(ground, half_ma
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_fix_of_one_place_says_nothing_more_however_poor_its_labels(ground, seed):
+def test_a_fix_of_one_place_has_no_warning_even_with_poor_labels(ground, seed):
     found = solve(ground, ground.see(seen_from(1400, 1600, 40.0 * seed), NOISE, seed))
     assert (found.status, found.reason) == (Status.FIX, None)

@@ -48,7 +48,7 @@ def test_the_true_pose_has_high_odds_and_matches_every_object_with_itself(verifi
     assert len(evidence.matched) == len(made.objects)
 
 
-def test_poses_verified_together_have_the_evidence_that_each_has_alone(index, verifier, made):
+def test_poses_verified_together_have_their_own_evidence(index, verifier, made):
     """True, near, far and impossible ones; some of them lose their matches rounds before the others."""
     rng = np.random.default_rng(11)
     query = noisy(made, index, made.pose)
@@ -140,7 +140,7 @@ def test_rough_fits_draw_near_poses_to_the_truth_and_leave_far_ones(index, made)
     assert scores[0] == pytest.approx(scores[1], rel=1e-3) and scores[0] > 100 > 0 > scores[2]
 
 
-def test_telling_objects_are_the_largest_whole_ones_of_known_class_in_their_order():
+def test_chosen_objects_are_the_largest_whole_ones_in_order():
     areas = np.log([10.0, 90.0, 50.0, 70.0, 80.0, 60.0])
     ranks, whole = np.array([0, 1, 0, -1, 1, 0]), np.array([1, 1, 1, 1, 0, 1], bool)
     query = SeenLandmarks(np.arange(6) + 0j, ranks, areas, whole, 100.0)
@@ -170,7 +170,7 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     assert 0 < len(there) < inside.sum()
 
 
-def test_a_tilted_camera_is_verified_from_where_its_pose_holds(index, verifier, made):
+def test_a_tilted_camera_is_verified_from_a_level_pose(index, verifier, made):
     tilted = Pose(made.pose.center, made.pose.turn, 0.008 - 0.004j, 1.5e-4 + 1e-4j)
     seen = tilted.in_image(index.points)
     objects = np.flatnonzero((np.abs(seen.real) < EDGE / 2) & (np.abs(seen.imag) < EDGE / 2))

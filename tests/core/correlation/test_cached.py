@@ -80,7 +80,7 @@ def test_a_pyramid_of_something_else_is_made_again(tmp_path, monkeypatch, what):
     assert len(before) == 1 and len(files(tmp_path)) == 2
 
 
-def test_settings_that_only_tell_how_it_is_searched_leave_it_as_it_is(monkeypatch):
+def test_search_settings_do_not_change_the_pyramid(monkeypatch):
     loaded(overview())
     never_made(monkeypatch)
     assert loaded(overview(), replace(CORRELATION, candidates=7)).settings.candidates == 7

@@ -98,7 +98,7 @@ def test_a_surprise_is_what_students_density_falls_short_of_its_highest():
     assert surprises([3.0], others, settings)[0] == pytest.approx(2.5 * np.log(1 + 9 / 1.2 / 4))
 
 
-def test_of_two_places_that_stand_out_neither_surprises():
+def test_two_places_with_the_same_detail_are_no_surprise():
     alone, *_ = surprises([20.0, 1.0, 1.2], [1.0] * 8)
     twice = surprises([20.0, 20.0, 1.2], [1.0] * 8)
     assert alone > 25 and max(twice) < alone / 3

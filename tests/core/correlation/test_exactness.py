@@ -40,7 +40,7 @@ def test_a_displaced_map_turns_and_stretches_an_image_as_a_fit_to_its_places_doe
     assert growth == pytest.approx(expected[3, 3], rel=0.15) and turn == pytest.approx(expected[2, 2], rel=0.15)
 
 
-def test_what_a_camera_may_have_done_is_added_and_told():
+def test_uncertainty_of_the_camera_is_a_part_of_the_radius():
     effect = ViewEffect(np.zeros(4), np.diag([9.0, 9.0, 0.0, 0.0]))
     known = full_pose_covariance(POSE, 1e-6 * SPREAD, 1280.0, 4.0, SharedErrors(0.0), effect)
     assert known.parts[0] == ("view", pytest.approx(CIRCLE_95 * 6.0)) and known.deviations[0] > 6.0

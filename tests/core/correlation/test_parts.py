@@ -51,7 +51,7 @@ def test_the_part_that_shows_another_place_is_named(labels, pyramid, name, noise
 
 @pytest.mark.parametrize("noise", [None, MODEST, STRONG])
 @pytest.mark.parametrize("center", [HERE, ELSEWHERE, (700.0, 1200.0)])
-def test_an_image_of_one_place_holds_everywhere(labels, pyramid, noise, center):
+def test_an_image_of_one_place_agrees_in_all_its_parts(labels, pyramid, noise, center):
     image = view(labels, center, 75, 1.1)
     found = localize(image if noise is None else spoiled(image, noise, 3), pyramid, PRIOR)
     assert found.is_fix and found.reason is None

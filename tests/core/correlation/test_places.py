@@ -64,14 +64,14 @@ def test_a_score_is_moved_to_another_size_by_what_chance_gives_there():
     assert chance.moved(np.tanh(0.1), 1.0, 2.0) == 0.0
 
 
-def test_chance_is_the_median_of_good_peaks_and_none_where_there_are_too_few():
+def test_chance_is_the_median_of_enough_good_peaks():
     scores = np.tanh(np.concatenate([[2.0], np.full(20, 0.3)]))
     peaks = np.array([(score, 0.0, 0.0, 0.0, size) for size in (1.0, 1.2) for score in scores])
     assert chance_levels(peaks, np.array([1.0, 1.2])).levels == pytest.approx([0.3, 0.3])
     assert (chance_levels(peaks[:24], np.array([1.0, 1.2])).levels == 0).all()
 
 
-def test_of_chosen_peaks_the_sizes_that_have_enough_tell_for_the_others():
+def test_sizes_with_enough_peaks_decide_for_the_others():
     sizes = np.array([0.8, 1.0, 1.2])
     # Refined ones have sizes of their own.
     peaks = np.array([(np.tanh(0.3), 0.0, 0.0, 0.0, size) for size in (*[1.03] * 20, *[1.21] * 5)])
@@ -105,7 +105,7 @@ def test_a_prior_bounds_what_is_searched(patch_pyramid):
         (None, None),
     ],
 )
-def test_an_image_without_labels_or_of_one_class_tells_no_place(patch_pyramid, patches, value, code):
+def test_an_image_without_labels_or_of_one_class_has_no_place(patch_pyramid, patches, value, code):
     labels = patches[:200, :200] if value is None else np.full((200, 200), value, np.uint8)
     missing = missing_information(evidence_level(labels, patch_pyramid.space, (32, 32)), patch_pyramid)
     assert (missing and missing.template) == code

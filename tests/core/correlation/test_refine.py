@@ -25,7 +25,7 @@ def test_a_pose_beside_the_true_one_is_moved_there_finer_than_a_pixel(patch_pyra
     assert found.score > score_at(image, patch_pyramid, start, patch_pyramid.quiet)
 
 
-def test_the_score_is_high_at_the_true_pose_low_elsewhere_and_none_beside_the_map(patch_pyramid, image):
+def test_the_score_is_high_at_the_true_pose_and_missing_beside_the_map(patch_pyramid, image):
     places = [TRUE, ScoredPose(TRUE.x + 150, TRUE.y - 80, 41.0, 1.03), ScoredPose(-3000, 0, 0, 1)]
     here, there, beside = (score_at(image, patch_pyramid, place, patch_pyramid.quiet) for place in places)
     assert here > 0.8 and there < 0.4 and beside == NOT_COMPARABLE
@@ -39,6 +39,6 @@ def test_the_covariance_grows_with_the_noise_of_the_labels(patch_pyramid, image)
     assert (np.diag(worse) > 2 * np.diag(clean)).all()
 
 
-def test_where_nothing_tells_the_pose_its_covariance_is_infinite(patch_pyramid, image):
+def test_an_undetermined_pose_has_an_infinite_covariance(patch_pyramid, image):
     alike = type(image)(np.ones_like(image.evidence), image.known, image.pixel)
     assert np.isinf(pose_covariance(alike, patch_pyramid, TRUE, patch_pyramid.quiet)).all()

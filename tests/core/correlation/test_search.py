@@ -17,7 +17,7 @@ def test_the_true_place_turn_and_scale_have_the_highest_score(patch_pyramid, ima
     assert best[0] > 0.6
 
 
-def test_peaks_are_told_best_first_and_inside_the_box_only(patch_pyramid, image_at):
+def test_peaks_are_sorted_by_score_and_inside_the_box(patch_pyramid, image_at):
     box = (700.0, 500.0, 1000.0, 800.0)
     found = search(image_at(850, 640, 120, 1.0, 32), patch_pyramid, SearchSpace(HEADINGS, np.array([1.0]), box))
     assert len(found) > 3 and (np.diff(found[:, 0]) <= 0).all()

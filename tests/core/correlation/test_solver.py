@@ -69,7 +69,7 @@ def test_a_noisy_image_is_found(labels, pyramid, noise):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [11, 12, 13])
-def test_an_image_of_another_map_is_not_found_and_the_reason_told(pyramid, seed):
+def test_an_image_of_another_map_is_not_found_with_a_reason(pyramid, seed):
     result = localize(view(made_map(seed), (1300, 1000), 40, 1.0), pyramid, PRIOR)
     assert result.status in ("no_match", "ambiguous")
     assert str(result.reason).endswith(".")
@@ -103,7 +103,7 @@ def test_a_map_that_is_alike_everywhere_has_too_little_information(labels, value
     assert "map" in str(result.reason)
 
 
-def test_an_image_is_found_on_a_map_of_buildings_alone_by_what_lies_between_them(labels):
+def test_an_image_is_found_on_a_map_of_only_buildings(labels):
     buildings = np.where(labels == 1, labels, 0)
     center = 1203.7, 905.2
     pyramid = MapPyramid(most_frequent_labels(buildings), FRAME)
@@ -111,7 +111,7 @@ def test_an_image_is_found_on_a_map_of_buildings_alone_by_what_lies_between_them
     assert result.status == "fix" and error_m(result.best, center) < 2.0
 
 
-def test_a_place_that_is_on_the_map_twice_is_ambiguous_with_the_other_place_told(labels):
+def test_a_place_that_is_on_the_map_twice_is_ambiguous(labels):
     doubled = labels.copy()
     doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
     pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
@@ -123,7 +123,7 @@ def test_a_place_that_is_on_the_map_twice_is_ambiguous_with_the_other_place_told
     assert error_m(result.alternatives[1], other) < 16
 
 
-def test_a_prior_tells_the_two_places_apart(labels):
+def test_a_prior_distinguishes_the_two_places(labels):
     doubled = labels.copy()
     doubled[1100:1800, 1700:2500] = doubled[200:900, 300:1100]
     pyramid = MapPyramid(most_frequent_labels(doubled), FRAME)
@@ -162,7 +162,7 @@ def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, lar
     assert chosen.peaks.mirror == pytest.approx(all_places.peaks.mirror, abs=0.1)
 
 
-def test_a_fix_tells_how_exactly_position_heading_and_pixel_size_are_known(labels, pyramid):
+def test_a_fix_states_the_accuracy_of_position_heading_and_pixel_size(labels, pyramid):
     found = localize(view(labels, (1500, 700), 123, 0.9), pyramid, PRIOR)
     (xx, xy), (yx, yy) = found.covariance.position
     assert xy == pytest.approx(yx) and xx > 0 and xx * yy > xy * yx
@@ -171,7 +171,7 @@ def test_a_fix_tells_how_exactly_position_heading_and_pixel_size_are_known(label
     assert found.covariance.ellipse_95.semi_major >= found.covariance.ellipse_95.semi_minor > 0
 
 
-def test_agreement_at_a_pose_is_high_where_the_image_lies_and_nowhere_else(labels, pyramid):
+def test_agreement_is_high_only_at_the_place_of_the_image(labels, pyramid):
     image = spoiled(view(labels, (1500, 700), 123, 0.9), MODEST.in_pixels(0.9), 1)
     right = ORIGIN[0] + 1500, ORIGIN[1] - 700
     assert agreement_at(image, pyramid, Place(right, 123.0, 0.9)) > 0.6
@@ -179,7 +179,7 @@ def test_agreement_at_a_pose_is_high_where_the_image_lies_and_nowhere_else(label
         assert abs(agreement_at(image, pyramid, Place(position, heading, 0.9))) < 0.25
 
 
-def test_agreement_cannot_be_told_of_one_class_or_beside_the_map(labels, pyramid):
+def test_agreement_is_unknown_for_one_class_or_beside_the_map(labels, pyramid):
     here = ORIGIN[0] + 1500, ORIGIN[1] - 700
     assert agreement_at(np.full((560, 560), 4, np.uint8), pyramid, Place(here, 0.0, 1.0)) is None
     assert agreement_at(np.zeros((560, 560), np.uint8), pyramid, Place(here, 0.0, 1.0)) is None
@@ -231,7 +231,7 @@ def test_at_the_edge_of_the_map_a_fix_is_right(labels, pyramid, beyond, heading_
     assert not result.is_fix or error_m(result.best, center) < 3
 
 
-def test_a_place_that_the_edge_of_the_map_holds_is_no_fix(labels, monkeypatch):
+def test_a_place_fixed_only_by_the_edge_of_the_map_is_no_fix(labels, monkeypatch):
     for module in (refine, refine_many, view_effects):
         monkeypatch.setattr(module, "LEAST_KNOWN_MOVED", 0.5)
     pyramid = MapPyramid(most_frequent_labels(labels), FRAME)

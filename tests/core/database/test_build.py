@@ -113,7 +113,7 @@ def test_windows_that_do_not_fit_the_map_are_refused_before_any_work(labels, win
         builder_of(labels, BuildSettings(window_size, stride, 20.0, levels))
 
 
-def test_windows_lie_where_their_names_say(database):
+def test_windows_are_at_the_place_of_their_name(database):
     windows = database.windows
     assert len(windows) == 3 * 4
     assert set(windows.names) == {f"{c}_{r}" for c in (0, 18, 36, 54) for r in (0, 18, 36)}
@@ -169,7 +169,7 @@ def test_each_level_has_a_grid_whose_window_and_stride_grow_together(labels, lev
         assert set(windows.sizes[windows.levels == number]) == {80.0 * level}
 
 
-def test_parameters_tell_how_the_database_was_built(database):
+def test_parameters_show_how_the_database_was_built(database):
     parameters = database.parameters
     assert (parameters.crs, parameters.geotransform) == (FRAME.crs, FRAME.geotransform)
     assert (parameters.map_width_px, parameters.map_height_px, parameters.pixel_size) == (110, 90, PIXEL)

@@ -35,7 +35,7 @@ def database():
     return ReferenceDatabase(windows, references, table, parameters)
 
 
-def test_look_alikes_overlap_neither_the_window_nor_one_another(database):
+def test_similar_windows_do_not_overlap(database):
     found = describe_window(database, 0)
     # 50_0 overlaps the window; of 100_0 (0.2), 200_0 (0.4) and 150_0 (0.9) the last overlaps both others.
     assert database.windows.names[found.look_alikes].tolist() == ["100_0", "200_0"]
@@ -47,7 +47,7 @@ def test_the_landmarks_of_a_window_come_in_the_order_of_its_vector(database):
     assert describe_window(database, 0).objects.tolist() == [2, 0, 1]
 
 
-def test_a_window_without_a_vector_has_no_look_alikes(database):
+def test_a_window_without_a_vector_has_no_similar_windows(database):
     database.windows.described[0] = False
     found = describe_window(database, 0)
     assert len(found.objects) == len(found.look_alikes) == 0

@@ -12,7 +12,7 @@ SIZES = np.array([40, 61, 40]) * 0.7
 CENTERS = FRAME.to_map(PIXELS + np.array([[20], [30.5], [20]]))
 
 
-def test_first_pixels_come_back_from_where_windows_lie():
+def test_first_pixels_come_back_from_the_places_of_windows():
     np.testing.assert_array_equal(first_pixels_of(CENTERS, SIZES, FRAME), PIXELS)
     assert first_pixels_of(CENTERS[:0], SIZES[:0], FRAME).shape == (0, 2)
 

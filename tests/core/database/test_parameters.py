@@ -29,7 +29,7 @@ def test_the_overview_covers_the_last_pixels_of_the_map():
     assert (PARAMETERS.overview_frame.shape_hw, PARAMETERS.overview_frame.pixel_size) == ((26, 75), 8.0)
 
 
-def test_a_missing_one_is_named():
+def test_a_missing_parameter_is_named():
     values = stored()
     del values["stride"]
     with pytest.raises(KeyError, match="stride"):
@@ -57,11 +57,11 @@ def test_a_missing_one_is_named():
         ("geotransform", [1e300, 2.0, 0.0, 5200.25, 0.0, -2.0]),
     ],
 )
-def test_a_value_that_can_not_be_is_refused_by_name(name, value):
+def test_an_impossible_value_is_refused_by_name(name, value):
     with pytest.raises(ValueError, match=name):
         build_parameters(stored(**{name: value}), "a.gpkg")
 
 
-def test_a_newer_version_is_told_whatever_else_it_has():
+def test_a_newer_version_is_reported_first():
     with pytest.raises(DatabaseError, match=f"a.gpkg has format version {FORMAT_VERSION + 1}, newer"):
         build_parameters({"format_version": FORMAT_VERSION + 1}, "a.gpkg")

@@ -205,7 +205,7 @@ RIVER, POND, U = (0, 90, HEIGHT, 4), (60, 60, 10, 10), ((20, 20, 100, 3), (20, 1
         "river gone",
     ],
 )
-def test_what_happens_to_objects_is_told(before, after, removed, added):
+def test_changes_of_objects_are_counted(before, after, removed, added):
     labels, edited = field_with(*before), field_with(*after)
     rows, columns = np.nonzero(labels != edited)
     area = (int(columns.min()), int(rows.min()), int(columns.max()) + 1, int(rows.max()) + 1)

@@ -27,7 +27,7 @@ def test_a_trial_has_every_column_and_how_far_off_it_is():
     assert (values["error"], values["right"], values["true_x"], values["x"]) == (5.0, 1, 100.0, 103.0)
 
 
-def test_the_text_tells_settings_rates_and_trials():
+def test_the_text_has_settings_rates_and_trials():
     told = json.loads(evaluation_json(trials(), [Method.CONSTELLATION], {"SEED": 3}, Rate(7, 9)))
     assert (
         told["settings"] == {"SEED": 3}

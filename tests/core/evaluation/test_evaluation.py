@@ -69,7 +69,7 @@ def evaluate(database):
 # --- queries ---
 
 
-def test_every_value_lies_in_its_range_and_fills_it(evaluate):
+def test_values_fill_their_ranges(evaluate):
     ranges = {"scale": (0.5, 2.0), "rotation": (10.0, 20.0), "offset": (0.1, 0.4), "missed": (10, 30), "ragged": (1, 3)}
     queries = list(evaluate(**ranges).trials(300, 0))
     values = {
@@ -132,7 +132,7 @@ def test_the_tables_scale_and_turn_whole_windows_without_noise(evaluate, databas
         )
 
 
-def test_trials_lie_only_around_windows_with_enough_landmarks_on_the_map(evaluate, database):
+def test_trials_are_only_near_windows_with_enough_landmarks(evaluate, database):
     enough = int(np.median(database.windows.counts))
     assert all(query.landmarks >= enough for query in evaluate(minimum=enough).trials(60, 0))
     told = evaluate(minimum=enough).tried_windows
@@ -149,7 +149,7 @@ def test_a_map_of_elsewhere_is_refused(evaluate, database):
 @pytest.mark.parametrize(
     ("name", "limits"), [("missed", (0, 101)), ("scale", (0, 1)), ("offset", (0.3, 0.2)), ("ragged", (math.nan, 1))]
 )
-def test_ranges_that_cannot_be_are_refused_by_name(name, limits):
+def test_impossible_ranges_are_refused_by_name(name, limits):
     with pytest.raises(ParameterError, match=name):
         TrialRanges(**{name: limits})
 

@@ -9,7 +9,7 @@ from semref.core.geometry.frame import MapFrame
 from semref.core.localization import Method
 
 
-def test_the_evaluation_gets_all_that_the_job_tells(monkeypatch):
+def test_the_evaluation_gets_all_values_of_the_job(monkeypatch):
     monkeypatch.setattr(job, "Evaluation", lambda *given: given)
     frame, ranges = MapFrame.at((1.0, 2.0), 0.5), TrialRanges(missed=(1.0, 2.0))
     told = job.EvaluationJob("area.gpkg", "labels.tif", frame, ranges, 7, 20, 2.5)

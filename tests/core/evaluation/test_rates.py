@@ -21,7 +21,7 @@ def test_a_rate_counts_true():
     assert rate_of([True, False, np.True_]) == Rate(2, 3)
 
 
-def test_every_value_lies_in_its_bin_and_the_last_takes_its_end():
+def test_every_value_is_in_its_bin_and_the_last_bin_includes_its_end():
     first, last = binned([0.0, 0.1, 0.9, 1.0], [True, False, True, True], (0.0, 0.25, 0.5, 1.0))
     assert (first.low, first.high, first.at, first.rate) == (0.0, 0.25, pytest.approx(0.05), Rate(1, 2))
     assert (last.low, last.high, last.at, last.rate) == (0.5, 1.0, pytest.approx(0.95), Rate(2, 2))

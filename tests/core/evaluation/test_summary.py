@@ -69,18 +69,18 @@ def test_rates_and_errors_are_of_the_right_trials():
     assert errors.tolist() == [1, 2, 30, 900] and shares.tolist() == [0.2, 0.4, 0.6, 0.8]
 
 
-def test_stated_radii_hold_among_the_trials_that_were_told_one():
+def test_coverage_counts_only_trials_with_a_radius():
     assert covered([trial(ratio=0.3), trial(ratio=1.0), trial(ratio=1.2), trial()]) == Rate(2, 3)
 
 
-def test_success_is_told_for_each_offset():
+def test_success_is_counted_for_each_offset():
     moved = [trial(offset < 0.04, kind=OFFSET, offset=offset) for offset in OFFSETS for _ in range(2)]
     found = success_by_offset(moved, Method.CONSTELLATION)
     assert [one.at for one in found] == pytest.approx(OFFSETS)
     assert [one.rate for one in found] == [Rate(2, 2), *[Rate(0, 2)] * 6]
 
 
-def test_success_is_told_for_each_bin_of_landmarks():
+def test_success_is_counted_for_each_bin_of_landmarks():
     first, last = success_by_landmarks([trial(landmarks=4), trial(False, landmarks=300)])
     assert (first.low, first.high, last.low, last.high) == (0, 5, 80, np.inf)
 
@@ -116,7 +116,7 @@ def test_shares_of_errors_are_counted_in_the_ellipses_of_50_95_and_99_percent():
     assert [rate.successes for rate in held_shares(tried)] == [1, 2, 3]
 
 
-def test_a_road_is_the_method_that_gave_the_fix():
+def test_methods_of_automatic_are_counted_by_the_method_of_the_fix():
     stars = [trial(right=n > 0, confidence=0.95, ratio=0.3 * n) for n in range(4)]
     areas = [
         replace(one, result=replace(one.result, method=Method.MAP_CORRELATION, confidence=0.6))

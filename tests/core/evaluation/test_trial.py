@@ -42,12 +42,12 @@ def test_errors_of_heading_and_scale_are_measured_the_short_way_and_relative():
 @pytest.mark.parametrize(
     "query", [replace(QUERY, view=replace(QUERY.view, is_mirrored=True)), replace(QUERY, is_of_map=False)]
 )
-def test_an_image_that_lies_nowhere_on_the_map_is_never_right(query):
+def test_an_image_off_the_map_is_never_right(query):
     trial = told(query)
     assert trial.is_wrong and not query.can_be_right and trial.error == 0
 
 
-def test_an_error_is_told_in_units_of_the_radius_that_was_stated():
+def test_an_error_is_given_in_units_of_the_stated_radius():
     assert told(away=(3.0, 4.0), error_95_m=10.0).radius_ratio == pytest.approx(0.5)
     assert told(away=(3.0, 4.0)).radius_ratio is None
     known = PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 0.1, 0.01, Ellipse(4.0, 2.0, 90.0))
@@ -60,7 +60,7 @@ def test_an_error_on_the_ellipse_has_the_ratio_one():
     assert ellipse_ratio(0.0, 1.0, ellipse) == pytest.approx(0.5)
 
 
-def test_an_ellipse_without_extent_holds_nothing_but_no_error():
+def test_an_ellipse_without_extent_contains_only_zero_error():
     ellipse = Ellipse(0.0, 0.0, 0.0)
     assert ellipse_ratio(0.0, 0.0, ellipse) == 0
     assert 1 < ellipse_ratio(0.1, 0.0, ellipse) < math.inf

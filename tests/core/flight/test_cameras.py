@@ -23,7 +23,7 @@ def table(tmp_path):
     return write
 
 
-def test_a_row_counts_before_the_photo_and_the_photo_where_it_is_silent():
+def test_the_table_counts_before_the_photo():
     row = Camera(Attitude(5, 6), Lens("focal_length_px", 800), "cameras.csv", 3.0, None, above_ground(100), 0.0)
     assert merge_camera(row, PHOTO, is_timed=True) == row
     assert merge_camera(Camera(), PHOTO, is_timed=False) == PHOTO
@@ -31,7 +31,7 @@ def test_a_row_counts_before_the_photo_and_the_photo_where_it_is_silent():
     assert merge_camera(Camera(), PHOTO, is_timed=True).time_s is None
 
 
-def test_a_log_tells_what_neither_tells():
+def test_a_log_fills_what_table_and_photo_lack():
     log = Camera(Attitude(8, 9), height=above_takeoff(70), heading_deg=33.0)
     assert complete_camera(PHOTO, log, with_attitude=True) == PHOTO
     found = complete_camera(Camera(lens=PHOTO.lens), log, with_attitude=True)

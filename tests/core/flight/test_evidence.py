@@ -70,7 +70,7 @@ def test_on_a_map_that_is_too_large_for_an_image_there_are_no_best_places(seen, 
     assert best_poses(seen, large, 20, APART) == []
 
 
-def test_an_image_of_one_class_says_nothing(localizer, flown):
+def test_an_image_of_one_class_is_no_evidence(localizer, flown):
     flat = prepare_image(np.full((96, 96), 2, np.uint8), localizer.pyramid, flown.images[0].prior, None, FEW)
     assert flat.evidence is None
     assert best_poses(flat, localizer.pyramid, 20, APART) == []

@@ -37,7 +37,7 @@ def test_headings_and_pixel_sizes_are_those_of_the_images(poses, flown):
         assert size == pytest.approx(view.pixel_size, rel=0.03)
 
 
-def test_the_radius_holds_most_errors_and_is_no_larger_than_an_image(poses, flown):
+def test_the_radius_contains_most_errors_and_is_no_larger_than_an_image(poses, flown):
     radii = np.array([pose.error_95_m for pose in poses])
     assert (errors_m(poses, flown.views) <= radii).mean() > 0.8
     assert radii.max() < 60
@@ -56,12 +56,12 @@ def test_a_missing_link_is_bridged(flown, localizer):
     assert errors_m(poses, flown.views).max() < 20
 
 
-def test_a_link_of_an_image_that_is_not_there_is_refused(flown, localizer):
+def test_a_link_of_a_missing_image_is_refused(flown, localizer):
     with pytest.raises(ParameterError, match="9"):
         localize_flight(flown.images[:2], [link_between(8, *flown.views[:2])], localizer)
 
 
-def test_steps_tell_how_far_they_are(flown, localizer):
+def test_steps_report_their_progress(flown, localizer):
     solver = FlightSolver(localizer, FEW)
     assert list(solver.steps(flown.images[:2], flown.links[:1])) == [(1, 2), (2, 2)]
     assert len(solver.poses) == 2

@@ -62,7 +62,7 @@ def test_an_empty_file_waits_for_its_header(path):
     assert images(growing) == ["a"]
 
 
-def test_a_table_that_is_written_anew_is_read_from_its_first_line(path):
+def test_a_rewritten_table_is_read_from_its_first_line(path):
     append(path, HEADER + "a,,,\nb,1,2,3\n")
     growing = table(path)
     images(growing)
@@ -72,7 +72,7 @@ def test_a_table_that_is_written_anew_is_read_from_its_first_line(path):
     assert "line 2" in str(row.place) or row.place.values["line"] == 2
 
 
-def test_a_line_that_is_none_is_told_in_its_place_and_others_come(path):
+def test_an_invalid_line_is_reported_in_its_place_and_others_are_read(path):
     append(path, HEADER.encode() + b"a,,,\n\xff\xfe,1,2,3\n" + b"x" * (3 * limits.LINE_BYTES) + b"\nb,1,2,3\n")
     found = images(table(path))
     assert (found[0], found[3]) == ("a", "b") and len(found) == 4

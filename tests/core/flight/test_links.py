@@ -30,7 +30,7 @@ def test_what_is_left_of_a_link_over_an_image_ends_where_that_link_does(in_meter
     assert np.linalg.eigvalsh(np.array(later.covariance)).min() > 1e-5
 
 
-def test_a_link_over_an_image_counts_only_where_neighbors_have_none():
+def test_a_link_over_an_image_counts_only_if_neighbors_are_not_linked():
     first, second, over = link(0, 1, (0.0, -80.0)), link(1, 2, (0.0, -80.0)), link(0, 2, (0.0, -150.0))
     assert links_by_image([over, second, first], 3) == {1: first, 2: second}
     assert links_by_image([over, first], 3) == {1: first, 2: rest(over, first)}
@@ -38,6 +38,6 @@ def test_a_link_over_an_image_counts_only_where_neighbors_have_none():
     assert links_by_image([link(0, 3, (0.0, -240.0))], 4) == {}
 
 
-def test_a_link_to_an_image_that_is_none_is_refused():
+def test_a_link_to_an_unknown_image_is_refused():
     with pytest.raises(ParameterError, match="has 2 images"):
         links_by_image([link(0, 2, (0.0, -150.0))], 2)

@@ -12,7 +12,7 @@ from semref.core.sentences import Sentence
 LOST = Sentence("No place on the map has triangles like the image's.")
 
 
-def test_a_pose_is_told_like_the_result_of_an_image():
+def test_a_pose_has_the_columns_of_an_image():
     own = Localization(Status.FIX, Method.CONSTELLATION, 12, best=Place((0.0, 0.0), 0.0, 1.0))
     place, known = Place((30.0, 0.0), 90.0, 0.5), PoseCovariance(((1.0, 0.0), (0.0, 1.0)), 1.0, 0.01, radius_95=2.45)
     pose = FlightPose(Status.FIX, None, place, known, 0.01, PoseSource.FLIGHT, 1, True, own, (100, 80))

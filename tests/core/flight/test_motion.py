@@ -69,7 +69,7 @@ def test_a_mirrored_link_moves_a_mirrored_image():
         {"covariance": tuple(tuple(row) for row in -np.eye(4))},
     ],
 )
-def test_a_link_that_can_not_be_is_refused(wrong):
+def test_an_impossible_link_is_refused(wrong):
     values = {"first": 0, "second": 1, "translation": (1.0, 2.0), "turn": 0.0, "log_scale": 0.0, "covariance": SMALL}
     with pytest.raises(ParameterError):
         Link(**{**values, **wrong})

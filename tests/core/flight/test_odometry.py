@@ -22,14 +22,14 @@ def links(tmp_path, lines, names, header=HEADER):
     return odometry_links(read_odometry(table(tmp_path, *lines, header=header)), names)
 
 
-def test_a_row_tells_the_motion_since_the_row_before(tmp_path):
+def test_a_row_gives_the_motion_since_the_previous_row(tmp_path):
     (link,) = links(tmp_path, ["a.jpg,,,", "b.jpg,3,200,-10"], ["a.png", "/x/b.tif"])
     assert (link.first, link.second, link.source, link.in_meters) == (0, 1, LinkSource.ODOMETRY, True)
     assert link.translation == pytest.approx((3, -200))
     assert link.turn == pytest.approx(math.radians(-10))
 
 
-def test_from_a_view_to_the_north_the_second_lies_up_and_right(tmp_path):
+def test_from_a_view_to_the_north_the_second_is_up_and_right(tmp_path):
     (link,) = links(tmp_path, ["a,,,", "b,3,200,-10"], ["a", "b"])
     center, turn = link.after(0j, 1 + 0j)
     assert center == pytest.approx(3 + 200j)
@@ -72,7 +72,7 @@ def test_a_table_in_the_other_order_is_turned_round(tmp_path):
         (["a,,,", ",1,2,3"], "line 3: no image"),
     ],
 )
-def test_a_bad_row_is_told_with_its_line(tmp_path, lines, said):
+def test_a_bad_row_is_reported_with_its_line(tmp_path, lines, said):
     with pytest.raises(ParameterError, match="odometry.csv, " + said):
         read_odometry(table(tmp_path, *lines))
 

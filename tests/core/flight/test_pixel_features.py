@@ -18,7 +18,7 @@ def test_large_images_are_looked_at_in_a_smaller_version():
     assert 0 < len(features.points) <= CORNERS
 
 
-def test_corners_are_told_from_the_center():
+def test_corners_are_measured_from_the_center():
     picture = np.zeros((201, 301), np.uint8)
     picture[90:111, 140:161] = 255
     points = photo_features(picture).points
@@ -32,7 +32,7 @@ def test_exposure_leaves_the_even_picture_as_it_is():
     assert np.abs(even_contrast(picture).astype(int) - even_contrast(2 * picture - 30)).mean() < 6
 
 
-def test_corners_lie_where_the_image_shows_something():
+def test_corners_are_only_where_the_image_has_texture():
     is_known = np.zeros((200, 300), bool)
     is_known[:, :150] = True
     assert photo_features(speckled((200, 300)), is_known).points[:, 0].max() <= 1

@@ -95,13 +95,13 @@ def test_color_photos_and_links_in_pixels_of_another_size():
     assert link.log_scale == pytest.approx(np.log(2 / 0.5), abs=0.005)
 
 
-def test_a_large_photo_is_told_in_its_own_pixels():
+def test_motion_of_a_large_photo_is_in_its_own_pixels():
     picture = cv2.resize(scene(4, 1100), (3300, 3300), interpolation=cv2.INTER_CUBIC)
     images = (photo_features(picture[y : y + 1500, x : x + 1800]) for x, y in ((100, 100), (700, 300)))
     assert motion_between(*images).link.translation == pytest.approx((600, 200), abs=1.5)
 
 
-def test_tilt_is_told_by_a_homography_and_the_similarity_is_that_at_the_center():
+def test_a_homography_gives_the_tilt_and_the_similarity_at_the_center():
     picture = scene(5)
     earlier = cut(picture, (500, 500), 0, 1.0)
     plane = np.array([[1, 0, 40], [0, 1, 10], [2.5e-4, -1e-4, 1.0]])
@@ -154,7 +154,7 @@ def test_ground_that_an_image_does_not_show_is_left_out():
     assert part.link.translation == pytest.approx(whole.link.translation, abs=0.1)
 
 
-def test_the_spread_holds_a_tilt_that_two_images_do_not_tell():
+def test_the_spread_includes_an_unknown_tilt():
     """Along the way and in scale, together; hardly across it."""
 
     def known(shift):

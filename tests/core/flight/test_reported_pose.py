@@ -14,20 +14,20 @@ def reported(flown, localizer, sigma_m, risk=1e-6):
     return report_pose(flown.images[2], localizer, Estimate(state, known), risk, 1)
 
 
-def test_the_risk_of_a_pose_is_its_tracks_or_that_of_lying_off_alone(flown, localizer):
+def test_the_risk_of_a_pose_is_that_of_its_track_or_its_own(flown, localizer):
     exact, loose = reported(flown, localizer, 0.05), reported(flown, localizer, 12.0)
     assert exact.risk == pytest.approx(1e-6, rel=0.5) and loose.risk > 0.05
     assert reported(flown, localizer, 0.05, risk=0.0).risk >= LEAST_RISK
     assert loose.is_fix and loose.track == 1
 
 
-def test_a_pose_that_could_as_well_lie_beside_its_image_is_none(flown, localizer):
+def test_a_pose_that_may_be_beside_its_image_is_no_position(flown, localizer):
     lost = reported(flown, localizer, 120.0)
     assert not lost.is_fix and lost.place is None and lost.track == 0
     assert "95 % radius of this image (294 m) is too large for its footprint width (288 m)" in str(lost.reason)
 
 
-def test_the_chance_of_lying_off_has_the_tails_of_measurements():
+def test_the_chance_of_a_wrong_place_has_the_tails_of_measurements():
     known = np.diag([4.0, 1.0, 1.0, 1.0])
     assert tail_probability(known, 0.0) == 1.0
     assert tail_probability(known, 20.0) == pytest.approx((1 + 100 / 4) ** -2)

@@ -70,7 +70,7 @@ def test_many_measurements_do_not_promise_what_they_share():
     assert middle > 0.5 * np.sqrt(SHARED_M2)
 
 
-def test_later_images_tell_of_earlier_ones():
+def test_later_images_improve_earlier_ones():
     rng = np.random.default_rng(4)
     found = track(4, {2, 3}, rng)
     assert np.hypot(*found[0].state[:2]) < 4 * deviation(found[0]).max()
@@ -98,7 +98,7 @@ def track_of(count=6):
 
 
 @pytest.mark.parametrize("left_out", [0, 3, 5])
-def test_a_measurement_taken_out_of_the_track_leaves_what_all_others_tell(left_out):
+def test_a_measurement_can_be_taken_out_of_the_track(left_out):
     estimated, measured = track_of()
     whole = estimated(measured)
     others = estimated([None if n == left_out else one for n, one in enumerate(measured)])

@@ -28,12 +28,12 @@ def test_nothing_is_known_outside_and_in_gaps():
     ]
 
 
-def test_each_field_is_taken_from_the_entries_that_tell_it():
+def test_each_field_is_taken_from_the_entries_that_have_it():
     log = telemetry([0, 0.5, 1], [row(heading=10), row(height=7), row(heading=20)])
     assert log.at([0.5])[0, [0, 3]].tolist() == [15, 7]
 
 
-def test_what_no_aircraft_can_be_is_not_told():
+def test_impossible_values_of_an_aircraft_are_ignored():
     log = telemetry([2, NAN, 1], [row(height=1e9, heading=5), row(heading=1), row(east=5000.0, north=3)])
     assert log.times_s.tolist() == [1, 2]
     assert np.isnan(log.values[1, 3]) and np.isnan(log.values[0, 4]) and log.values[0, 5] == 3
@@ -53,7 +53,7 @@ def test_a_camera_has_the_log_heading_and_its_height_above_takeoff():
     assert (unknown.heading_deg, unknown.height) == (None, None)
 
 
-def test_a_gimbal_tells_the_attitude_unless_it_sees_the_horizon():
+def test_a_gimbal_gives_the_attitude_unless_it_sees_the_horizon():
     log = telemetry([0, 1], [row(roll=0, pitch=-80), row(roll=0, pitch=10)], is_gimbal=True)
     cameras = log_cameras(log, ["a", "b"], [0, 1])
     assert cameras[0].attitude.pitch_deg == pytest.approx(10)

@@ -64,7 +64,7 @@ def kept(flown, localizer):
         lambda array: np.full(array.shape, "x"),
     ],
 )
-def test_no_array_of_a_state_is_taken_that_is_none(kept, localizer, change):
+def test_an_invalid_array_of_a_state_is_refused(kept, localizer, change):
     assert FlightTracker.from_state(localizer, kept, FEW).state().keys() == kept.keys()
     for name, array in kept.items():
         if array.size:

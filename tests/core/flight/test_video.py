@@ -83,7 +83,7 @@ def test_the_command_takes_subtitles_beside_the_video(video, tmp_path, capsys):
     assert "can't be read" in capsys.readouterr().err
 
 
-def test_a_camera_table_that_lies_there_is_told_before_a_frame_is_written(video, tmp_path):
+def test_an_existing_camera_table_is_reported_before_a_frame_is_written(video, tmp_path):
     folder = tmp_path / "out"
     folder.mkdir()
     (folder / "cameras.csv").write_text("mine")
@@ -100,7 +100,7 @@ def test_a_full_disk_leaves_no_half_image(video, tmp_path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="names are text elsewhere")
-def test_a_name_that_is_no_text_is_told_and_escaped(video, tmp_path, capsys):
+def test_a_name_that_is_no_text_is_shown_escaped(video, tmp_path, capsys):
     odd = os.fsdecode(os.fsencode(tmp_path) + b"/odd\xff")
     assert main([str(video), odd, "--every", "5"]) == 0
     os.rename(video, odd + ".avi")

@@ -44,12 +44,12 @@ def test_a_flat_picture_may_be_cut_from_a_higher_sensor():
         Camera(lens=Lens("field_of_view", 60.0, 1.5), height=above_ground(100)),
     ],
 )
-def test_without_height_or_lens_or_for_another_shape_nothing_is_told(camera):
+def test_pixel_size_is_unknown_without_height_or_lens(camera):
     assert camera.pixel_sizes((600, 800)) is None and camera.pixel_size((600, 800)) is None
 
 
 @pytest.mark.parametrize("attitude", [None, Attitude(0, 0), Attitude(10, -30)])
-def test_the_pixel_size_that_is_told_lies_in_its_range(attitude):
+def test_the_pixel_size_is_in_its_range(attitude):
     camera = Camera(lens=WIDE, attitude=attitude, height=above_takeoff(100.0))
     low, high = camera.pixel_sizes((600, 800))
     assert low < camera.pixel_size((600, 800)) < high
@@ -58,7 +58,7 @@ def test_the_pixel_size_that_is_told_lies_in_its_range(attitude):
 
 
 @pytest.mark.parametrize("pitch", [80, 89.9, -85])
-def test_no_one_size_is_told_for_pixels_of_a_view_to_the_horizon(pitch):
+def test_a_view_to_the_horizon_has_no_single_pixel_size(pitch):
     assert Camera(lens=WIDE, attitude=Attitude(0, pitch), height=above_ground(100.0)).pixel_size((600, 800)) is None
 
 

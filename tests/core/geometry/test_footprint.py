@@ -14,7 +14,7 @@ def test_an_image_that_looks_north_has_its_upper_left_corner_in_the_north_west()
 
 
 @pytest.mark.parametrize("heading", [0, 33, 190])
-def test_pixels_of_a_level_image_lie_evenly_on_its_ground(heading):
+def test_pixels_of_a_level_image_are_evenly_spaced_on_the_ground(heading):
     corners = image_corners((6e5, 5e6), heading, 0.25, 300, 200)
     assert is_parallelogram(corners)
     found = on_ground(np.array([(0, 0), (300, 200), (150, 100)]), corners, (200, 300))

@@ -15,7 +15,7 @@ def test_pixels_come_back_from_the_map_in_whatever_shape_they_come(points):
     np.testing.assert_array_equal(found, points)
 
 
-def test_a_part_lies_where_the_whole_has_it():
+def test_a_part_has_its_place_in_the_whole():
     part = FRAME.part(10, 20, (30, 40))
     assert part == MapFrame.at((600005.0, 5199990.0), 0.5, (30, 40), "a metric CRS")
     np.testing.assert_array_equal(part.to_map((1, 2)), FRAME.to_map((11, 22)))

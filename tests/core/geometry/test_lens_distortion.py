@@ -47,7 +47,7 @@ def test_what_is_seen_leads_back_to_its_ray(lens):
     ],
     ids=["turns back", "no focal length", "infinite", "absurd"],
 )
-def test_a_lens_that_can_not_be_is_not_used(lens):
+def test_an_impossible_lens_is_not_used(lens):
     assert not lens.is_usable(0.75)
 
 
@@ -100,7 +100,7 @@ def test_planes_are_straightened_as_labels_are():
     assert np.abs(planes[:, :, 0].astype(int) - small)[inside].mean() < 3
 
 
-def test_a_lens_alone_needs_no_attitude_and_tells_no_nadir():
+def test_a_lens_without_attitude_gives_no_nadir():
     camera = Camera(lens=Lens("field_of_view", 67.4), distortion=PHANTOM)
     way = camera.leveling(SHAPE)
     assert way is not None and way.nadir is None

@@ -82,7 +82,7 @@ def test_pitch_leans_towards_the_top_and_roll_towards_the_right():
     assert rolled.middle.real > 3 and rolled.middle.imag == pytest.approx(0, abs=0.5)
 
 
-def test_the_nadir_is_as_far_away_as_height_and_tilt_say():
+def test_the_nadir_distance_follows_from_height_and_tilt():
     way = leveling(Attitude(0, 20), 1000.0, (600, 600))
     height = 1000.0 * np.cos(np.radians(20)) ** 1.5
     assert way.nadir == pytest.approx(-1j * height * np.tan(np.radians(20)))

@@ -18,7 +18,7 @@ def curved(points_xy):
     return 9 + x / 76_000 + x * y * 2e-13, 47 + y / 111_000 - x**2 * 1e-13
 
 
-def test_a_smooth_transform_is_met_within_what_is_said():
+def test_a_smooth_transform_is_approximated_within_the_stated_error():
     found = fit_lon_lat(curved, EXTENT)
     points = np.random.default_rng(2).uniform(EXTENT[:2], EXTENT[2:], (500, 2))
     for mine, true in zip(found(points), curved(points)):
@@ -37,7 +37,7 @@ def test_longitudes_stay_in_their_range_across_the_antimeridian():
     assert longitudes == pytest.approx([179.95, -179.95], abs=1e-6)
 
 
-def test_a_transform_without_an_answer_gives_none():
+def test_a_failing_transform_gives_none():
     assert fit_lon_lat(lambda points: (points[:, 0] * np.nan, points[:, 1]), EXTENT) is None
 
 

@@ -15,7 +15,7 @@ STEEP = Pose(6e5 + 5e6j, turn_of(70.0, 0.5), 0.06 + 0.03j, 1e-3 - 5e-4j)
 
 
 @pytest.mark.parametrize("heading", [0, 90, 181.5, 359])
-def test_a_turn_tells_its_heading_and_pixel_size(heading):
+def test_a_rotation_gives_heading_and_pixel_size(heading):
     turn = turn_of(heading, 0.25)
     assert heading_of(turn) == pytest.approx(heading) and abs(turn) == pytest.approx(0.25)
 
@@ -36,7 +36,7 @@ def test_points_give_their_similarity_back_whatever_their_weights():
     assert center == pytest.approx(LEVEL.center) and turn == pytest.approx(LEVEL.turn)
 
 
-def test_points_that_coincide_leave_open_what_they_do_not_tell():
+def test_coincident_points_leave_heading_and_scale_open():
     found = fit_tilted(np.zeros(4, complex), np.full(4, LEVEL.center + 2), np.ones(4), LEVEL, 500.0)
     assert found.center == pytest.approx(LEVEL.center + 2)
     assert (found.turn, found.stretch, found.slope) == (pytest.approx(LEVEL.turn), 0, 0)
@@ -55,7 +55,7 @@ def test_exact_points_of_a_tilted_camera_give_its_pose_back(pose):
     assert found.slope == pytest.approx(pose.slope, rel=1e-5)
 
 
-def test_a_prior_holds_the_tilt_moderate_where_points_are_uncertain():
+def test_a_prior_keeps_the_tilt_moderate_if_points_are_uncertain():
     on_map = STEEP.on_map(IMAGE)
     slopes = [abs(fit_tilted(IMAGE, on_map, np.full(len(IMAGE), off), LEVEL_THERE, 500.0).slope) for off in (0.1, 1e4)]
     assert slopes[1] < 0.05 * slopes[0]

@@ -8,7 +8,7 @@ from semref.core.geometry.radius import circle_radius, ellipse_of
 
 @pytest.mark.parametrize("deviations", [(1.0, 1.0), (3.0, 1.0), (5.0, 0.1)])
 @pytest.mark.parametrize("held", [0.5, 0.95, 0.99])
-def test_a_circle_holds_its_share_of_the_errors(deviations, held):
+def test_a_circle_contains_its_share_of_the_errors(deviations, held):
     rng = np.random.default_rng(4)
     turn = np.array([[0.8, -0.6], [0.6, 0.8]])
     errors = rng.normal(size=(200_000, 2)) * deviations @ turn.T
@@ -23,7 +23,7 @@ def test_a_circle_is_that_of_equal_axes_or_of_a_line():
     assert circle_radius(np.full((2, 2), np.inf)) == np.inf
 
 
-def test_the_ellipse_lies_along_the_larger_error():
+def test_the_ellipse_points_along_the_larger_error():
     found = ellipse_of(np.array([[1.0, 1.0], [1.0, 1.0]]) + 0.25 * np.eye(2))
     assert found.orientation_deg == pytest.approx(45.0)
     assert found.semi_major == pytest.approx(2.4477 * 1.5, abs=1e-3) and found.semi_minor == pytest.approx(

@@ -57,13 +57,13 @@ def held(results):
 
 
 @pytest.mark.parametrize("count", [8, 60])
-def test_it_holds_where_every_landmark_errs_by_itself(count):
+def test_the_covariance_covers_independent_errors(count):
     rng = np.random.default_rng(count)
     assert 0.9 <= held([tried(rng, count, errors=EXACT_MAP) for _ in range(150)]) <= 1.0
 
 
 @pytest.mark.slow
-def test_it_holds_where_neighbors_are_displaced_alike():
+def test_the_covariance_covers_errors_shared_by_neighbors():
     rng = np.random.default_rng(1)
     results = [tried(rng, 60, displaced=1.13) for _ in range(150)]
     assert 0.89 <= held(results) <= 0.99
@@ -172,7 +172,7 @@ def test_what_nobody_states_of_a_network_is_added_once_for_all_its_classes():
     assert part(6, class_spread=0.5, class_biases=stated) < 0.2
 
 
-def test_logarithms_are_taken_of_numbers_that_lie_side_by_side(monkeypatch):
+def test_logarithms_are_taken_of_contiguous_numbers(monkeypatch):
     """Of others NumPy's differ in the last bit by where the result comes to lie, and so from run to run."""
     log, taken = np.log, []
 

@@ -40,7 +40,7 @@ def test_a_block_is_known_by_its_bytes():
     assert block_hash(labels) == hashlib.blake2b(bytes(range(12)), digest_size=8).hexdigest()
 
 
-def test_one_changed_pixel_changes_its_block_alone():
+def test_one_changed_pixel_changes_only_its_block():
     before = np.full((64, 64), 2, np.uint8)
     now = before.copy()
     now[40, 10] = 3

@@ -169,7 +169,7 @@ def test_a_class_is_found_by_name_or_value(text, name):
     assert (found and found.name) == name
 
 
-def test_names_that_differ_only_in_case_are_told_apart():
+def test_names_that_differ_only_in_case_are_distinguished():
     table = class_table_from_names(["Road", "road"])
     assert (table.find("Road").value, table.find("road").value, table.find("ROAD")) == (1, 2, None)
 
@@ -220,7 +220,7 @@ def test_classes_known_by_name_are_numbered_in_their_order(names):
     assert [(c.value, c.name, c.role) for c in table] == [(n + 1, name, "background") for n, name in enumerate(names)]
 
 
-def test_a_label_map_holds_255_classes_and_no_more():
+def test_a_label_map_has_at_most_255_classes():
     assert len(class_table_from_names(str(n) for n in range(255))) == 255
     with refuses(
         "There are 256 classes, but a label map holds 255; "

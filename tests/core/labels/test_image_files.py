@@ -125,7 +125,7 @@ def header(width, height) -> tuple:
         (png_of(header(19_000, 19_000), (b"IDAT", b"x" * 20, 20)), "damaged"),
     ],
 )
-def test_a_png_that_claims_more_than_it_holds_is_refused_before_it_is_decoded(tmp_path, no_decoding, read, data, said):
+def test_a_png_that_claims_too_much_is_refused_before_it_is_decoded(tmp_path, no_decoding, read, data, said):
     (tmp_path / "claims.png").write_bytes(data)
     with pytest.raises((ImageError, LabelMapError), match=said):
         read(str(tmp_path / "claims.png"))
@@ -140,7 +140,7 @@ def test_a_png_that_claims_more_than_it_holds_is_refused_before_it_is_decoded(tm
     ],
     ids=["a chunk longer than the file", "chunks before the pixels", "chunks of one byte"],
 )
-def test_a_png_whose_chunks_are_hostile_is_refused_at_once(tmp_path, data):
+def test_a_png_with_hostile_chunks_is_refused_at_once(tmp_path, data):
     (tmp_path / "chunks.png").write_bytes(data)
     began = time.process_time()
     with pytest.raises(ImageError, match="damaged"):
@@ -199,7 +199,7 @@ def test_a_palette_of_fewer_bits_is_read_too(tmp_path):
 
 
 @pytest.mark.parametrize("orientation", range(1, 9))
-def test_a_tiff_is_read_as_its_pixels_lie_whatever_its_orientation(tmp_path, orientation):
+def test_a_tiff_is_read_in_pixel_order_with_any_orientation(tmp_path, orientation):
     (tmp_path / "turned.tif").write_bytes(tiff(LABELS[:40], 1, t274=(orientation,)))
     np.testing.assert_array_equal(read_label_image(str(tmp_path / "turned.tif"), TABLE), LABELS[:40])
     photo, _ = read_photo(str(tmp_path / "turned.tif")).image.read(0, 0, 100, 40)
@@ -314,7 +314,7 @@ def test_a_path_that_is_no_file_is_refused_in_a_sentence(tmp_path, name):
         read_label_image(str(tmp_path / name), TABLE)
 
 
-def test_a_folder_stands_for_its_images_and_files_for_themselves(tmp_path, monkeypatch):
+def test_a_folder_means_all_its_images(tmp_path, monkeypatch):
     for name in ("b.PNG", "a.tif", ".hidden.png", "notes.txt"):
         (tmp_path / name).write_bytes(b"")
     (tmp_path / "empty").mkdir()

@@ -68,7 +68,7 @@ def test_own_rules_may_use_semicolons_and_any_value():
         (HEADER + "x" * 20_000, "no table of rules"),
     ],
 )
-def test_a_table_that_is_none_is_refused_with_its_line(text, said):
+def test_an_invalid_table_is_refused_with_its_line(text, said):
     with pytest.raises(ParameterError) as refused:
         rules_from_csv(text, "own.csv")
     assert said in str(refused.value) and "own.csv" in str(refused.value)
@@ -81,7 +81,7 @@ def test_tags_packed_into_one_column_are_taken_apart():
 
 
 @pytest.mark.parametrize("text", ["{", "[1]", "{" * 100_000, "no tags", '"a"=>"b', 7, None])
-def test_packed_tags_that_are_none_are_no_tags(text):
+def test_invalid_packed_tags_are_ignored(text):
     assert tags_of({"other_tags": text}) == {}
 
 

@@ -43,7 +43,7 @@ def jpeg(exif_block=None, xmp=XMP, shape_hw=(2250, 4000)):
     return b"\xff\xd8" + b"".join(parts) + segment(0xC0, b"\x08" + struct.pack(">HH", *shape_hw) + b"\x03")
 
 
-def test_a_known_camera_tells_pixel_size_and_heading():
+def test_a_known_camera_gives_pixel_size_and_heading():
     camera = camera_of(photo_tags(jpeg()), "IMG_1.jpg")
     # 3.61 mm before pixels of 1.5625 µm.
     assert camera.lens.focal_length_px((2250, 4000)) == pytest.approx(3.61 / 0.0015625, rel=1e-6)
@@ -53,12 +53,12 @@ def test_a_known_camera_tells_pixel_size_and_heading():
     assert camera.pixel_sizes((1125, 2000))[0] == pytest.approx(2 * low, rel=1e-6)
 
 
-def test_another_camera_tells_by_its_focal_length_on_film():
+def test_another_camera_uses_its_35_mm_focal_length():
     camera = camera_of(photo_tags(jpeg(exif(model=b"OTHER"))), "IMG_1.jpg")
     assert camera.lens.kind == "focal_length_35mm" and camera.lens.value == 20
 
 
-def test_a_rangefinder_goes_before_the_barometer_and_a_zoomed_photo_tells_no_focal_length():
+def test_a_rangefinder_counts_first_and_a_zoomed_photo_has_no_focal_length():
     tags = PhotoTags((3000, 4000), "FC330", 1, 3.61, xmp=XMP + ' drone-dji:LRFTargetDistance="80.5"')
     assert camera_of(tags, "").height.meters == pytest.approx(80.5)
     assert camera_of(PhotoTags((3000, 4000), "FC330", 1, 3.61, zoom=2.0), "").lens is None
@@ -71,7 +71,7 @@ def test_a_calibrated_focal_length_counts_where_it_is_of_this_resolution():
 
 
 @pytest.mark.parametrize("altitude", ["+0.00", "-12.5", "nan", "x"])
-def test_an_altitude_that_is_none_tells_nothing(altitude):
+def test_an_invalid_altitude_is_ignored(altitude):
     assert camera_of(photo_tags(jpeg(xmp=XMP.replace("+39.80", altitude))), "").height is None
 
 
@@ -82,7 +82,7 @@ def test_the_photo_beside_a_label_image_is_read(tmp_path):
     assert read_tags(str(tmp_path)) == PhotoTags()
 
 
-def test_whatever_stands_in_a_file_is_no_error():
+def test_random_content_of_a_file_is_no_error():
     whole, rng = jpeg(), np.random.default_rng(5)
     for _ in range(3000):
         data = bytearray(whole[: rng.integers(0, len(whole) + 1)])

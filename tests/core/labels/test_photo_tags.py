@@ -34,12 +34,12 @@ def tiff(offset=8, xmp=b'<a RelativeAltitude="+52.50"/>'):
     )
 
 
-def test_a_tiff_tells_size_orientation_and_xmp():
+def test_a_tiff_has_size_orientation_and_xmp():
     tags = photo_tags(tiff())
     assert (tags.shape_hw, tags.orientation, tags.number("RelativeAltitude")) == ((30, 40), 6, 52.5)
 
 
-def test_a_large_tiff_is_read_where_its_directory_stands_behind_the_pixels(tmp_path):
+def test_a_large_tiff_is_read_with_its_directory_after_the_pixels(tmp_path):
     path = tmp_path / "large.tif"
     path.write_bytes(tiff(limits.TAG_BYTES + 1000))
     assert read_tags(str(path)).number("RelativeAltitude") == 52.5
@@ -79,7 +79,7 @@ def test_a_property_is_an_attribute_or_an_element(xmp, value):
 @pytest.mark.parametrize(
     "data", [b"", b"\xff\xd8", b"\xff\xd8\xff\xe1\0\0", b"II*\0", b"MM\0*\xff\xff\xff\xff", b"\x89PNG"]
 )
-def test_what_is_no_photo_tells_nothing(data):
+def test_a_file_that_is_no_photo_gives_nothing(data):
     assert photo_tags(data) == PhotoTags()
 
 

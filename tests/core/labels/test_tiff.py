@@ -79,7 +79,7 @@ def test_a_degree_of_longitude_is_half_as_long_at_60_north():
         georeferenced(METERS, (33550, 12, (1.0, 1.0, 0.0))),
     ],
 )
-def test_what_is_not_said_is_not_guessed(tags):
+def test_missing_units_are_not_guessed(tags):
     assert pixel_size_m(tags, SHAPE_HW) is None
 
 

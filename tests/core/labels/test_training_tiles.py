@@ -34,7 +34,7 @@ def test_tiles_stay_on_the_image():
 
 
 @pytest.mark.parametrize("fraction", [0.1, 0.25, 0.5])
-def test_validation_holds_about_the_fraction_of_the_labels(fraction):
+def test_validation_has_about_the_asked_fraction_of_the_labels(fraction):
     labeled = np.random.default_rng(3).integers(0, 1000, (8, 8))
     taken = validation_blocks(labeled, fraction)
     assert labeled[taken].sum() / labeled.sum() == pytest.approx(fraction, abs=0.02)

@@ -49,7 +49,7 @@ def test_pixels_and_lines_have_no_area(pixels):
 
 
 @pytest.mark.parametrize(("minimum_area", "is_found"), [(9.0, True), (9.5, False)])
-def test_a_region_below_the_minimum_area_is_none(minimum_area, is_found):
+def test_a_region_below_the_minimum_area_is_left_out(minimum_area, is_found):
     labels = np.zeros((9, 9), np.uint8)
     labels[5:9, 5:9] = 5
     found = follow_outer_border(ArrayLabels(labels), 5, (5, 5), minimum_area)

@@ -42,7 +42,7 @@ def test_what_no_other_image_shows_is_no_pair(rng):
     assert piece_shifts(true, np.full_like(true, FIELD), (HOUSE, POND)) == []
 
 
-def test_pieces_that_agree_have_hardly_any_spread_and_others_theirs(rng):
+def test_only_pieces_that_disagree_have_a_spread(rng):
     def pieces(between):
         drawn = 0.7 - 0.2j + between * (rng.normal(size=60) + 1j * rng.normal(size=60))
         drawn += 0.1 * (rng.normal(size=60) + 1j * rng.normal(size=60))

@@ -59,11 +59,11 @@ def test_landmarks_that_were_added_are_found():
 
 
 @pytest.mark.parametrize("jitter", [0.7, 1.5, 2.5])
-def test_how_ragged_edges_are_is_found(jitter):
+def test_boundary_jitter_is_measured(jitter):
     assert errors(LabelNoise(jitter=jitter)).ragged_px() == pytest.approx(jitter, rel=0.3)
 
 
-def test_what_is_not_annotated_is_not_invented():
+def test_unannotated_ground_is_not_counted_as_spurious():
     rng = np.random.default_rng(3)
     predicted = ground(rng)
     (houses, ponds) = piece_errors(np.zeros_like(predicted), predicted, CLASSES, AREA_PX).values()

@@ -154,7 +154,7 @@ def test_a_region_in_the_hole_of_another_is_an_object_of_its_own():
 @pytest.mark.parametrize(
     ("row", "column", "touches"), [(5, 5, False), (0, 5, True), (5, 0, True), (7, 5, True), (5, 7, True), (1, 1, False)]
 )
-def test_an_object_that_reaches_the_border_says_so(row, column, touches):
+def test_an_object_that_reaches_the_border_is_marked(row, column, touches):
     labels = np.zeros((10, 10), np.uint8)
     labels[row : row + 3, column : column + 3] = 1
     assert extract_landmarks(labels, [1], 1.0).touches_edge.tolist() == [touches]

@@ -53,6 +53,6 @@ def test_tiles_of_any_size_give_the_landmarks_of_the_whole_to_the_last_bit(name,
     np.testing.assert_array_equal(rows_from_objects(found), rows_from_objects(whole))
 
 
-def test_a_tile_tells_nothing_of_sides_that_are_the_edge_of_the_map():
+def test_a_tile_has_no_neighbors_beyond_the_edge_of_the_map():
     found = tile_landmarks(np.full((8, 8), 5, np.uint8), (0, 0), (8, 8), VALUES, 1.0)
     assert len(found.rows) == 1 and not len(found.pieces) and not len(found.runs)

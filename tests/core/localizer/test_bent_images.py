@@ -66,7 +66,7 @@ def seen_at(x: float, y: float) -> np.ndarray:
 
 
 @pytest.mark.parametrize("where", [(0.5, 0.5), (0.4, 0.6)])
-def test_an_image_is_found_nearer_and_told_so_when_its_lens_is_stated(localizer, where):
+def test_a_stated_lens_makes_position_and_radius_more_accurate(localizer, where):
     x = 600000.0 + where[0] * MAP.shape[1] * PIXEL_M
     y = 5200000.0 - where[1] * MAP.shape[0] * PIXEL_M
     labels = seen_at(x, y)

@@ -93,7 +93,7 @@ def test_without_landmarks_the_class_areas_find_the_image(localizer):
 
 
 @pytest.mark.parametrize("built", [HOUSES, NOTHING_BUILT])
-def test_a_part_whose_areas_are_of_another_place_is_told_by_whichever_method(localizer, built):
+def test_a_part_that_shows_another_place_is_named_by_either_method(localizer, built):
     image = view(GROUND, built)
     image[:, 395:] = view(patches(9), built)[:, 395:]
     found = localizer.localize(image, Method.AUTOMATIC)
@@ -133,7 +133,7 @@ def twin_houses():
 
 
 @pytest.mark.slow
-def test_what_is_ambiguous_for_landmarks_is_told_by_class_areas(twin_houses):
+def test_class_areas_resolve_an_ambiguity_of_landmarks(twin_houses):
     localizer = localizer_of(GROUND, twin_houses)
     for column in (600, 600 + WIDTH // 2):
         image = view(GROUND, twin_houses, column, 1000)
@@ -150,14 +150,14 @@ def test_what_is_ambiguous_for_landmarks_is_told_by_class_areas(twin_houses):
         assert found.error_95_m < 3 and found.best.inliers > 10 and found.confidence > 0.99
 
 
-def test_without_an_overview_it_is_the_constellation_alone():
+def test_without_an_overview_only_the_constellation_is_used():
     localizer = localizer_of(GROUND, HOUSES, with_overview=False)
     assert not localizer.has_overview
     for image in (view(GROUND, HOUSES), view(GROUND, NOTHING_BUILT)):
         assert localizer.localize(image, Method.AUTOMATIC) == localizer.localize_by_constellation(image)
 
 
-def test_without_any_fix_the_reasons_of_both_are_told(localizer):
+def test_without_a_fix_the_reasons_of_both_methods_are_shown(localizer):
     found = localizer.localize(view(patches(8), houses(4)), Method.AUTOMATIC)
     assert found.status in (Status.NO_MATCH, Status.AMBIGUOUS) and found.position is None
     assert str(found.reason).startswith("The best place (log odds")
@@ -165,7 +165,7 @@ def test_without_any_fix_the_reasons_of_both_are_told(localizer):
     assert str(found.reason).endswith("all headings, the whole map.")
 
 
-def test_an_image_without_labels_says_how_many_landmarks_are_missing(localizer):
+def test_an_image_without_labels_counts_the_missing_landmarks(localizer):
     found = localizer.localize(np.zeros((SIZE, SIZE), np.uint8), Method.AUTOMATIC)
     assert found.status == Status.TOO_FEW_REFERENCES
     assert "more are needed. Map correlation has no fix either: only 0%" in str(found.reason)
@@ -187,7 +187,7 @@ def test_both_methods_search_the_same_range_of_scales_unless_one_is_given(locali
     assert (found.status, found.method) == (Status.FIX, Method.CONSTELLATION)
 
 
-def test_a_reason_says_what_was_searched(localizer):
+def test_a_reason_states_the_searched_area(localizer):
     image = view(GROUND, NOTHING_BUILT, scale=2.2)
     found = localizer.localize(image, Method.AUTOMATIC, Prior(pixel_size_range=(0.5, 1.2)))
     assert str(found.reason).endswith("Searched: 0.5–1.2 map units a pixel, all headings, the whole map.")
@@ -196,7 +196,7 @@ def test_a_reason_says_what_was_searched(localizer):
     assert reason.endswith("headings within 20° of 10°, the ground within 250 of 500000, 5200000.")
 
 
-def test_a_prior_holds_for_both_methods(localizer):
+def test_a_prior_applies_to_both_methods(localizer):
     image = view(GROUND, NOTHING_BUILT)
     here = Prior(position=(ORIGIN[0] + 1150, ORIGIN[1] - 950), radius=150.0)
     assert localizer.localize(image, Method.AUTOMATIC, here).status == Status.FIX
@@ -230,13 +230,13 @@ AREAS = replace(
     ("agreement", "status"),
     [(None, Status.FIX), (0.9, Status.FIX), (0.6, Status.FIX), (-0.1, Status.NO_MATCH)],
 )
-def test_a_fix_stands_where_class_areas_agree_or_cannot_tell(agreement, status):
+def test_a_fix_remains_if_class_areas_agree_or_are_undecided(agreement, status):
     found = checked_by_areas(STARS, agreement)
     # What is refused for its risk alone stays open to what map correlation finds.
     assert (found.status, found.is_doubted) == (status, status == Status.NO_MATCH)
 
 
-def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_risk_alone():
+def test_agreeing_class_areas_confirm_a_place_refused_only_for_its_risk():
     doubted = replace(STARS, status=Status.NO_MATCH, reason=SAID, confidence=None, risk=3e-4, is_doubted=True)
     found = checked_by_areas(doubted, 0.9)
     assert (found.status, found.reason) == (Status.FIX, None)
@@ -246,17 +246,17 @@ def test_class_areas_that_agree_make_a_fix_of_a_place_that_was_doubted_for_its_r
     assert checked_by_areas(doubted, 0.2).status == Status.NO_MATCH
 
 
-def test_what_a_fix_does_not_hold_for_stays_told_when_class_areas_agree():
+def test_the_part_that_disagrees_stays_named_when_class_areas_agree():
     assert checked_by_areas(replace(STARS, reason=SAID), 0.9).reason == SAID
 
 
-def test_what_a_fix_of_map_correlation_does_not_hold_for_stays_told_at_a_finer_pose():
+def test_the_part_that_disagrees_stays_named_at_a_refined_pose():
     assert confirmed(replace(AREAS, reason=SAID), STARS, around(20.0)).reason == SAID
     doubted = replace(STARS, status=Status.NO_MATCH, confidence=None, is_doubted=True)
     assert agreed(doubted, replace(AREAS, reason=SAID), 1000).reason == SAID
 
 
-def test_two_roads_that_searched_alone_and_found_one_place_are_surer_than_each():
+def test_two_independent_methods_with_one_place_lower_the_risk():
     doubted = {"status": Status.NO_MATCH, "reason": SAID, "confidence": None, "is_doubted": True}
     stars, areas = replace(STARS, risk=0.01, **doubted), replace(AREAS, risk=0.003, **doubted)
     found = agreed(stars, areas, 1000)
@@ -270,7 +270,7 @@ def test_two_roads_that_searched_alone_and_found_one_place_are_surer_than_each()
     assert agreed(replace(stars, best=north), replace(areas, best=beside), 1000).is_fix
 
 
-def test_the_constellation_looks_again_where_map_correlation_found_the_image():
+def test_the_constellation_searches_again_at_the_place_of_map_correlation():
     prior = near(AREAS, Prior(), 1000)
     assert (prior.position, prior.radius, prior.heading_deg) == ((103.0, 204.0), 20.0, 30.0)
     assert near(replace(AREAS, error_95_m=48.0), Prior(), 1000).radius == 60.0
@@ -281,7 +281,7 @@ def around(radius):
     return Prior(AREAS.position, radius)
 
 
-def test_landmarks_that_were_sought_at_one_place_alone_make_it_finer_but_not_surer():
+def test_a_second_look_refines_a_fix_but_does_not_lower_its_risk():
     found = confirmed(AREAS, STARS, around(20.0))
     assert (found.position, found.error_95_m, found.method) == (STARS.position, 1.0, Method.CONSTELLATION)
     assert (found.risk, found.confidence) == (AREAS.risk, 1 - AREAS.risk)
@@ -296,7 +296,7 @@ def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_o
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE,)), around(20.0)) is None
 
 
-def test_without_a_fix_all_places_are_told_and_ambiguity_of_either_counts():
+def test_without_a_fix_the_places_of_both_methods_are_listed():
     other = replace(PLACE, heading_deg=99.0)
     stars = Localization(Status.NO_MATCH, Method.CONSTELLATION, 30, SAID)
     areas = Localization(Status.AMBIGUOUS, Method.MAP_CORRELATION, 0, SAID, alternatives=(PLACE, other))
@@ -305,7 +305,7 @@ def test_without_a_fix_all_places_are_told_and_ambiguity_of_either_counts():
     assert str(found.reason) == f"{SAID} Map correlation has no fix either: {str(SAID)[0].lower()}{str(SAID)[1:]}"
 
 
-def test_a_place_that_both_methods_found_is_told_once():
+def test_a_place_that_both_methods_found_is_listed_once():
     apart = replace(PLACE, position=(PLACE.position[0] + 500.0, PLACE.position[1]))
     beside = replace(PLACE, position=(PLACE.position[0] + 1.0, PLACE.position[1]))
     stars = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, alternatives=(PLACE,))

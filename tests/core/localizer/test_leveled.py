@@ -51,7 +51,7 @@ def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
     np.testing.assert_allclose(found.footprint[0], (MIDDLE[0] + 50, MIDDLE[1] + 65))
 
 
-def test_a_camera_pitched_up_stands_south_of_what_its_center_shows():
+def test_a_camera_pitched_up_is_south_of_the_ground_at_its_center():
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     found = localize_with(
         Made(fix(0.0, 2.0)), Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), way
@@ -65,7 +65,7 @@ def test_a_camera_pitched_up_stands_south_of_what_its_center_shows():
     assert found.nadir[0] == pytest.approx(MIDDLE[0])
 
 
-def test_the_search_is_widened_by_as_far_as_the_middle_may_lie_from_the_center():
+def test_the_search_area_allows_for_the_offset_of_the_center():
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     made, prior = Made(fix(0.0, 2.0)), Prior(position=MIDDLE, radius=100.0, pixel_size_range=(1.0, 3.0))
     leveled(made, way, prior)
@@ -83,7 +83,7 @@ def test_matches_are_those_of_the_image_as_it_is():
     np.testing.assert_allclose(found.matches.pixels_xy, pixels)
 
 
-def test_without_a_fix_no_place_is_told():
+def test_without_a_fix_there_is_no_place():
     none = Localization(Status.NO_MATCH, Method.CONSTELLATION)
     way = leveling(Attitude(0, 20), FOCAL, LABELS.shape)
     assert leveled(Made(none), way) == none

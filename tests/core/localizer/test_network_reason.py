@@ -47,6 +47,6 @@ def test_any_other_reason_follows_what_the_network_was_trained_on():
 
 
 @pytest.mark.parametrize("found", [NO_MATCH, TOO_FEW])
-def test_label_images_and_networks_that_say_nothing_are_not_blamed(found):
+def test_reasons_do_not_name_a_network_without_metadata(found):
     assert name_network(found, None, CLASSES) == found
     assert "trained" not in str(name_network(found, (), CLASSES).reason)

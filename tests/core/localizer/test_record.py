@@ -19,7 +19,7 @@ FIX = Localization(
 )
 
 
-def test_a_fix_is_told_in_full():
+def test_a_fix_fills_all_columns():
     assert record(FIX) == {
         "status": "fix",
         "x": 600250.0,
@@ -47,7 +47,7 @@ def test_a_fix_is_told_in_full():
     }
 
 
-def test_without_a_fix_the_evidence_stays_and_no_place_nor_accuracy_is_told():
+def test_without_a_fix_there_is_evidence_but_no_place_or_accuracy():
     found = record(
         replace(FIX, status=Status.AMBIGUOUS, reason=Sentence("The image has no pixels.")), lambda said: said.template
     )
@@ -71,7 +71,7 @@ def test_an_error_probability_is_shown_no_smaller_than_it_was_tested(confidence,
     assert str(error_probability(confidence)) == words
 
 
-def test_a_fix_tells_what_its_radius_is_made_of():
+def test_a_fix_has_the_parts_of_its_radius():
     known = replace(COVARIANCE, parts=(("map", 1.25), ("landmarks", 0.5), ("pixels", 0.1)))
     said = record(replace(FIX, covariance=known))["reason"]
     assert said == "What makes the 95 % radius: accuracy of the map 1.2 m, noise of single landmarks 0.5 m."

@@ -35,7 +35,7 @@ def test_errors_of_both_fixes_are_allowed_for():
     assert flagged([0, 1, 2], [0, 17, 20], errors=[3, 3, 3]) == [1]
 
 
-def test_fixes_of_the_same_moment_must_lie_together():
+def test_fixes_of_the_same_moment_must_be_close():
     assert flagged([0, 0, 1], [0, 50, 5]) == [1]
 
 

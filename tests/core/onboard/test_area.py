@@ -46,7 +46,7 @@ def test_a_ring_within_another_is_a_hole(database):
     assert mask[15, 30] and not mask[31, 43]
 
 
-def test_what_lies_in_the_area_is_kept_and_nothing_else(database):
+def test_only_the_content_of_the_area_is_kept(database):
     part = clip_database(database, area_mask([RING], database.parameters))
     assert (
         within(part.references.positions, OVERVIEW_PIXEL).all() and within(part.windows.centers, OVERVIEW_PIXEL).all()

@@ -46,7 +46,7 @@ def put(tmp_path, name, seconds):
     return str(path)
 
 
-def test_a_growing_camera_table_tells_what_qgis_reads(tmp_path, table):
+def test_a_growing_camera_table_gives_what_qgis_reads(tmp_path, table):
     cameras = open_cameras(str(table), None, is_ended=False, is_strict=True)
     with open(table, "a", encoding="utf-8") as file:
         file.write("b.png,1,2,60,90,400\n")
@@ -55,7 +55,7 @@ def test_a_growing_camera_table_tells_what_qgis_reads(tmp_path, table):
     assert cameras.of(images[1]).heading_deg == 40
 
 
-def test_a_log_tells_heading_height_and_attitude_where_the_table_is_silent(tmp_path, table, srt):
+def test_a_log_fills_gaps_of_the_camera_table(tmp_path, table, srt):
     cameras = open_cameras(str(table), str(srt), is_ended=True, is_strict=True)
     known, logged = (cameras.of(put(tmp_path, name, 2)) for name in ("a.png", "b.png"))
     assert (known.attitude.roll_deg, known.height.meters, known.heading_deg) == (3, 120, 30)

@@ -40,7 +40,7 @@ def image(tmp_path):
 # --- info and localize ---
 
 
-def test_info_tells_what_the_file_holds(database, capsys):
+def test_info_shows_the_content_of_the_file(database, capsys):
     assert main(["info", database]) == ALL_FIXED
     said = capsys.readouterr().out
     for text in ("references:", "1 building, 2 water", "position_error", "content_hash"):
@@ -70,7 +70,7 @@ def test_without_json_a_person_can_read_it(database, image, capsys):
     assert re.search(r"here\.png: fix, 600250\.\d+ 5199600\.\d+, longitude 9\.003\d+, .* heading 90\.0°", said)
 
 
-def test_an_image_without_a_fix_tells_why(database, image, capsys):
+def test_an_image_without_a_fix_has_a_reason(database, image, capsys):
     code = main(["localize", image("a.png"), image("b.png", NOTHING), "--database", database, "--json"])
     rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert code == SOME_WITHOUT_FIX
@@ -182,7 +182,7 @@ def test_a_fault_of_the_program_is_no_missing_fix(database, image, capsys, monke
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/full"), reason="this system has no full device")
-def test_a_full_stdout_is_told_in_one_sentence(database, repository, tmp_path):
+def test_a_full_stdout_is_reported_in_one_sentence(database, repository, tmp_path):
     copy_core(repository, tmp_path)
     command = [sys.executable, "-m", "core", "info", database]
     with open("/dev/full", "wb") as full:

@@ -32,7 +32,7 @@ def logged(tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("device", ["auto", "cpu"])
-def test_the_log_says_what_the_network_runs_on(logged, device):
+def test_the_log_names_the_device(logged, device):
     (line,) = logged(device)
     assert (line["event"], line["device"]) == ("model", "CPU")
 
@@ -43,7 +43,7 @@ def test_a_device_that_is_not_there_is_a_warning(logged):
     assert "CUDA was asked for" in warning["reason"] and line["device"] == "CPU"
 
 
-def test_a_device_that_is_none_is_a_wrong_command_line(capsys):
+def test_an_unknown_device_is_a_wrong_command_line(capsys):
     with pytest.raises(SystemExit) as ended:
         main(["localize", "a.png", "--database", "a.npz", "--device", "abacus"])
     assert ended.value.code == 2 and "directml" in capsys.readouterr().err

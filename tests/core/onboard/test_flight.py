@@ -194,7 +194,7 @@ def test_the_state_does_not_grow_with_the_flight(watch, folder, tmp_path):
 
 
 @pytest.mark.parametrize("data", [b"", bytes(300), b"PK\x03\x04" + bytes(26) + b"header.npy, cut short"])
-def test_a_damaged_state_is_told_and_the_flight_begins_anew(watch, folder, tmp_path, data, capsys):
+def test_a_damaged_state_is_reported_and_the_flight_starts_again(watch, folder, tmp_path, data, capsys):
     state = tmp_path / "flight.npz"
     state.write_bytes(data)
     put(folder, range(1))
@@ -270,7 +270,7 @@ def header(**values):
         "list",
     ],
 )
-def test_a_hostile_state_is_told(watch, tmp_path, method, data, capsys):
+def test_a_hostile_state_is_reported(watch, tmp_path, method, data, capsys):
     zipped(tmp_path / "flight.npz", method, header=data)
     assert watch("--state", str(tmp_path / "flight.npz"))[1] == []
     told = json.loads(capsys.readouterr().err.splitlines()[0])
@@ -487,7 +487,7 @@ def blind(monkeypatch):
 @pytest.mark.slow
 @pytest.mark.usefixtures("blind")
 @pytest.mark.parametrize("is_told", [True, False])
-def test_a_table_of_motion_holds_the_track_where_pixels_tell_none(watch, folder, tmp_path, is_told):
+def test_a_table_of_motion_keeps_the_track_without_texture(watch, folder, tmp_path, is_told):
     put(folder, range(4), blank=[2])
     table = tmp_path / "odometry.csv"
     table.write_text(ODOMETRY + "".join(map(row, range(4))), encoding="utf-8")
@@ -511,7 +511,7 @@ def test_a_restart_goes_on_with_the_table_of_motion(watch, folder, tmp_path):
 
 
 @pytest.mark.slow
-def test_what_comes_later_in_the_table_changes_nothing_that_was_said(watch, folder, tmp_path):
+def test_later_rows_do_not_change_earlier_records(watch, folder, tmp_path):
     table = tmp_path / "odometry.csv"
     put(folder, range(2))
     told = []

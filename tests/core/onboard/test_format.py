@@ -16,15 +16,15 @@ from semref.core.onboard.format import HASH, digest, is_onboard_file
 from semref.core.onboard.read import read_onboard
 
 
-def test_an_onboard_file_is_known_as_one(written):
+def test_an_onboard_file_is_recognized(written):
     assert is_onboard_file(str(written))
 
 
-def test_a_damaged_file_is_known_as_one_by_the_names_of_its_members(written, tmp_path):
+def test_a_damaged_onboard_file_is_recognized_by_its_members(written, tmp_path):
     assert is_onboard_file(zipped(tmp_path / "damaged.npz", dict.fromkeys(members(written), b"")))
 
 
-def test_a_file_whose_directory_can_not_be_read_is_not_known_as_one(written, tmp_path):
+def test_a_zip_with_an_unreadable_directory_is_no_onboard_file(written, tmp_path):
     """It ends as a zip does, but its directory is no directory."""
     data = bytearray(written.read_bytes())
     start = data.rfind(b"PK\x05\x06")
@@ -35,7 +35,7 @@ def test_a_file_whose_directory_can_not_be_read_is_not_known_as_one(written, tmp
 
 
 @pytest.mark.parametrize("name", list(FOREIGN))
-def test_a_foreign_file_is_not_known_as_one(tmp_path, name):
+def test_a_foreign_file_is_no_onboard_file(tmp_path, name):
     path = tmp_path / "foreign.npz"
     path.write_bytes(FOREIGN[name])
     assert is_onboard_file(str(path)) is False

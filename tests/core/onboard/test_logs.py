@@ -52,7 +52,7 @@ def heading(log, moment_s):
     return float(log.until(moment_s).at([moment_s])[0, 0])
 
 
-def test_what_comes_to_a_log_is_told(path, start_s):
+def test_new_entries_of_a_log_are_read(path, start_s):
     log = GrowingLog(str(path))
     assert heading(log, start_s + 0.5) == pytest.approx(15, abs=0.01)
     assert math.isnan(heading(log, start_s + 3))
@@ -63,7 +63,7 @@ def test_what_comes_to_a_log_is_told(path, start_s):
     assert heading(log, start_s + 3) == pytest.approx(40, abs=0.01)
 
 
-def test_a_log_that_is_written_anew_is_read_anew(path, start_s):
+def test_a_rewritten_log_is_read_again(path, start_s):
     log = GrowingLog(str(path))
     assert heading(log, start_s) == pytest.approx(10, abs=0.01)
     path.write_bytes(attitude(start_s, 77))

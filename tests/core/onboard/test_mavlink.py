@@ -103,13 +103,13 @@ def test_its_covariance_is_that_of_the_record_with_what_is_not_known(autopilot, 
     assert full[5, 5] == pytest.approx(math.radians(1.5) ** 2, rel=1e-3)
 
 
-def test_an_autopilot_without_an_origin_is_told_the_middle_of_the_map(autopilot, lon_lat):
+def test_an_autopilot_without_an_origin_gets_the_middle_of_the_map(autopilot, lon_lat):
     found = sent(autopilot, lon_lat, ["GPS_GLOBAL_ORIGIN", "SET_GPS_GLOBAL_ORIGIN"], "odometry", record())
     longitude, latitude = (float(v[0]) for v in linear(np.array([middle_of_map()])))
     assert (found.latitude, found.longitude) == (round(latitude * 1e7), round(longitude * 1e7))
 
 
-def test_an_origin_of_its_own_is_reckoned_from_and_not_told(autopilot, lon_lat):
+def test_an_origin_of_the_autopilot_is_used_and_not_sent(autopilot, lon_lat):
     origin = record()["latitude"], record()["longitude"]
     where, heard = autopilot
     sink = MavlinkSink(MavlinkOptions(where, "vision", origin=origin), lon_lat)
@@ -119,7 +119,7 @@ def test_an_origin_of_its_own_is_reckoned_from_and_not_told(autopilot, lon_lat):
     assert kinds == ["HEARTBEAT", "VISION_POSITION_ESTIMATE"]
 
 
-def test_a_vision_estimate_has_the_same_pose_and_heeds_how_the_camera_is_mounted(autopilot, lon_lat):
+def test_a_vision_estimate_allows_for_the_mounting_of_the_camera(autopilot, lon_lat):
     found = sent(autopilot, lon_lat, "VISION_POSITION_ESTIMATE", "vision", record(heading=350.0), camera_yaw_deg=-90.0)
     assert math.degrees(found.yaw) == pytest.approx(80, abs=0.5)
     assert (found.z, found.roll, found.pitch, found.reset_counter) == (0, 0, 0, 2)
@@ -139,7 +139,7 @@ def test_a_slow_fix_is_a_command_with_longitude_latitude_and_accuracy(autopilot,
 
 @pytest.mark.parametrize("message", ["odometry", "vision"])
 @pytest.mark.parametrize("lacking", ["x", "heading"])
-def test_without_a_pose_there_is_a_sign_of_life_alone(autopilot, lon_lat, message, lacking):
+def test_without_a_pose_only_a_heartbeat_is_sent(autopilot, lon_lat, message, lacking):
     missing = {"x": None, "longitude": None} if lacking == "x" else {"heading": None}
     where, heard = autopilot
     sink = MavlinkSink(MavlinkOptions(where, message), lon_lat)
@@ -203,7 +203,7 @@ def database(tmp_path_factory):
     return path
 
 
-def test_watch_tells_an_autopilot_where_it_is(database, autopilot, tmp_path):
+def test_watch_sends_positions_to_an_autopilot(database, autopilot, tmp_path):
     folder = tmp_path / "incoming"
     folder.mkdir()
     cv2.imwrite(str(folder / "a.png"), HERE)
@@ -230,7 +230,7 @@ def test_watch_tells_an_autopilot_where_it_is(database, autopilot, tmp_path):
         (["--mavlink", "udp:14550", "--camera-yaw", "361"], "--camera-yaw: 361"),
     ],
 )
-def test_what_can_not_be_is_refused_before_any_work(database, tmp_path, capsys, arguments, sentence):
+def test_impossible_options_are_refused_before_any_work(database, tmp_path, capsys, arguments, sentence):
     with pytest.raises(SystemExit) as ended:
         main(["watch", str(tmp_path), "--database", database, "--once", *arguments])
     assert ended.value.code == WRONG_USAGE
@@ -244,13 +244,13 @@ def test_a_line_that_is_not_there_is_refused_by_name(mavutil, database, tmp_path
     assert "serial:/dev/none can't be written" in capsys.readouterr().err
 
 
-def test_without_pymavlink_it_says_what_to_install(monkeypatch, lon_lat):
+def test_without_pymavlink_the_message_names_the_package(monkeypatch, lon_lat):
     monkeypatch.setitem(__import__("sys").modules, "pymavlink.dialects.v20", None)
     with pytest.raises(ParameterError, match="pip install pymavlink"):
         MavlinkSink(MavlinkOptions("udp:14550"), lon_lat)
 
 
-def test_a_host_that_can_not_be_reached_is_told_and_counted(mavutil, lon_lat):
+def test_an_unreachable_host_is_reported_and_counted(mavutil, lon_lat):
     sink = MavlinkSink(MavlinkOptions("udp:256.1.1.1:14550"), lon_lat)
     sink.send_found(record())
     sink.send_found({"time": None, "x": None})

@@ -210,7 +210,7 @@ def test_an_array_that_does_not_fit_the_others_is_refused(written, tmp_path, nam
         read_onboard(path, with_overview=True)
 
 
-def test_an_array_whose_header_is_no_literal_is_refused(written, tmp_path):
+def test_an_array_with_an_invalid_header_is_refused(written, tmp_path):
     files = members(written)
     files["references_classes.npy"] = files["references_classes.npy"].replace(b"{", b"(", 1)
     assert "no plain array" in refusal(zipped(tmp_path / "odd.npz", files))
@@ -230,7 +230,7 @@ def test_a_member_that_is_packed_in_an_unknown_way_is_refused(written, tmp_path)
     assert "packed in an unknown way" in refusal(path)
 
 
-def test_what_the_file_says_of_its_errors_is_half_a_step(written):
+def test_the_stated_errors_are_half_a_step(written):
     header = json.loads(array(written, "header").tobytes())
     found = read_onboard(str(written))
     assert found.position_error == header["position_step"] / 2
@@ -241,5 +241,5 @@ def test_what_the_file_says_of_its_errors_is_half_a_step(written):
     assert found.database.source == str(written)
 
 
-def test_without_the_overview_there_is_none(written):
+def test_a_file_without_overview_is_read(written):
     assert read_onboard(str(written), with_overview=False).database.overview is None

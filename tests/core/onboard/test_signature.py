@@ -119,7 +119,7 @@ def test_localizing_logs_the_date_and_what_is_known_of_the_signature(folder, tmp
 
 
 @pytest.mark.parametrize("text", ["yesterday", "2026-05-01", 5])
-def test_a_date_that_is_none_is_refused(folder, tmp_path, monkeypatch, text):
+def test_an_invalid_date_is_refused(folder, tmp_path, monkeypatch, text):
     class Moment:
         def isoformat(self, timespec):
             return text

@@ -32,7 +32,7 @@ class FullAfter:
         self.file.close()
 
 
-def test_a_disk_that_fills_within_a_line_keeps_whole_lines_alone(tmp_path, capsys):
+def test_a_disk_that_fills_within_a_line_keeps_only_whole_lines(tmp_path, capsys):
     start_log("warning")
     sink = open_sink(str(tmp_path / "lines"))
     sink.send("first\n")
@@ -50,7 +50,7 @@ def test_a_disk_that_fills_within_a_line_keeps_whole_lines_alone(tmp_path, capsy
 
 
 @pytest.mark.parametrize("where", ["udp:0", "udp:65536", "udp:", "udp:-1", "udp:" + "9" * 5000])
-def test_a_port_that_is_none_is_refused(where):
+def test_an_invalid_port_is_refused(where):
     with pytest.raises(ParameterError, match="no UDP port"):
         open_sink(where)
 

@@ -42,7 +42,7 @@ def told(capsys):
     return [json.loads(line) for line in capsys.readouterr().err.splitlines()]
 
 
-def test_a_table_that_grows_tells_what_one_given_whole_does(path):
+def test_a_growing_table_gives_the_same_as_a_whole_one(path):
     rows = ["a,,,,", "b,0,60,2,1", "c,5,60,-3,1", "d,0,61,1,2"]
     table, links = begun(path), []
     for before, row in zip([None, *"abc"], rows):
@@ -54,7 +54,7 @@ def test_a_table_that_grows_tells_what_one_given_whole_does(path):
         assert one.source == LinkSource.ODOMETRY and one.in_meters
 
 
-def test_a_row_that_says_nothing_and_images_without_rows_give_no_link(path):
+def test_empty_and_missing_rows_give_no_link(path):
     table = begun(path, "a,,,,", "b,,,,", "c,0,50,0,1")
     assert table.link("a", "b") is None and table.link("a", "c") is None and table.link("x", "b") is None
     assert table.link("b", "c") is not None and table.link("c", "b") is None and table.link("c", "x") is None
@@ -84,7 +84,7 @@ def test_a_table_that_stopped_is_waited_for_once(path, monkeypatch):
     assert table.link("b", "c") is None and clock[0] == waited
 
 
-def test_a_bad_line_is_told_and_nothing_is_linked_across_it(path, capsys):
+def test_a_bad_line_is_reported_and_breaks_the_chain_of_links(path, capsys):
     start_log("warning")
     table = begun(path, "a,,,,", "b,far,60,0,1", "c,0,60,0,1", "d,0,60,0,1")
     assert table.link("a", "c") is None and table.link("c", "d") is not None
@@ -101,14 +101,14 @@ def test_a_bad_line_is_told_and_nothing_is_linked_across_it(path, capsys):
         (["a,,,,", "b,1e9,1,1,1"], "must lie between"),
     ],
 )
-def test_a_bad_table_is_refused_before_the_start_and_told_after_a_restart(path, lines, message):
+def test_a_bad_table_is_refused_before_the_start_and_reported_after_a_restart(path, lines, message):
     begun(path, *lines)
     with pytest.raises(ParameterError, match=message):
         open_odometry(str(path), is_ended=False, is_strict=True)
     assert open_odometry(str(path), is_ended=False, is_strict=False).link("a", "b") is None
 
 
-def test_a_table_that_is_gone_is_told_once_and_heard_again_when_it_is_back(path, capsys):
+def test_a_missing_table_is_reported_once_and_read_again_later(path, capsys):
     start_log("warning")
     table = OdometryTable(str(path), is_ended=False)
     assert table.link("a", "b") is None and table.link("b", "c") is None
@@ -117,7 +117,7 @@ def test_a_table_that_is_gone_is_told_once_and_heard_again_when_it_is_back(path,
     assert table.link("a", "b") is not None
 
 
-def test_how_much_is_held_does_not_grow_with_the_table(path, monkeypatch):
+def test_memory_does_not_grow_with_the_table(path, monkeypatch):
     monkeypatch.setattr(limits, "HELD_ROWS", 50)
     table = begun(path, "0,,,,")
     for number in range(1, 400):
@@ -126,7 +126,7 @@ def test_how_much_is_held_does_not_grow_with_the_table(path, monkeypatch):
         assert len(table._table._rows) <= 50 and len(table._table._numbers) <= 50
 
 
-def test_a_table_written_anew_forgets_what_it_told(path):
+def test_a_rewritten_table_replaces_the_earlier_rows(path):
     table = begun(path, "a,,,,", "b,0,60,0,1", "c,0,60,0,1")
     assert table.link("b", "c") is not None
     path.write_text(HEADER + "c,9,9,9,9\nd,0,30,0,1\n", encoding="utf-8")

@@ -205,7 +205,7 @@ def test_what_was_removed_from_the_folder_is_forgotten(folder):
     assert list(arriving.gi_frame.f_locals["done"]) == [str(folder / "b.png")]
 
 
-def test_a_folder_that_comes_back_is_told_once_and_its_images_are_new(monkeypatch):
+def test_a_folder_that_returns_is_reported_once_and_its_images_are_new(monkeypatch):
     """Look by look: it is there, gone twice, and there again."""
     here, both = {"a": (1, 9)}, {"a": (1, 9), "b": (2, 3)}
     looks = iter([here, here, None, None, here, both, both, both])

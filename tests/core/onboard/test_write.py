@@ -17,7 +17,7 @@ from semref.core.onboard.read import read_onboard
 from semref.core.onboard.write import write_onboard
 
 
-def test_everything_comes_back_as_exactly_as_the_file_says(database, written):
+def test_everything_is_read_within_the_errors_that_the_file_states(database, written):
     found = read_onboard(str(written))
     mine, theirs = database.windows, found.database.windows
     assert found.database.parameters == replace(database.parameters, block_hashes=())
@@ -62,7 +62,7 @@ def test_a_class_table_that_was_changed_after_the_build_is_not_exported(database
         write_onboard(str(tmp_path / "changed.npz"), replace(database, class_table=table), None)
 
 
-def test_a_precision_finer_than_the_format_holds_is_refused(database, tmp_path):
+def test_a_precision_finer_than_the_format_allows_is_refused(database, tmp_path):
     with pytest.raises(DatabaseError, match="too fine"):
         write_onboard(str(tmp_path / "fine.npz"), database, None, precision=1e-9)
 

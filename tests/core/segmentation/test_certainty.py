@@ -68,7 +68,7 @@ def test_scores_are_divided_by_the_temperature_that_the_model_states(made):
     assert made(ended_by("Softmax"), temperature=2.5).temperature is None
 
 
-def test_a_network_that_gives_probabilities_is_taken_at_its_word(made):
+def test_probabilities_of_a_network_are_used_unchanged(made):
     image = photo()
     scores, probabilities = (segmented(made(network), ArrayImage(image)) for network in (None, ended_by("Softmax")))
     np.testing.assert_array_equal(scores[0], probabilities[0])
@@ -76,7 +76,7 @@ def test_a_network_that_gives_probabilities_is_taken_at_its_word(made):
 
 
 @pytest.mark.parametrize("threshold", [0.2, 0.5, 0.8])
-def test_one_probability_tells_its_class_and_the_rest(made, threshold):
+def test_one_probability_gives_its_class_and_the_rest(made, threshold):
     kernel = np.zeros((1, 3, 1, 1), np.float32)
     kernel[0, 0] = 1
     network = ended_by("Sigmoid", writer.Network().convolution(kernel, np.zeros(1)))
@@ -113,7 +113,7 @@ def test_how_sure_the_network_is_is_the_mean_percent_of_the_labels(made, overlap
     assert 60 < sure.count < 130  # about 1 of 256 of the pixels that have data
 
 
-def test_a_network_that_names_classes_alone_does_not_tell_how_sure_it_is(tmp_path):
+def test_a_network_that_gives_only_classes_has_no_certainty(tmp_path):
     network = brightest_color().add("ArgMax", axis=1, keepdims=0).add("Cast", to=writer.FLOAT)
     path = write_model(tmp_path / "m.onnx", network, metadata=metadata(), output_shape=(1, "height", "width"))
     model = SegmentationModel(str(path), 1)
@@ -135,7 +135,7 @@ class Corner:
         return rows + columns < 120
 
 
-def test_a_mask_leaves_out_what_lies_outside_and_changes_nothing_inside(made, monkeypatch):
+def test_a_mask_leaves_out_the_outside_and_changes_nothing_inside(made, monkeypatch):
     model, image = made(brightest_color(15)), ArrayImage(photo((150, 400)))
     labels, percent, _ = segmented(model, image)
     given = []
@@ -148,7 +148,7 @@ def test_a_mask_leaves_out_what_lies_outside_and_changes_nothing_inside(made, mo
     assert sum(given) < 3 * 9 / 2
 
 
-def test_what_lies_outside_a_mask_is_not_even_read():
+def test_pixels_outside_a_mask_are_not_read():
     class Unread:
         shape_hw = 500, 500
 

@@ -36,7 +36,7 @@ def test_what_is_written_is_read():
         {"building": {"sun": -1}}, {"building": {"north": "1"}},
     ],
 )  # fmt: skip
-def test_what_can_not_be_is_refused_with_its_key(content):
+def test_impossible_values_are_refused_with_their_key(content):
     with pytest.raises(ModelError, match="class_bias"):
         read(content)
 

@@ -113,7 +113,7 @@ def test_on_a_card_the_network_gets_several_tiles_and_one_run(load, monkeypatch)
     ids=["refused", "left out without a word", "fails when it is run"],
 )
 @pytest.mark.parametrize("asked", [AUTO, "cuda"])
-def test_a_device_that_does_not_start_is_replaced_with_a_word(load, monkeypatch, trouble, said, asked):
+def test_a_device_that_does_not_start_is_replaced_with_a_note(load, monkeypatch, trouble, said, asked):
     FakeOnnxruntime(monkeypatch, [CUDA.provider, CPU.provider], **trouble)
     model = load(asked)
     assert model.device is CPU
@@ -123,7 +123,7 @@ def test_a_device_that_does_not_start_is_replaced_with_a_word(load, monkeypatch,
     assert model.scores([photo]).argmax(axis=1).max() == 0
 
 
-def test_each_that_does_not_start_is_named(load, monkeypatch):
+def test_each_device_that_does_not_start_is_named(load, monkeypatch):
     FakeOnnxruntime(monkeypatch, EVERY, refused=[CUDA.provider, "ROCMExecutionProvider"])
     model = load()
     assert model.device is DIRECTML
@@ -131,7 +131,7 @@ def test_each_that_does_not_start_is_named(load, monkeypatch):
     assert all("runs on DirectML" in english(fallback) for fallback in model.fallbacks)
 
 
-def test_a_device_that_is_not_there_is_replaced_with_a_word_that_says_what_brings_it(load, monkeypatch):
+def test_a_missing_device_is_replaced_with_a_note_on_its_package(load, monkeypatch):
     FakeOnnxruntime(monkeypatch, [CPU.provider])
     model = load("openvino")
     assert model.device is CPU
@@ -139,7 +139,7 @@ def test_a_device_that_is_not_there_is_replaced_with_a_word_that_says_what_bring
     assert "OpenVINO was asked for" in fallback and "onnxruntime-openvino" in fallback
 
 
-def test_a_model_that_is_none_is_refused_with_its_own_sentence(tmp_path, monkeypatch):
+def test_a_file_that_is_no_model_is_refused_with_its_own_sentence(tmp_path, monkeypatch):
     FakeOnnxruntime(monkeypatch, EVERY)
     path = tmp_path / "m.onnx"
     path.write_bytes(b"hello")

@@ -15,7 +15,7 @@ def values_of(texts, channels=2, given=None):
     return read_classes(texts, channels, "m.onnx", given).values
 
 
-def test_a_model_that_says_nothing_has_the_defaults():
+def test_a_model_without_metadata_has_the_defaults():
     found = read_settings({}, "m.onnx")
     assert (found.resolution_m, found.tile_size_px, found.overlap, found.threshold) == (None, None, 0.2, 0.5)
     assert (found.mean, found.std) == ((0, 0, 0), (1, 1, 1))
@@ -66,7 +66,7 @@ def test_a_background_in_front_is_0(names, values):
     assert [c.value for c in found.table] == [v for v in values if v]
 
 
-def test_our_own_keys_say_values_colors_and_roles():
+def test_our_own_keys_give_values_colors_and_roles():
     texts = {
         "class_names": NAMES,
         "class_values": "[9, 4]",
@@ -86,7 +86,7 @@ def test_a_single_probability_is_of_the_class_beside_the_background(names):
     assert (found.names, found.values) == (("background", "building"), (0, 1))
 
 
-def test_a_table_given_has_the_last_word_by_name():
+def test_a_given_table_overrides_the_metadata_by_name():
     given = class_table_from_csv("value,name,color,role\n7,Water,#0000ff,reference\n3,building,#ff0000,background\n")
     found = read_classes({"class_names": NAMES, "class_values": "[1, 2]"}, 2, "m.onnx", given)
     assert found.values == (3, 7)
@@ -120,7 +120,7 @@ def test_a_reference_class_that_the_model_does_not_know_is_refused():
         ({"standardization_std": "[0.5, 0.0, 0.5]"}, "above 0"),
     ],
 )
-def test_settings_that_cannot_be_are_refused_with_their_key(texts, message):
+def test_impossible_settings_are_refused_with_their_key(texts, message):
     with pytest.raises(ModelError, match=message):
         read_settings(texts, "m.onnx")
 
@@ -139,7 +139,7 @@ def test_settings_that_cannot_be_are_refused_with_their_key(texts, message):
         ({"class_names": NAMES, "class_colors": '["red", "blue"]'}, 2, "color “red”"),
     ],
 )
-def test_classes_that_cannot_be_are_refused(texts, channels, message):
+def test_impossible_classes_are_refused(texts, channels, message):
     with pytest.raises(ModelError, match=message):
         values_of(texts, channels)
 

@@ -44,7 +44,7 @@ def test_images_are_standardized_as_the_model_was_trained(load):
     np.testing.assert_allclose(np.moveaxis(model.scores([PHOTO])[0], 0, 2), wanted, atol=1e-6)
 
 
-def test_fixed_sizes_go_before_the_metadata_and_that_is_said(load):
+def test_fixed_sizes_override_the_metadata_with_a_note(load):
     model = load(size=(32, 48))
     assert model.tile_hw == (32, 48)
     assert "tile_size in the model's metadata is 64, but the network takes 48 × 32" in str(model.notes[0])
@@ -111,17 +111,17 @@ def test_a_file_that_is_not_there_is_refused(tmp_path):
         SegmentationModel(str(tmp_path / "none.onnx"), 1)
 
 
-def test_weights_missing_beside_the_model_are_said(load):
+def test_missing_external_weights_are_reported(load):
     with pytest.raises(ModelError, match="keeps its weights in another file that is missing"):
         load(brightest_color(external="weights.bin"))
 
 
-def test_a_newer_format_is_said_with_both_versions(load):
+def test_a_newer_format_is_refused_with_both_versions(load):
     with pytest.raises(ModelError, match=r"ONNX format 99 \(IR version\), but onnxruntime .* reads up to \d+"):
         load(ir_version=99)
 
 
-def test_newer_operators_are_said_with_both_versions(load):
+def test_newer_operators_are_refused_with_both_versions(load):
     with pytest.raises(ModelError, match=r"operators of version 99 \(opset\), but onnxruntime .* knows up to \d+"):
         load(opset=99)
 
@@ -166,7 +166,7 @@ def test_class_numbers_beyond_the_names_are_refused(load):
         model.scores([PHOTO])
 
 
-def test_a_missing_onnxruntime_is_said_with_how_to_get_it(load, monkeypatch):
+def test_a_missing_onnxruntime_is_reported_with_its_installation(load, monkeypatch):
     monkeypatch.setitem(sys.modules, "onnxruntime", None)
     with pytest.raises(ModelError, match="Segmentation needs the Python package onnxruntime .*pip install onnxruntime"):
         load()

@@ -33,7 +33,7 @@ TEXTS = {
 }
 
 
-def test_a_card_tells_what_the_metadata_say():
+def test_a_card_shows_the_metadata():
     card = card_of_texts(TEXTS, "model.onnx")
     assert (card.fault, card.name, card.classes, card.resolution_m) == (None, TOLD["name"], ("other", "building"), 0.25)
     assert [(one.place, one.about) for one in card.trained_on] == [("one town", "old"), ("another", "")]
@@ -43,7 +43,7 @@ def test_a_card_tells_what_the_metadata_say():
     assert card.confusion == ((0.9, 0.1), (0.2, 0.8))
 
 
-def test_how_good_it_is_is_told_by_ground_that_was_left_out_where_there_is_any():
+def test_the_score_is_that_of_held_out_ground_if_there_is_any():
     assert card_of_texts(TEXTS, "").mean_iou == pytest.approx(0.7)
     aside = {key: text for key, text in TEXTS.items() if key != KEY}
     assert card_of_texts(aside, "").mean_iou == pytest.approx(0.8)
@@ -82,7 +82,7 @@ def test_a_file_is_read_without_running_it(tmp_path):
     assert read_card(str(path)).name == TOLD["name"]
 
 
-def test_a_file_that_is_no_model_says_so_and_so_does_one_for_other_work(tmp_path):
+def test_files_that_are_no_segmentation_model_are_reported(tmp_path):
     path = tmp_path / "model.onnx"
     assert read_card(str(path)).fault.template == "{path} does not exist; choose a model file (.onnx)."
     path.write_bytes(b"no model")
@@ -116,7 +116,7 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
         b"\x08\xff\xff\xff\xff\xff\xff\xff\xff\x7f\x10\xff\xff\xff\xff\xff\xff\xff\xff\x7f",
     ],
 )
-def test_a_damaged_entry_of_metadata_is_none_and_leaves_the_others(entry, tmp_path):
+def test_a_damaged_metadata_entry_is_skipped_and_leaves_the_others(entry, tmp_path):
     path = Path(tmp_path / "model.onnx")
     path.write_bytes(smallest_model(4, 11) + bytes([14 << 3 | 2, len(entry)]) + entry)
     assert read_card(str(path)).fault is None

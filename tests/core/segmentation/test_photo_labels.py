@@ -22,23 +22,23 @@ def model(tmp_path_factory):
 
 
 @pytest.mark.parametrize("pixel_size_m", [None, (0.5, 0.5), (0.25, 0.25), (1.0, 1.0), (0.25, 0.5)])
-def test_labels_lie_on_the_photos_own_pixels(model, pixel_size_m):
+def test_labels_are_on_the_photos_own_pixels(model, pixel_size_m):
     np.testing.assert_array_equal(PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found(), LABELS)
 
 
-def test_the_steps_tell_the_share_done(model):
+def test_the_steps_report_the_share_done(model):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3))
     shares = list(labels.steps())
     assert shares == sorted(shares) and shares[-1] == 1
     np.testing.assert_array_equal(labels.labels_hw, LABELS)
 
 
-def test_a_model_that_states_no_temperature_tells_no_shares(model):
+def test_a_model_without_a_temperature_gives_no_shares(model):
     assert PhotoLabels(model, PHOTO, (1, 2, 3)).seen().shares is None
 
 
 @pytest.mark.parametrize("pixel_size_m", [None, (0.25, 0.25)])
-def test_a_model_that_states_its_temperature_tells_shares_and_the_same_labels(model, tmp_path, pixel_size_m):
+def test_a_model_with_a_temperature_gives_shares_and_the_same_labels(model, tmp_path, pixel_size_m):
     path = write_model(tmp_path / "m.onnx", metadata=metadata(resolution=50, temperature=0.05))
     found = PhotoLabels(SegmentationModel(str(path), 1), PHOTO, (1, 2, 3), pixel_size_m).seen()
     np.testing.assert_array_equal(found.labels_hw, PhotoLabels(model, PHOTO, (1, 2, 3), pixel_size_m).found())
@@ -54,13 +54,13 @@ def camera(height_m: float) -> Camera:
     return Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(height_m))
 
 
-def test_height_and_lens_tell_how_large_the_network_sees_a_photo(model):
+def test_height_and_lens_set_the_scale_of_a_photo_for_the_network(model):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3), camera=camera(25.0))
     assert labels.image.shape_hw == (50, 70) and labels.told_pixel_size_m == pytest.approx(0.25)
     np.testing.assert_array_equal(labels.found(), LABELS)
 
 
-def test_where_the_photo_says_how_large_its_pixels_are_height_and_lens_do_not_count(model):
+def test_a_known_pixel_size_counts_before_height_and_lens(model):
     labels = PhotoLabels(model, PHOTO, (1, 2, 3), (0.5, 0.5), camera(25.0))
     assert labels.image is PHOTO and labels.told_pixel_size_m is None
 

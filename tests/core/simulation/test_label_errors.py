@@ -59,7 +59,7 @@ def test_houses_are_merged_in_the_share_of_the_image_asked_for():
     assert 0.3 * whole < half < 0.7 * whole and none == 0
 
 
-def test_long_houses_are_split_into_what_lies_around(village):
+def test_long_houses_are_split_by_the_class_around_them(village):
     village[100:115, 30:250] = BUILDING
     labels = spoiled(village, LabelNoise(split=1.0, split_length=100.0))
     assert buildings(labels) == buildings(village) + 1
@@ -118,7 +118,7 @@ def count_landmarks(labels_hw) -> int:
     return len(extract_landmarks(labels_hw, (1, 2), 1))
 
 
-def test_missed_landmarks_become_what_lies_around_them():
+def test_missed_landmarks_become_the_class_around_them():
     labels = spoiled_squares(LabelNoise(missed=0.3))
     assert set(np.unique(labels)) == {1, 2, 7}
     assert 55 <= count_landmarks(labels) <= 85

@@ -69,7 +69,7 @@ def test_a_shifted_class_is_shifted_as_one():
     assert not off[landmarks.classes == 1].any()
 
 
-def test_leaning_landmarks_lie_farther_from_the_center_by_that_share():
+def test_leaning_landmarks_are_farther_from_the_center_by_that_share():
     landmarks = many_landmarks()
     noise = LabelNoise(leaning=0.01, leaning_spread=0.0, leaning_classes=(2,))
     off = spoiled_landmarks(noise, landmarks).centers_xy - landmarks.centers_xy

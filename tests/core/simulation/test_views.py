@@ -39,7 +39,7 @@ def test_beyond_the_map_there_is_nothing(labels_hw):
 
 
 @pytest.mark.parametrize("changes", [{}, {"tilt_deg": 10.0}, {"lens": 0.03}, {"is_mirrored": True}])
-def test_each_pixel_shows_the_place_it_lies_at_whatever_strip_it_is_cut_in(labels_hw, changes):
+def test_each_pixel_shows_its_place_in_any_strip(labels_hw, changes):
     view = View(130.3, -99.8, 33.0, 1.2, 70, 75, **changes)
     columns, rows = np.meshgrid(np.arange(70) + 0.5, np.arange(75) + 0.5)
     x, y = map_coordinates(view, columns, rows)
@@ -66,7 +66,7 @@ def test_a_mirrored_view_shows_left_and_right_exchanged(labels_hw):
 
 
 @pytest.mark.parametrize("is_mirrored", [False, True])
-def test_points_of_the_map_lie_in_the_image_where_its_pixels_show_them(is_mirrored):
+def test_points_of_the_map_are_at_the_pixels_that_show_them(is_mirrored):
     view = View(700_100.0, 5_199_900.0, 137.0, 1.7, 300, 200, is_mirrored=is_mirrored)
     columns, rows = np.random.default_rng(2).uniform(-50, 350, (2, 40))
     x, y = map_coordinates(view, columns, rows)
@@ -85,7 +85,7 @@ def test_a_tilted_camera_sees_farther_where_it_is_tilted_to():
     assert y[0] > 55 > 50 > -y[1] and x == pytest.approx([0, 0])
 
 
-def test_a_view_lies_on_the_map_when_all_its_pixels_do(labels_hw):
+def test_a_view_is_on_the_map_if_all_its_pixels_are(labels_hw):
     frame = MAP.of_shape(labels_hw.shape)
     inside = View(700_260.0, 5_199_800.0, 30.0, 2.0, 64, 64)
     assert lies_on(frame, inside) and cut(labels_hw, MAP, inside).all()
@@ -104,7 +104,7 @@ def test_random_views_fill_what_they_are_drawn_from_and_a_seed_repeats_them():
     assert views[0] == random_view(np.random.default_rng(5), extent, (64, 48), (0.5, 2.0))
 
 
-def test_a_view_knows_the_ground_it_covers():
+def test_a_view_has_the_footprint_that_it_covers():
     view = View(3.0, 4.0, pixel_size=0.5, width_px=640, height_px=480)
     assert (view.position, view.footprint, view.shape_hw) == ((3.0, 4.0), 320.0, (480, 640))
 

@@ -23,7 +23,7 @@ def refuses(sentence):
         (10, 12, 9, 1, [0, 1], [0, 1, 2, 3]),
     ],
 )
-def test_only_windows_that_lie_wholly_on_the_map_count(width, height, size, stride, columns, rows):
+def test_only_windows_completely_on_the_map_count(width, height, size, stride, columns, rows):
     grid = WindowGrid(width, height, size, stride)
     assert (grid.columns.tolist(), grid.rows.tolist()) == (columns, rows)
     assert len(grid) == len(columns) * len(rows)
@@ -53,5 +53,5 @@ def test_windows_are_named_after_their_first_pixel_column_first():
     ("shape_hw", "square"),
     [((0, 0), (0, 0, 0)), ((0, 9), (4, 0, 0)), ((8, 8), (0, 0, 8)), ((8, 13), (2, 0, 8)), ((13, 8), (0, 2, 8))],
 )
-def test_the_largest_square_lies_in_the_middle_of_an_image(shape_hw, square):
+def test_the_largest_square_is_in_the_middle_of_an_image(shape_hw, square):
     assert centered_square(shape_hw) == square

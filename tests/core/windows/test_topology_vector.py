@@ -181,7 +181,7 @@ def test_many_images_at_once_equal_each_by_itself(references_per_vector):
     assert (together == np.array(alone)).all()
 
 
-def test_the_objects_of_a_vector_are_told_in_its_order():
+def test_the_objects_of_a_vector_are_listed_in_its_order():
     """Farthest first, then as the angles grow; those beyond X nearest are left out."""
     objects = [(10, 200, 1), (40, 100, 2), (30, 350, 3), (20, 20, 1), (90, 5, 2)]
     points, classes = polar(*objects)
@@ -228,7 +228,7 @@ def test_confidences_are_those_of_the_papers_tables_4_and_5(distance, confidence
 
 
 @pytest.mark.parametrize("distance", PAPER_TABLE_4_FAILURES.values(), ids=PAPER_TABLE_4_FAILURES)
-def test_the_papers_two_failures_lie_beyond_the_threshold(distance):
+def test_the_papers_two_failures_are_beyond_the_threshold(distance):
     assert distance > DISTANCE_THRESHOLD
     assert vector_confidence(distance) == 0
 

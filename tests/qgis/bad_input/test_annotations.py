@@ -57,7 +57,7 @@ def test_lines_and_points_are_no_annotation(refused, tmp_path, wkt):
     assert "polygon" in sentence
 
 
-def test_a_missing_annotation_file_is_said(refused):
+def test_a_missing_annotation_file_is_reported(refused):
     assert "INPUT" in refused(RASTERIZE, INPUT="/nowhere/annotation.shp")
 
 

@@ -16,7 +16,7 @@ from qgis.core import (
 from semref.processing.packages import components
 
 
-def test_a_missing_opencv_is_told_with_how_to_install_it_and_the_algorithms_stay_listed(qgis_app, monkeypatch):
+def test_a_missing_opencv_is_reported_and_the_algorithms_stay_listed(qgis_app, monkeypatch):
     find_spec = importlib.util.find_spec
     monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None if name == "cv2" else find_spec(name, *a))
     registry = QgsApplication.processingRegistry()
@@ -30,7 +30,7 @@ def test_a_missing_opencv_is_told_with_how_to_install_it_and_the_algorithms_stay
 
 @pytest.mark.parametrize("name", ["is_missing", "is_too_old"])
 @pytest.mark.parametrize("algorithm", ["semref:checkannotation", "semref:repairannotation"])
-def test_a_missing_or_old_shapely_is_told_where_it_is_needed(qgis_app, monkeypatch, name, algorithm):
+def test_a_missing_or_old_shapely_is_reported_by_its_algorithms(qgis_app, monkeypatch, name, algorithm):
     monkeypatch.setattr(components, name, lambda package: package is components.SHAPELY)
     registry = QgsApplication.processingRegistry()
     needy = registry.createAlgorithmById(algorithm)

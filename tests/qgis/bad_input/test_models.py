@@ -39,7 +39,7 @@ BAD_MODELS = {
 
 @pytest.mark.parametrize("algorithm", [SEGMENT, LOCALIZE])
 @pytest.mark.parametrize("name", BAD_MODELS)
-def test_a_bad_model_is_told_in_one_sentence(refused, tmp_path, name, algorithm):
+def test_a_bad_model_is_reported_in_one_sentence(refused, tmp_path, name, algorithm):
     options, words = BAD_MODELS[name]
     sentence = refused(algorithm, MODEL=str(write_model(tmp_path / "bad.onnx", **options)))
     assert "bad.onnx" in sentence and words in sentence
@@ -53,19 +53,19 @@ def test_a_photo_that_makes_a_network_give_no_numbers_has_no_fix(run_algorithm, 
     assert row["status"] == "error" and "not numbers" in row["reason"]
 
 
-def test_a_photo_cut_short_is_told(refused, tmp_path):
+def test_a_truncated_photo_is_reported(refused, tmp_path):
     image = np.random.default_rng(1).integers(0, 255, (3, 400, 400)).astype(np.uint8)
     path = write_raster(tmp_path / "cut.tif", image)
     path.write_bytes(path.read_bytes()[:200_000])
     assert "cut.tif is damaged or cut short" in refused(SEGMENT, INPUT=str(path))
 
 
-def test_a_class_table_that_does_not_fit_the_model_is_told(refused, tmp_path):
+def test_a_class_table_that_does_not_fit_the_model_is_reported(refused, tmp_path):
     table = write_text(tmp_path / "classes.csv", "value,name\n1,building\n")
     assert "The class table lacks the class water, bare_land" in refused(SEGMENT, CLASS_TABLE=str(table))
 
 
-def test_a_missing_onnxruntime_is_told_with_how_to_install_it(qgis_app, monkeypatch):
+def test_a_missing_onnxruntime_is_reported_with_how_to_install_it(qgis_app, monkeypatch):
     find_spec = importlib.util.find_spec
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name, *a: None if name == "onnxruntime" else find_spec(name, *a)

@@ -86,7 +86,7 @@ def small_disk(tmp_path):
 
 
 @pytest.mark.parametrize("algorithm", [RASTERIZE, DECODE, BUILD])
-def test_a_full_disk_is_told_and_leaves_nothing(run_algorithm, defaults, small_disk, tmp_path, algorithm):
+def test_a_full_disk_is_reported_and_leaves_nothing(run_algorithm, defaults, small_disk, tmp_path, algorithm):
     random = np.random.default_rng(1)
     parameters = defaults[algorithm]
     if algorithm == RASTERIZE:

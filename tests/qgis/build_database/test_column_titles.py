@@ -29,7 +29,7 @@ def test_a_layer_that_is_dropped_on_the_canvas_shows_titles_of_all_columns(datab
     assert all(found.values()) and found.items() >= COLUMNS[table].items()
 
 
-def test_on_the_map_they_are_in_the_user_s_language_whoever_built_the_database(database, monkeypatch):
+def test_on_the_map_titles_are_in_the_user_s_language(database, monkeypatch):
     from semref.processing.layers import styles
 
     monkeypatch.setattr(styles, "tr", lambda text: f"[{text}]")
@@ -60,7 +60,7 @@ def test_any_program_finds_them_in_the_geopackage_by_its_own_rules(database):
 
 
 @pytest.mark.skipif(int(gdal.VersionInfo()) < 3_070_000, reason="GDAL reads them from 3.7 on")
-def test_gdal_tells_them_as_alternative_names(database):
+def test_gdal_shows_titles_as_alternative_names(database):
     dataset = ogr.Open(database)
     definition = dataset.GetLayerByName("windows").GetLayerDefn()
     found = [definition.GetFieldDefn(n) for n in range(definition.GetFieldCount())]

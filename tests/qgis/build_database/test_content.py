@@ -48,7 +48,7 @@ def test_the_classes_are_the_table_of_the_map_with_the_asked_roles(query):
     assert found == [(n, NAMES[n], "background" if n == 4 else "reference") for n in range(1, 5)]
 
 
-def test_the_parameters_tell_how_it_was_built(query):
+def test_the_parameters_show_how_it_was_built(query):
     stored = {key: json.loads(value) for key, value in query("SELECT key, value FROM parameters")}
     assert stored["format_version"] == 1
     assert stored["window_size"] == SIZE and stored["stride"] == STRIDE
@@ -60,7 +60,7 @@ def test_the_parameters_tell_how_it_was_built(query):
     assert stored["plugin_version"]
 
 
-def test_an_overview_that_is_too_large_for_memory_lies_in_a_file_meanwhile(build, label_map, tmp_path, monkeypatch):
+def test_an_overview_too_large_for_memory_uses_a_temporary_file(build, label_map, tmp_path, monkeypatch):
     from semref.storage.database import overview_file
 
     monkeypatch.setattr(overview_file, "HELD_PIXELS", 0)

@@ -32,7 +32,7 @@ def test_ogr_sees_the_layers_with_their_columns_in_order(database, name):
     assert (layer.GetGeomType(), columns_of(layer)) == LAYERS[name]
 
 
-def test_the_layers_lie_in_the_crs_of_the_map(database):
+def test_the_layers_have_the_crs_of_the_map(database):
     source = ogr.Open(database)
     for name in ("windows", "references"):
         assert source.GetLayerByName(name).GetSpatialRef().GetAuthorityCode(None) == str(METRIC_CRS)
@@ -111,7 +111,7 @@ def _rows(path) -> dict[str, int]:
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="limits on files as Unix has them")
-def test_a_disk_that_is_full_at_the_last_pages_is_told(build, label_map, database, tmp_path):
+def test_a_disk_that_is_full_at_the_last_pages_is_reported(build, label_map, database, tmp_path):
     """GDAL writes its last tables when it lets go of a file; what fails then was told to nobody."""
     size = Path(database).stat().st_size
     for lacking in range(-4096, 7 * 4096, 4096):

@@ -87,7 +87,7 @@ def test_a_color_table_without_names_makes_no_classes_that_the_map_lacks(build, 
     assert [row[1] for row in made["classes"]] == [1, 2, 3, 4]
 
 
-def test_roles_of_the_stored_class_table_count_when_none_are_asked(build, tmp_path):
+def test_roles_of_the_stored_class_table_are_the_default(build, tmp_path):
     path = write_raster(tmp_path / "labels.tif", map_labels())
     labels = gdal.Open(str(path), gdal.GA_Update)
     labels.SetMetadataItem("SEMREF_CLASS_TABLE", CLASSES_CSV)
@@ -96,7 +96,7 @@ def test_roles_of_the_stored_class_table_count_when_none_are_asked(build, tmp_pa
     assert [row[2] for row in made["classes"] if row[4] == "reference"] == ["building", "water", "bare_land"]
 
 
-def test_windows_without_vector_are_counted_and_said(run_algorithm, label_map, feedback, tmp_path, query):
+def test_windows_without_vector_are_counted_in_the_log(run_algorithm, label_map, feedback, tmp_path, query):
     parameters = {
         "LABELS": str(label_map),
         "REFERENCE_CLASSES": "1;2;3",

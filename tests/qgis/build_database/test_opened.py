@@ -77,7 +77,7 @@ def test_a_script_that_runs_an_algorithm_gets_no_layers(run_algorithm, project, 
     assert project.mapLayers() == {}
 
 
-def test_a_database_that_is_replaced_is_shown_once_with_what_it_holds_now(run_as_dialog, project, label_map, tmp_path):
+def test_a_replaced_database_is_shown_once_with_its_new_content(run_as_dialog, project, label_map, tmp_path):
     more = {"REFERENCE_CLASSES": "building;water;bare_land", "OPEN_OUTPUT": True}
     built = run_as_dialog(BUILD, {**build_parameters(label_map, tmp_path / "area.gpkg"), **more})
     landmarks = project.mapLayersByName("Landmarks")[0]

@@ -65,7 +65,7 @@ def told(connection, address):
 
 
 @pytest.mark.parametrize("words", [b"HTTP/1.1 400 Bad Request\r\n\r\n", b"SSH-2.0-OpenSSH_9.2\r\n"])
-def test_another_server_such_as_the_dashboard_is_told_apart(connection, server, words):
+def test_another_server_such_as_the_dashboard_is_recognized(connection, server, words):
     assert told(connection, server(words)) == (
         (
             "The program at {address} is not a Dask scheduler, or has another version. Enter the address that the "
@@ -75,14 +75,14 @@ def test_another_server_such_as_the_dashboard_is_told_apart(connection, server, 
     )
 
 
-def test_one_that_says_nothing_is_not_waited_for_for_ever(hasty, server):
+def test_a_silent_server_ends_in_a_timeout(hasty, server):
     assert told(hasty, server(b"")) == (
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4.",
         "no answer within 1 s",
     )
 
 
-def test_one_that_hangs_up_is_no_scheduler(connection, server):
+def test_a_server_that_hangs_up_is_no_scheduler(connection, server):
     assert told(connection, server(None))[0] == (
         "There is no scheduler at {address} ({reason}); start one, or have processes started on this machine: local:4."
     )
@@ -98,7 +98,7 @@ def test_one_that_hangs_up_is_no_scheduler(connection, server):
         ("http://127.0.0.1:1", "unknown address scheme"),
     ],
 )
-def test_an_address_where_nobody_listens_or_that_is_none(connection, address, reason):
+def test_a_wrong_or_closed_address_is_refused(connection, address, reason):
     code, said = told(connection, address)
     assert (
         code

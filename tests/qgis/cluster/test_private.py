@@ -78,7 +78,7 @@ def answer(port, page):
         return None
 
 
-def test_files_of_the_workers_lie_where_nobody_else_may_look(workers):
+def test_files_of_the_workers_are_private(workers):
     client, _, folder = workers
     (private,) = folder.iterdir()
     assert stat.S_IMODE(private.stat().st_mode) == 0o700

@@ -43,7 +43,7 @@ def test_a_value_comes_back_as_it_was(value):
     assert found == value and type(found) is type(value)
 
 
-def test_numbers_that_are_none_or_endless_come_back():
+def test_nan_and_infinity_come_back():
     nothing, endless = from_bytes(to_bytes([math.nan, -math.inf]))
     assert math.isnan(nothing) and endless == -math.inf
 

@@ -32,7 +32,7 @@ def test_ground_without_a_polygon_is_transparent_in_any_program(rasterize, tmp_p
     assert alphas == [255] * 4 + [0] * 8 + [255] * 4
 
 
-def test_the_map_that_qgis_loads_lists_its_own_classes_alone(qgis_app, tmp_path, classes_csv):
+def test_the_map_that_qgis_loads_lists_only_its_own_classes(qgis_app, tmp_path, classes_csv):
     from qgis.core import (
         QgsApplication,
         QgsProcessingContext,
@@ -88,7 +88,7 @@ def test_a_categorized_style_gives_values_labels_and_colors(rasterize, tmp_path)
     assert "2,Water,#0000ff" in table
 
 
-def test_a_style_with_all_other_values_leaves_the_others_unlabeled_and_says_so(labels, tmp_path, feedback):
+def test_other_values_of_a_style_stay_unlabeled_with_a_note(labels, tmp_path, feedback):
     path = write_layer(tmp_path / "a.gpkg", [(square(0, 0, 4), "w"), (square(4, 0, 4), "unknown")])
     made = labels(styled_layer(path, [("w", "Water", "#0000ff"), ("", "all other values", "#cccccc")]))
     np.testing.assert_array_equal(made[0], [1] * 4)
@@ -129,7 +129,7 @@ def shapefile_in(encoding: str, folder: Path, cpg: str = "", code_page: int = 0)
         ("utf-8", "UTF-8", 0),
     ],
 )
-def test_names_in_a_shapefile_that_tells_its_encoding_survive(rasterize, tmp_path, encoding, cpg, code_page):
+def test_names_in_a_shapefile_with_a_known_encoding_survive(rasterize, tmp_path, encoding, cpg, code_page):
     output = rasterize(shapefile_in(encoding, tmp_path, cpg, code_page))["OUTPUT"]
     assert category_names(output)[1:] == NAMES
     assert [line.split(",")[1] for line in stored_table(output).splitlines()[1:]] == NAMES
@@ -144,7 +144,7 @@ def test_ground_without_a_polygon_becomes_a_class_of_its_own_where_that_is_asked
     assert category_names(results["OUTPUT"])[1:3] == ["building", "other"] and results["LABELED_FRACTION"] == 1
 
 
-def test_beyond_the_polygons_nothing_tells_that_there_is_something_else(rasterize, tmp_path):
+def test_ground_beyond_the_polygons_stays_unlabeled(rasterize, tmp_path):
     layer = write_layer(tmp_path / "a.gpkg", TWO)
     alone, wide = rasterize(layer, OTHER_GROUND=True)["OUTPUT"], tmp_path / "wide.tif"
     source = ogr.Open(str(layer))
@@ -169,7 +169,7 @@ def test_ground_around_a_single_class_becomes_other_without_being_asked(rasteriz
     assert "ground without a polygon becomes class “other”" in feedback.textLog()
 
 
-def test_what_became_of_features_is_told_in_the_users_language(qgis_app, monkeypatch):
+def test_changes_of_features_are_in_the_users_language(qgis_app, monkeypatch):
     from semref.processing.layers import annotation
 
     monkeypatch.setattr(annotation, "tr", lambda text: f"«{text}»")

@@ -54,7 +54,7 @@ def test_a_map_of_several_strips_equals_one_burnt_at_once(labels, tmp_path, monk
     np.testing.assert_array_equal(strips, at_once)
 
 
-def test_the_higher_priority_lies_on_top_null_below_all_and_ties_in_feature_order(labels, tmp_path, classes_csv):
+def test_the_higher_priority_is_on_top_and_ties_keep_feature_order(labels, tmp_path, classes_csv):
     layer = write_layer(
         tmp_path / "a.gpkg",
         [

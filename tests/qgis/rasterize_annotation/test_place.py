@@ -52,7 +52,7 @@ def test_an_extent_beside_the_polygons_gives_an_empty_map_and_a_warning(rasteriz
     assert "No polygon lies in the extent" in feedback.textLog()
 
 
-def test_degrees_become_the_utm_zone_of_the_middle_and_that_is_said(rasterize, tmp_path, feedback):
+def test_degrees_become_the_utm_zone_of_the_middle_with_a_note(rasterize, tmp_path, feedback):
     degrees = "POLYGON ((9.5 47.0, 9.52 47.0, 9.52 47.01, 9.5 47.01, 9.5 47.0))"
     layer = write_layer(tmp_path / "a.gpkg", [(degrees, "field")], crs=4326)
     results = rasterize(layer, PIXEL_SIZE=10)
@@ -71,7 +71,7 @@ def test_the_utm_zone_is_right_on_both_halves_of_the_earth(rasterize, tmp_path, 
     assert QgsRasterLayer(rasterize(layer, PIXEL_SIZE=10)["OUTPUT"]).crs().authid() == zone
 
 
-def test_a_crs_in_feet_becomes_meters_and_that_is_said(rasterize, tmp_path, feedback):
+def test_a_crs_in_feet_becomes_meters_with_a_note(rasterize, tmp_path, feedback):
     # EPSG:2263 is New York Long Island in US survey feet; 1000 ft are 304.8 m.
     feet = "POLYGON ((985000 200000, 986000 200000, 986000 201000, 985000 201000, 985000 200000))"
     results = rasterize(write_layer(tmp_path / "a.gpkg", [(feet, "field")], crs=2263))

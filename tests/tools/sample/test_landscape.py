@@ -48,7 +48,7 @@ def test_oddities_are_few_and_present(land):
     assert 1 <= sum(g.geom_type == "MultiPolygon" for g in drawn) <= 80
 
 
-def test_no_house_stands_in_water(land):
+def test_no_house_is_in_water(land):
     water = [f.geometry for f in land.features if f.class_value == classes.WATER]
     houses = [f.geometry for f in land.features if f.class_value == classes.BUILDING]
     assert houses

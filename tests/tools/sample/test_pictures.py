@@ -22,7 +22,7 @@ def test_a_view_beyond_the_map_is_refused(labels_hw):
         pictures.cut(labels_hw, view(20, 100), 64)
 
 
-def test_planned_views_lie_on_the_map_and_have_different_names():
+def test_planned_views_are_on_the_map_with_different_names():
     labels = np.zeros((3000, 4000), np.uint8)
     views = pictures.plan_views(labels.shape, SEED)
     assert len({v.name for v in views}) == len(views) == 46

@@ -55,7 +55,7 @@ def test_the_clock_is_that_of_satellites_where_there_is_one():
     assert log.times_s[0] == pytest.approx(315_964_800 + 2000 * 604_800 + 1 - 18 - 0.5 + 1.0)
 
 
-def test_damage_is_passed_over():
+def test_damage_is_skipped():
     whole = log_of(ATT, VELOCITY)
     assert len(read_dataflash(whole[:-5]).times_s) == 1
     assert len(read_dataflash(log_of(ATT, b"\xa3\x95\xfejunk\x00\xa3", VELOCITY)).times_s) == 2

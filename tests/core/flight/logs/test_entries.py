@@ -5,7 +5,7 @@ import numpy as np
 from semref.core.flight.logs.entries import Entries
 
 
-def test_entries_come_in_order_of_time_and_in_utc_where_it_is_told():
+def test_entries_are_in_order_of_time_and_in_utc_if_known():
     entries = Entries()
     entries.add(2.0, heading=20)
     entries.add(1.0, height=5)
@@ -34,7 +34,7 @@ def test_what_is_kept_of_a_log_does_not_grow_and_spans_all_of_it(monkeypatch):
         assert np.isfinite(found.at([50.0])[0, column])
 
 
-def test_a_height_that_is_told_with_a_velocity_stays_with_it():
+def test_a_height_stays_with_the_velocity_of_its_entry():
     entries = Entries()
     entries.add(1.0, height=4.0, north=2.0, east=3.0)
     assert entries.telemetry().values[0, 3:].tolist() == [4.0, 3.0, 2.0]

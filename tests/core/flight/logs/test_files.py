@@ -28,7 +28,7 @@ def test_the_name_does_not_matter(tmp_path):
         (b"ULog\x01\x12\x35\x01", "{path} tells neither heading nor height nor speed of a flight."),
     ],
 )
-def test_what_tells_nothing_is_refused(tmp_path, data, code):
+def test_a_file_without_telemetry_is_refused(tmp_path, data, code):
     with pytest.raises(ParameterError) as caught:
         read_log(write(tmp_path, "x", data))
     assert caught.value.sentence.template == code

@@ -64,7 +64,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_the_time_to_read_grows_with_the_size_alone(name):
+def test_reading_takes_linear_time(name):
     read, made, count = HOSTILE[name]
     assert growth(read, made, count) < LINEAR
 
@@ -88,7 +88,7 @@ def test_a_topic_larger_than_a_message_is_not_laid_out():
     assert topics == {}
 
 
-def test_a_topic_of_unused_fields_keeps_none_of_them():
+def test_unused_fields_of_a_topic_are_not_kept():
     topics = {}
     ulog._describe(topic(b"float", 300)[3:], topics)
     assert topics["vehicle_attitude"][1] == {}

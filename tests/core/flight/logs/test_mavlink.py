@@ -37,12 +37,12 @@ def test_attitude_height_and_velocity_are_read(version):
     assert log.values[1, 3:].tolist() == [55.5, 4.0, 3.0]
 
 
-def test_other_systems_and_other_messages_are_left_alone():
+def test_other_systems_and_other_messages_are_ignored():
     data = packet(1, 30, ATTITUDE, 39) + packet(2, 30, ATTITUDE, 39, system=255) + packet(3, 0, b"\1\2\3", 50)
     assert read_tlog(data).times_s.tolist() == [1.0]
 
 
-def test_packets_whose_checksum_does_not_hold_are_passed_over():
+def test_packets_with_a_wrong_checksum_are_skipped():
     bad = bytearray(packet(1, 30, ATTITUDE, 39))
     bad[20] ^= 1
     assert read_tlog(bytes(bad) + packet(2, 30, ATTITUDE, 39)).times_s.tolist() == [2.0]
@@ -62,7 +62,7 @@ def test_noise_is_no_error(seed):
 
 
 @pytest.mark.parametrize("step", [1, 7, 40, 200])
-def test_a_log_in_pieces_tells_what_the_whole_one_does(step):
+def test_a_log_in_pieces_gives_the_same_as_the_whole(step):
     kinds = ((30, ATTITUDE, 39), (33, PLACE, 104), (0, b"\1\2\3\xfe\xfd", 50))
     data = b"".join(packet(n, *kinds[n % 3], version=1 + n % 2) for n in range(12))
     reader, begin = TlogReader(), 0

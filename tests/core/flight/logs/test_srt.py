@@ -39,9 +39,9 @@ def test_height_of_older_kinds():
     assert read_srt(MAVIC).values[0, 3] == 60.5
 
 
-def test_subtitles_are_told_by_their_times():
+def test_subtitles_are_recognized_by_their_times():
     assert is_srt(NEW) and not is_srt("EPSG:4326\na 1 2")
 
 
-def test_a_damaged_entry_tells_nothing():
+def test_a_damaged_entry_is_skipped():
     assert np.isnan(read_srt("1\n00:00:00,000 --> x\n[rel_alt: ]").values).all()

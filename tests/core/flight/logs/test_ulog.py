@@ -56,7 +56,7 @@ def test_angles_of_a_quaternion(quaternion, angles):
     assert angles_of(*quaternion) == pytest.approx(angles, abs=1e-6)
 
 
-def test_damage_is_passed_over():
+def test_damage_is_skipped():
     assert len(read_ulog(log_of(ATTITUDE, PLACE)[:-5]).times_s) == 1
     assert len(read_ulog(b"ULog\x01\x12\x35\x01").times_s) == 0
 
