@@ -62,28 +62,28 @@ class Row:
     """Images of one kind.
 
     Attributes:
-        name: name of the row
-        database: name of the map for the database
-        images: name of the map from which images are cut; empty for the same map
-        half: half of the map with the image centers: north, south or empty
-        method: key of the method
-        noise: one of NOISES
-        jitter: boundary jitter in pixels instead of that of the noise
-        displaced: whether the map is displaced like maps of another date
-        shift_m: shift of all buildings in a random direction
-        stated: whether the localizer knows this shift
-        leaning: shift of roofs, as a share of the distance from the center
-        wanted: kind of views, as ``ground.Wanted``
-        foreign: kind of images of other places (``foreign.KINDS``); empty for images of the map
-        prior_share: radius of the prior position, as a share of the footprint; 0 for no prior
-        size_known: largest error of the known pixel size, 0.2 for 20 %; 0 for unknown
-        heading_known_deg: the same for the heading
-        level_error_deg: error of the known roll and pitch; negative for an image that is not leveled
-        photos: ``sample``, ``tileN``, or the name of a place with the number of a photo (``kenya.1``); empty for labels
-        network: part of the name of the network in --models; empty for the shipped network
-        labels: labels of photos, ``network`` or ``true``
-        right_m: a position is right within this distance; 0 for 2 % of the footprint
-        count: number of images
+        name: Name of the row.
+        database: Name of the map for the database.
+        images: Name of the map from which images are cut; empty for the same map.
+        half: Half of the map with the image centers: north, south or empty.
+        method: Key of the method.
+        noise: One of NOISES.
+        jitter: Boundary jitter in pixels instead of that of the noise.
+        displaced: Whether the map is displaced like maps of another date.
+        shift_m: Shift of all buildings in a random direction.
+        stated: Whether the localizer knows this shift.
+        leaning: Shift of roofs, as a share of the distance from the center.
+        wanted: Kind of views, as ``ground.Wanted``.
+        foreign: Kind of images of other places (``foreign.KINDS``); empty for images of the map.
+        prior_share: Radius of the prior position, as a share of the footprint; 0 for no prior.
+        size_known: Largest error of the known pixel size, 0.2 for 20 %; 0 for unknown.
+        heading_known_deg: The same for the heading.
+        level_error_deg: Error of the known roll and pitch; negative for an image that is not leveled.
+        photos: ``sample``, ``tileN``, or a place and the number of its photo (``kenya.1``); empty for labels.
+        network: Part of the name of the network in --models; empty for the shipped network.
+        labels: Labels of photos, ``network`` or ``true``.
+        right_m: A position is right within this distance; 0 for 2 % of the footprint.
+        count: Number of images.
     """
 
     name: str

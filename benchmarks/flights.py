@@ -48,20 +48,20 @@ class Row:
     """Flights of one kind.
 
     Attributes:
-        name: name of the row
-        database: name of the map for the database
-        images: name of the map under the flight; empty for the same map
-        half: half of the map under the flight
-        ground_m: footprint width of an image
-        step_m: distance from image to image
-        length: number of images
-        noise: noise of the labels, one of ``accuracy.NOISES``, in meters
-        drift: drift of the links, as a share of the distance
-        missing: every n-th link is missing; 0 for no missing link
-        scales: pixel sizes in pixels of the map
-        foreign: ``mirrored`` or ``other half``; every position is then wrong
-        heading_known_deg: largest error of known headings; 0 for unknown
-        count: number of flights
+        name: Name of the row.
+        database: Name of the map for the database.
+        images: Name of the map under the flight; empty for the same map.
+        half: Half of the map under the flight.
+        ground_m: Footprint width of an image.
+        step_m: Distance from image to image.
+        length: Number of images.
+        noise: Noise of the labels, one of ``accuracy.NOISES``, in meters.
+        drift: Drift of the links, as a share of the distance.
+        missing: Every n-th link is missing; 0 for no missing link.
+        scales: Pixel sizes in pixels of the map.
+        foreign: ``mirrored`` or ``other half``; every position is then wrong.
+        heading_known_deg: Largest error of known headings; 0 for unknown.
+        count: Number of flights.
     """
 
     name: str

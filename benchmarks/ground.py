@@ -35,16 +35,16 @@ class Wanted:
     """Kind of images to draw.
 
     Attributes:
-        scales: smallest and largest pixel size, in pixels of the map
-        headings_deg: possible headings; empty for any
-        landmarks: smallest and largest number of whole landmarks, before noise
-        tilt_deg: tilt of the camera in a random direction
-        lens: radial distortion with a random sign
-        labeled: smallest labeled share of the image
-        sizes_px: possible edges; empty for that of the ground
-        share: footprint width as a share of a window's edge, ± 15 %, at random places; 0 to use ``scales``
-        is_inside: whether the whole image shows the map
-        is_mirrored: whether left and right are exchanged
+        scales: Smallest and largest pixel size, in pixels of the map.
+        headings_deg: Possible headings; empty for any.
+        landmarks: Smallest and largest number of whole landmarks, before noise.
+        tilt_deg: Tilt of the camera in a random direction.
+        lens: Radial distortion with a random sign.
+        labeled: Smallest labeled share of the image.
+        sizes_px: Possible edges; empty for that of the ground.
+        share: Footprint width as a share of a window's edge, ± 15 %, at random places; 0 to use ``scales``.
+        is_inside: Whether the whole image shows the map.
+        is_mirrored: Whether left and right are exchanged.
     """
 
     scales: tuple[float, float] = (0.8, 1.25)
@@ -81,8 +81,8 @@ class Ground:
     """A label map as the source of images, and the database to localize them.
 
     Attributes:
-        extent: (x_min, y_min, x_max, y_max) of the image centers, map units
-        spoiled_values: classes with regions that noise removes, adds, merges and splits
+        extent: (x_min, y_min, x_max, y_max) of the image centers, map units.
+        spoiled_values: Classes with regions that noise removes, adds, merges and splits.
     """
 
     def __init__(

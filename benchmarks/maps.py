@@ -29,10 +29,10 @@ class World:
     """Folders and size of a benchmark run.
 
     Attributes:
-        data: folder of the real data
-        work: folder of intermediate files, kept between runs
-        models: folder of networks, for photos
-        count: images per row; None for the number in the scenario
+        data: Folder of the real data.
+        work: Folder of intermediate files, kept between runs.
+        models: Folder of networks, for photos.
+        count: Images per row; None for the number in the scenario.
     """
 
     data: Path

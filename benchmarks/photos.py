@@ -40,13 +40,13 @@ class Photos:
     """A ground with a photo and a network.
 
     Attributes:
-        ground: ground with the true labels
-        picture: (H, W, 3) uint8 on the same pixels
-        model: network; None for the true labels
-        wanted: kind of crops
-        searched: pixel sizes to search; None for the default of the method
-        columns: first and last column of the photo for crops
-        only_buildings: whether all other classes of the network count as “other”
+        ground: Ground with the true labels.
+        picture: (H, W, 3) uint8 on the same pixels.
+        model: Network; None for the true labels.
+        wanted: Kind of crops.
+        searched: Pixel sizes to search; None for the default of the method.
+        columns: First and last column of the photo for crops.
+        only_buildings: Whether all other classes of the network count as “other”.
     """
 
     ground: Ground

@@ -1,11 +1,11 @@
-"""Record what must not change, and compare two recordings.
+"""Record results of the plugin, and compare two recordings.
 
     .venv/bin/python -m tools.baseline record FOLDER [--repository PATH] [--quick] [--only SECTION ...]
     .venv/bin/python -m tools.baseline compare FOLDER_A FOLDER_B [--additions] [--ignore PATTERN ...]
 
-`record` runs the plugin of a checkout (this one, or the one of --repository) through what users see of it, Processing
-algorithms and `python -m core`, and writes every answer into FOLDER as JSON and .npz. `compare` prints what differs;
-its exit status is 1 when anything differs by more than 1e-9 of its value.
+`record` runs the Processing algorithms and `python -m core` of a checkout (this one, or --repository), and writes all
+results to FOLDER as JSON and .npz. `compare` prints the differences. Its exit status is 1 if a value differs by more
+than 1e-9 of its value.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs one command; gives its exit status."""
+    """Run a command and return its exit status."""
     options = parse(arguments)
     try:
         if options.command == "compare":
@@ -43,15 +43,15 @@ def parse(arguments: list[str] | None = None) -> argparse.Namespace:
     record.add_argument("folder", type=Path, help="where the recording goes; an older recording is replaced")
     record.add_argument("--repository", type=Path, default=ROOT, help="checkout to record; default: this one")
     record.add_argument("--data", type=Path, default=DATA, help="the real data's folder; default: %(default)s")
-    record.add_argument("--sample-only", action="store_true", help="do without the real data")
+    record.add_argument("--sample-only", action="store_true", help="do not use the real data")
     record.add_argument("--quick", action="store_true", help="a part that takes two minutes")
-    record.add_argument("--only", nargs="+", metavar="SECTION", help="some sections anew, and the areas")
+    record.add_argument("--only", nargs="+", metavar="SECTION", help="repeat only these sections, and the areas")
     record.add_argument("--work", type=Path, help="empty folder for the outputs, kept; default: a temporary one")
     compared = commands.add_parser("compare", help="say what differs between two recordings")
-    compared.add_argument("folder_a", type=Path, help="the recording to hold to")
-    compared.add_argument("folder_b", type=Path, help="the recording to judge")
+    compared.add_argument("folder_a", type=Path, help="the reference recording")
+    compared.add_argument("folder_b", type=Path, help="the recording to check")
     compared.add_argument("--ignore", nargs="+", default=[], metavar="PATTERN", help="rows to leave out, such as */log")
-    compared.add_argument("--every", action="store_true", help="give everything a line, also what is identical")
+    compared.add_argument("--every", action="store_true", help="print a line for everything, also for identical values")
     text = "FOLDER_B may have columns, keys and outputs that FOLDER_A lacks"
     compared.add_argument("--additions", action="store_true", help=text)
     return parser.parse_args(arguments)

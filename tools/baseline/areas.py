@@ -23,7 +23,7 @@ PATCHES = (
     "Urban Parkland/Open Space", "Surface Mine or Dump", "Lake or Pond", "Orchard, Vineyard or Other Perennial Crop",
     "Gorse and/or Broom", "Broadleaved Indigenous Hardwoods", "Deciduous Hardwoods", "Exotic Forest",
 )  # fmt: skip
-"""Christchurch's reference classes: those that lie as separate patches."""
+"""Christchurch's reference classes: those with separate patches."""
 
 NOT_LAND = 255
 """Christchurch's code of it is 0, which means unlabelled in a label map."""
@@ -59,7 +59,7 @@ class Area:
         return np.array([colors.GetColorEntry(n)[:3] for n in range(256)], np.uint8)
 
     def reference_values(self) -> list:
-        """Class values whose regions are landmarks."""
+        """Class values of landmarks."""
         found = dumps.geopackage_tables(self.database)["classes"]
         return sorted(row["value"] for row in found if row["role"] == "reference")
 

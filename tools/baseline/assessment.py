@@ -1,4 +1,4 @@
-"""What is told before a flight: trials of a database, its map of expected success, what to expect along a route."""
+"""Record the results before a flight: trials of a database, its map of expected success, and the report of a route."""
 
 from __future__ import annotations
 

@@ -54,14 +54,14 @@ class Tally:
 def compare(
     folder_a: Path, folder_b: Path, ignore: Sequence[str] = (), additions: bool = False, every: bool = False
 ) -> int:
-    """Prints the table; gives the exit status: 1 when anything is different.
+    """Print the table and return the exit status: 1 for any difference.
 
     Args:
-        folder_a: the recording to hold to.
-        folder_b: the recording to judge.
-        ignore: patterns of things that are left out.
-        additions: whether B may have columns, keys and outputs that A lacks; they are counted.
-        every: whether everything gets a line of its own, also what is identical.
+        folder_a: The reference recording.
+        folder_b: The recording to check.
+        ignore: Patterns of entries to leave out.
+        additions: Whether B may have columns, keys and outputs that A lacks. They are counted.
+        every: Whether identical entries also get a line.
     """
     manifests = [read_manifest(folder) for folder in (folder_a, folder_b)]
     for letter, folder, manifest in zip("AB", (folder_a, folder_b), manifests):

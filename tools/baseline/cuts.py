@@ -31,10 +31,10 @@ LIGHT, HEAVY = Noise(0.2, 0.2, 0.05, 1.0), Noise(0.4, 0.4, 0.1, 2.0)
 
 @dataclass(frozen=True)
 class View:
-    """Where an image lies on the map, and what becomes of its labels.
+    """Place of an image on the map, and the noise of its labels.
 
-    column, row: its centre; pixel: map pixels an image pixel; tilt: roll and pitch in degrees; bare: share of the
-    image whose labels are lost.
+    column, row: center; pixel: map pixels per image pixel; tilt: roll and pitch in degrees; bare: share of the image
+    without labels.
     """
 
     name: str
@@ -64,7 +64,7 @@ def plan(
 def _view(kind, number, map_hw, window_px, stride_px, size, rng) -> View:
     scale = float(rng.uniform(0.5, 2.0) if kind == "wide" else rng.uniform(0.8, 1.25))
     pixel = window_px / size * scale
-    # As much of the corners as a turned square has may lie beyond the map's edge.
+    # The corners of a turned square may be outside the map.
     margin = min(0.6 * size * pixel, min(map_hw) / 2)
     column, row = (float(rng.uniform(margin, length - margin)) for length in (map_hw[1], map_hw[0]))
     noise = {"clean": Noise(), "window": Noise(), "spoiled": HEAVY, "poor": HEAVY}.get(kind, LIGHT)

@@ -52,7 +52,7 @@ def plain_number(value: Any) -> Any:
 
 
 def _refusals(recorder: Recorder, sample) -> None:
-    """What is said of input that can't be used."""
+    """Record the messages for invalid input."""
     import processing
     from qgis.core import QgsProcessingException
 

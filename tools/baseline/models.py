@@ -35,7 +35,7 @@ def record(recorder: Recorder, places: dict[str, Any]) -> None:
 
 
 def _correct(recorder: Recorder, polygons: dict[str, Any], labels: str, database: str) -> None:
-    """An old label map with a hole, which the annotation mends."""
+    """Return an old label map with a hole that the land-cover layer fills."""
     old, updated = recorder.path("models/old.tif"), recorder.path("models/old.gpkg")
     shutil.copyfile(labels, old)
     dataset = gdal.Open(old, gdal.GA_Update)

@@ -27,15 +27,15 @@ SECTIONS = {
 
 
 def record(target: Path, work: Path, repository: Path, data: Path, quick: bool, only: list[str] | None = None) -> int:
-    """Writes a recording into ``target``; gives the exit status: 1 when a section failed.
+    """Write a recording to ``target`` and return the exit status: 1 if a section failed.
 
     Args:
-        target: the recording's folder.
-        work: where the outputs of the algorithms go.
-        repository: the checkout that is recorded.
-        data: the real data's folder.
-        quick: whether to record a part.
-        only: sections to record, beside the areas; others that a recording of the same commit has are kept.
+        target: Folder of the recording.
+        work: Folder for the outputs of the algorithms.
+        repository: The checkout to record.
+        data: Folder of the real data.
+        quick: Whether to record only a part.
+        only: Sections to record, besides the areas. Other sections of a recording of the same commit are kept.
     """
     unknown = set(only or ()) - set(SECTIONS)
     if unknown:
@@ -76,7 +76,7 @@ def record(target: Path, work: Path, repository: Path, data: Path, quick: bool, 
 
 
 def _kept(target: Path, about: dict[str, Any]) -> dict[str, float]:
-    """Seconds of the sections of a recording that is there, when some are recorded anew; none if it is another's."""
+    """Return the seconds of the sections of an existing recording of the same commit; otherwise an empty dict."""
     if not (target / MANIFEST).exists():
         return {}
     found = read_manifest(target)

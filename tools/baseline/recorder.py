@@ -50,7 +50,7 @@ class Recorder:
         self._values[what] = plain(value, self._without_paths)
 
     def put_array(self, what: str, array: np.ndarray) -> None:
-        """Keeps an array, whose elements are compared one by one."""
+        """Record an array. The comparison checks each element."""
         self._arrays[what] = array
 
     def put_layer(self, what: str, path: str) -> list[dict[str, Any]]:

@@ -77,7 +77,7 @@ def read_recording(folder: Path) -> tuple[dict[str, Any], dict[str, np.ndarray]]
 
 
 def is_number(value: Any) -> bool:
-    """Whether it is a number; True and False are none."""
+    """Return whether a value is a number. True and False are not numbers."""
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 

@@ -2,7 +2,7 @@
 
     .venv/bin/python tools/docs/build_site.py          # into help/, for Help and for packaging
 
-The first run installs tools/docs/requirements.txt into .venv-docs, which needs a network. Later runs need none.
+The first run installs tools/docs/requirements.txt into .venv-docs, which needs a network. Later runs do not.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Take the pictures of the docs: SemRef on its sample project, in desktop QGIS on a virtual screen.
 
-    .venv/bin/python tools/docs/make_screenshots.py                       # all, into docs/images
-    .venv/bin/python tools/docs/make_screenshots.py dark first_fix        # only these
-    .venv/bin/python tools/docs/make_screenshots.py films                 # the two animations
-    .venv/bin/python tools/docs/make_screenshots.py --language fr --output DIR   # all tabs in a language
-    .venv/bin/python tools/docs/make_screenshots.py options --language de --output DIR   # one scene
+- ``.venv/bin/python tools/docs/make_screenshots.py``: all, into docs/images
+- with ``dark first_fix``: only these
+- with ``films``: the two animations
+- with ``--language fr --output DIR``: all tabs in a language
+- with ``options --language de --output DIR``: one scene in a language
 
 Each session starts QGIS with a new profile and the packaged plugin. It needs the packages of tools/setup.sh and, for
 Chinese, a font with these characters.

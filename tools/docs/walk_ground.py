@@ -1,8 +1,8 @@
-"""A real place as a newcomer has it: an orthophoto, polygons of the buildings, and photos of ground beside it.
+"""Prepare a real place for the walk: orthophoto, polygons of buildings, and photos of the ground next to it.
 
-Banepa in Nepal (shared/data/banepa): its western half is the orthophoto, the photos are cut from its eastern half, at
-any heading and at 0.9–1.1 of its scale; the polygons are of both. Their field ``class`` says ``building`` for all, as a
-person makes it with QGIS's field calculator of what OpenStreetMap says (yes, residential, school, …).
+The place is Banepa in Nepal (shared/data/banepa). The orthophoto is its western half. The photos are cut from the
+eastern half, at any heading and at 0.9–1.1 of the scale. The polygons cover both halves; their field ``class`` is
+``building``, as if QGIS's field calculator had replaced the values of OpenStreetMap (yes, residential, school, …).
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ QUALITY = 92
 
 @dataclass(frozen=True)
 class RealPlace:
-    """Where its files lie in the folder of the real data, and what a person would write into the dialogs.
+    """Paths of a place in the folder of the real data, and the texts for the dialogs.
 
     Attributes:
-        name: As a sentence begins with it.
-        photo: The orthophoto.
-        polygons: Of the buildings.
-        credit: Whose they are, as their licenses ask for it.
-        fields: Text of the fields of the dialog that makes the database.
+        name: Name at the start of a sentence.
+        photo: Path of the orthophoto.
+        polygons: Path of the buildings.
+        credit: Attribution that the licenses require.
+        fields: Texts for the dialog that builds the database.
     """
 
     name: str
@@ -51,13 +51,13 @@ PLACES = {
 
 
 def lacks(place: RealPlace, data: Path) -> str:
-    """What is missing to walk there, as a sentence; empty for nothing."""
+    """Return a message about missing data; empty if everything exists."""
     missing = [name for name in (place.photo, place.polygons) if not (data / name).is_file()]
     return f"Not walked: there is no {missing[0]} in {data}." if missing else ""
 
 
 def fill(place: RealPlace, data: Path, folder: Path) -> None:
-    """Writes orthophoto.tif, buildings.gpkg, photos and photos.csv."""
+    """Write orthophoto.tif, buildings.gpkg, photos and photos.csv."""
     source = gdal.Open(str(data / place.photo))
     width, height = source.RasterXSize, source.RasterYSize
     half = width // 2
@@ -76,7 +76,7 @@ def fill(place: RealPlace, data: Path, folder: Path) -> None:
     )
     if orthophoto is None or buildings is None:
         raise RuntimeError(gdal.GetLastErrorMsg())
-    # Closed, and so written.
+    # Closing the dataset writes it.
     del orthophoto, buildings
     pixels = np.ascontiguousarray(np.moveaxis(source.ReadAsArray()[:3], 0, 2))
     photos = folder / "photos"
@@ -97,9 +97,9 @@ def fill(place: RealPlace, data: Path, folder: Path) -> None:
 
 
 def _cut(pixels: np.ndarray, center: tuple[float, float], turn: float, scale: float) -> np.ndarray:
-    """(EDGE_PX, EDGE_PX, 3) around a place (column, row)."""
+    """Return a photo (EDGE_PX, EDGE_PX, 3) around a place (column, row)."""
     across = scale * np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
-    # Coordinates have pixels' corners at whole numbers, OpenCV their centers.
+    # Pixel corners have whole-number coordinates; in OpenCV, pixel centers have.
     first = np.array(center) - 0.5 - across @ np.full(2, (EDGE_PX - 1) / 2)
     inverse = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
     return cv2.warpAffine(pixels, np.column_stack([across, first]), (EDGE_PX, EDGE_PX), flags=inverse)

@@ -1,12 +1,18 @@
-"""Runs inside desktop QGIS (--code): goes the guide's way from orthophoto and polygons to the first fix, and counts.
+"""Walk from orthophoto and polygons to the first fix inside desktop QGIS (--code), and count clicks.
 
-SEMREF_WALK names the job, a JSON file that time_walk.py writes: ``tools`` (the folder of this file), ``ground`` (a
-folder as tools/sample fills it), ``polygons`` (name of their file there),
-``buildings_alone`` (whether all ground without a polygon is something else), ``fields`` (what is written into the
-dialog that makes the database, by key), ``picture`` (that ends the walk; empty for none), ``work`` (an empty folder for
-what the walk makes), ``python`` (that trains), ``minutes`` (of training) and ``pictures`` (folder).
-SEMREF_DESKTOP_RESULT names the JSON file that is written at the end: for each step what was clicked and the seconds
-until QGIS was done.
+SEMREF_WALK names the job, a JSON file that time_walk.py writes. Its keys are:
+
+- ``tools``: the folder of this file;
+- ``ground``: a folder with the files of tools/sample;
+- ``polygons``: the name of the polygon file in it;
+- ``buildings_alone``: whether ground without a polygon has the class “other”;
+- ``fields``: texts for the dialog that builds the database, by key;
+- ``picture``: the last picture of the walk; may be empty;
+- ``work``: an empty folder for outputs;
+- ``python``, ``minutes``: the Python for the training, and its time limit;
+- ``pictures``: the folder of the pictures.
+
+SEMREF_DESKTOP_RESULT names the JSON file that is written at the end: the clicks and seconds of each step.
 """
 
 import csv
@@ -36,7 +42,7 @@ messages = []
 
 
 class Hand:
-    """A person's: each click, drop and written field is counted."""
+    """Operate the window like a person, and count each click, drop and text field."""
 
     def __init__(self) -> None:
         self.clicks = 0
@@ -47,7 +53,7 @@ class Hand:
         settle(0.3)
 
     def write(self, widget, text: str) -> None:
-        """In place of what stands there."""
+        """Replace the text of a field."""
         self.clicks += 1
         widget.setFocus()
         widget.selectAll()
@@ -56,16 +62,16 @@ class Hand:
         settle(0.1)
 
     def tick(self, box) -> None:
-        """Where its square is, not in the middle of the line."""
+        """Click the check box itself, not the middle of the line."""
         self.clicks += 1
         QTest.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPoint(8, box.height() // 2))
         if not box.isChecked():
-            raise RuntimeError(f"“{box.text()}” took no tick")
+            raise RuntimeError(f"“{box.text()}” cannot be checked")
 
     def drop(self, widget, paths: list) -> None:
-        """Files that are dragged from the system's window of a folder."""
+        """Drop files from a folder window of the system."""
         self.clicks += 1
-        # What scrolls takes them where its content is.
+        # A scroll area accepts drops at its content.
         widget = widget.viewport() if hasattr(widget, "viewport") else widget
         data = QMimeData()
         data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
@@ -77,7 +83,7 @@ class Hand:
 
 
 class Walk:
-    """The steps that were gone."""
+    """The steps of the walk."""
 
     def __init__(self, session, job: dict) -> None:
         self.session, self.job, self.hand = session, job, Hand()
@@ -100,7 +106,7 @@ class Walk:
         return {"steps": self.steps, **self.seen}
 
     def name_python(self) -> None:
-        """Settings ▸ Options… ▸ SemRef: the dialog waits for its user, so a timer is its user."""
+        """Open Settings ▸ Options… ▸ SemRef. The dialog is modal, so a timer operates it."""
         failed = []
 
         def fill() -> None:
@@ -195,7 +201,7 @@ class Walk:
                 self.session.take(self.job["picture"])
 
     def close_what_lies_over(self) -> None:
-        """Windows that are still there, such as QGIS's own with a model's progress, would be in the picture."""
+        """Close other windows, such as QGIS's progress dialog, before taking the picture."""
         for widget in QApplication.topLevelWidgets():
             if widget is not self.session.window and widget.isWindow() and widget.isVisible():
                 self.seen.setdefault("closed", []).append(f"{type(widget).__name__} {widget.windowTitle()}")
@@ -211,14 +217,14 @@ class Walk:
         if not ended or not ended[0][0]:
             said = refusal(dialog) or dialog.findChild(QTextEdit, "txtLog").toPlainText()[-2000:]
             raise RuntimeError(f"{dialog.windowTitle()}: {said}")
-        # It says that it is done before its buttons are back.
+        # The dialog reports the end before its buttons are active.
         wait_until(button_of(dialog, "Close").isEnabled, "the dialog's buttons")
         settle(0.5)
         return ended[0][1]
 
 
 def compared(findings: list, truth: Path) -> dict:
-    """How many fixes there are, and how many of them lie within the radius that they tell, or three times it."""
+    """Return the number of fixes, and how many are within their 95 % radius and within three times this radius."""
     with truth.open(encoding="utf-8", newline="") as file:
         places = {row["image"]: (float(row["x"]), float(row["y"])) for row in csv.DictReader(file)}
     fixes = [finding for finding in findings if finding.status == "fix"]
@@ -228,12 +234,12 @@ def compared(findings: list, truth: Path) -> dict:
 
 
 def refused() -> str:
-    """What QGIS's message bar says in red."""
+    """Return the error text of QGIS's message bar."""
     return "; ".join(item.text() for item in qgis.utils.iface.messageBar().items() if int(item.level()) == CRITICAL)
 
 
 def given(fields: dict, *keys: str) -> dict:
-    """What a dialog begins with: text, or whether there is something."""
+    """Return the initial value of a field of a dialog: text, or whether it has a value."""
     return {key: str(fields[key].parameterValue() or "") for key in keys}
 
 
@@ -242,21 +248,21 @@ def field(fields: dict, key: str):
 
 
 def line(fields: dict, key: str) -> QLineEdit:
-    """Where a text or the path of an output is written."""
+    """Return the field for a text or the path of an output."""
     wrapper = fields[key]
     widget = wrapper.wrappedWidget() if hasattr(wrapper, "wrappedWidget") else wrapper
     return widget if isinstance(widget, QLineEdit) else widget.findChild(QLineEdit)
 
 
 def button_of(dialog, name: str):
-    """Run is QGIS's Ok, in some versions a button of its own."""
+    """Return the button Run. In some versions of QGIS it is the OK button."""
     if name == "Ok":
         return dialog.buttonBox().button(QDialogButtonBox.StandardButton.Ok) or dialog.runButton()
     return dialog.buttonBox().button(getattr(QDialogButtonBox.StandardButton, name))
 
 
 def refusal(dialog) -> str:
-    """What a dialog says that does not even begin."""
+    """Return the message of a dialog that does not start."""
     item = dialog.messageBar().currentItem()
     return "" if item is None else item.text()
 
@@ -268,7 +274,7 @@ def run() -> None:
         result = {"error": traceback.format_exc()}
     result["messages"] = messages
     Path(os.environ["SEMREF_DESKTOP_RESULT"]).write_text(json.dumps(result, indent=1), encoding="utf-8")
-    # Nothing of the walk is to be kept, and nobody is there to say so.
+    # Do not ask whether to save the project.
     QgsSettings().setValue("app/askToSaveMemoryLayers", False)
     QgsSettings().setValue("qgis/askToSaveProjectChanges", False)
     QgsProject.instance().clear()
@@ -282,10 +288,10 @@ def session() -> dict:
 
 
 def note_exception(kind, value, trace, text, *arguments, **options) -> None:
-    """In place of QGIS's dialog, which would wait for a click."""
+    """Replace QGIS's dialog, which would wait for a click."""
     messages.append("".join(traceback.format_exception(kind, value, trace)))
 
 
 qgis.utils.showException = note_exception
-# The window is complete only when its event loop runs.
+# The window is complete only while its event loop runs.
 QTimer.singleShot(3000, run)

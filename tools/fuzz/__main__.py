@@ -84,7 +84,7 @@ def search(door: Door, examples: int, seed: int, folder: Path) -> tuple[Counter,
 
 
 def in_child(door: Door, examples: int, seed: int) -> tuple[Counter, str]:
-    """The same in a process of its own, whose death is a find."""
+    """Run the same in a separate process. A crash of this process counts as a fault."""
     with tempfile.TemporaryDirectory(prefix="semref-fuzz-", dir=WORKPLACE) as name:
         folder = Path(name)
         command = [sys.executable, "-m", "tools.fuzz", "--door", door.name, "--here", name]

@@ -52,7 +52,7 @@ class World:
     """What no input may touch: a file outside its folder, a host, the folder's other files.
 
     Attributes:
-        folder: The one folder that an input may lie in; attempts leave it as it was.
+        folder: The folder for an input. Attempts must leave it unchanged.
         secret: A raster outside, which inputs name: nobody may read it.
         listener: A port of this computer, which inputs name: nobody may call it.
     """
@@ -109,7 +109,7 @@ class World:
 
 
 class Placed:
-    """Bytes that lie in a file while a door reads them, and are the same afterwards."""
+    """Bytes in a file. They must be the same after a reader has read them."""
 
     def __init__(self, folder: Path, name: str) -> None:
         self.path = os.path.join(folder, name)

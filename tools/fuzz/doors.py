@@ -594,7 +594,7 @@ def on_board(world: World) -> Tools:
 
 
 def plant(path: bytes, kind: int, picture: bytes) -> None:
-    """A link to itself, a FIFO, a folder, a link to a device, a picture, or what is none."""
+    """A link to itself, a FIFO, a folder, a link to a device, a picture, or a file that is not a picture."""
     if kind == 0:
         os.symlink(os.path.basename(path), path)
     elif kind == 1:
@@ -608,7 +608,7 @@ def plant(path: bytes, kind: int, picture: bytes) -> None:
 
 
 def _run(main: Callable[[list[str]], int], arguments: list[str]) -> int:
-    """Runs the command line here; Broken where it has a fault or prints a number that is none."""
+    """Run the command line in this process; raise Broken at a fault or if it prints an invalid number."""
     out, err = io.StringIO(), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         try:

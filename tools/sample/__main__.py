@@ -5,11 +5,12 @@
 
 The folder then holds landcover.shp, classes.csv, orthophoto.tif (a rendered photo of the whole area), photos/*.jpg and
 photos.csv, flight/*.jpg and flight.csv, sample.json; with --label-images also images/*.png and truth.csv.
-The tables have every picture's center: `column`, `row` in pixels of the map ((0.5, 0.5) is the center of its first
-pixel) and `x`, `y` in map units; `rotation_deg` is the heading of the picture's top in degrees clockwise from grid
-north; `scale` is map pixels per picture pixel; `window` names the window it is centered on, if any.
-The same seed gives the same files. A FOLDER that holds files is left alone.
-Without FOLDER nothing is done where sample/ is there and this code has not changed since; an older one is replaced.
+The tables have the center of every image: `column`, `row` in pixels of the map ((0.5, 0.5) is the center of its first
+pixel), and `x`, `y` in map units. The heading of the image's top (`rotation_deg`) is in degrees clockwise from grid
+north. The scale is in map pixels per image pixel. A name in `window` is that of the window at the center, if any.
+
+The same seed gives the same files. The script does not write to a FOLDER with files. Without FOLDER it does nothing if
+sample/ was made by the current code; otherwise it replaces sample/.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def main(arguments: list[str] | None = None) -> int:
     from semref.core.errors import SemRefError
     from semref.storage.atomic_output import folder_written_beside
 
-    print(f"Making the sample area in {target}")
+    print(f"Creating the sample area in {target}")
     try:
         with folder_written_beside(str(target), replaces=bool(made_of)) as folder:
             report = write(Path(folder), options)
@@ -77,7 +78,7 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
         parser.error("the pixel size must be from {} to {} m, not {}".format(*PIXEL_SIZES_M, options.pixel_size))
     is_other = (options.seed, options.pixel_size, options.label_images) != (DEFAULT_SEED, 1.0, False)
     if options.folder is None and is_other:
-        parser.error("name a folder for an area other than the one that ships")
+        parser.error("choose a folder for an area other than the shipped one")
     return options
 
 

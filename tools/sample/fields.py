@@ -131,7 +131,7 @@ def bare_ground(
 
 
 def gardens(houses: list[Polygon], roads: BaseGeometry) -> list[MultiPolygon | Polygon]:
-    """Green around houses that stand together; one (multi)polygon a settlement."""
+    """Green areas around groups of houses; one (multi)polygon per settlement."""
     green = unary_union([h.buffer(17, 3) for h in houses]).buffer(9, 3).buffer(-9, 3).simplify(0.6)
     clumps = [
         Polygon(c.exterior, [h for h in c.interiors if Polygon(h).area > LARGEST_GREEN_M2])

@@ -1,4 +1,4 @@
-"""Buildings: footprints, and where they stand along streets and around farmyards."""
+"""Buildings: footprints, and their places along streets and around farmyards."""
 
 from __future__ import annotations
 

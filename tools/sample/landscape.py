@@ -36,7 +36,7 @@ class Feature:
 
     Attributes:
         class_value: Its class.
-        zorder: Drawing order; higher ones lie on top.
+        zorder: Drawing order; higher values are on top.
         geometry: Shapely geometry in map coordinates; None for a feature without one.
     """
 

@@ -1,4 +1,4 @@
-"""The ground of a photo: what lies where, and the color of everything flat, from fields with their rows to asphalt."""
+"""The ground of a photo: the class of each pixel, and the color of everything flat, from rows in fields to asphalt."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ LEAVES = (72, 94, 48)
 
 @dataclass(frozen=True)
 class Scene:
-    """What stands where.
+    """Feature, class and road of each pixel.
 
     Attributes:
-        owner: (H, W) int32 index of the uppermost feature, −1 for none.
-        kind: (H, W) uint8 class value, 0 for none.
+        owner: (H, W) int32 index of the uppermost feature, −1 without a feature.
+        kind: (H, W) uint8 class value, 0 without a class.
         road: (H, W) uint8, 1 on roads.
         pixel_m: Edge of a pixel, meters.
     """
@@ -87,7 +87,7 @@ def tinted(rng: np.random.Generator, rgb: npt.ArrayLike, strength: float) -> np.
 
 
 def ground_color(rng: np.random.Generator, scene: Scene, features: Sequence[Feature]) -> np.ndarray:
-    """(H, W, 3) color of everything that lies flat: fields with rows and tramlines, grass, water, gravel, roads."""
+    """Return the (H, W, 3) color of everything flat: fields with rows and tramlines, grass, water, gravel, roads."""
     shape, px = scene.owner.shape, scene.pixel_m
     base = np.array([feature_color(rng, f) for f in features] + [linear(VERGE)], np.float32)
     color = base[scene.owner]

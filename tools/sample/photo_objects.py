@@ -1,4 +1,4 @@
-"""What stands on the ground of a photo: forests, single trees and roofs, drawn into color, relief and height."""
+"""Draw the objects of a photo into color, relief and height: forests, single trees and roofs."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ MEADOW_TREE_SHARE = 0.13  # of that, elsewhere on grass
 def plant_forest(
     rng: np.random.Generator, scene: Scene, color: np.ndarray, relief: np.ndarray, height: np.ndarray
 ) -> None:
-    """Crowns on the forest: stands of conifers and of broad-leaved trees, each tree a little different."""
+    """Draw the crowns of the forest: groups of conifers and of broad-leaved trees, each tree a little different."""
     shape, px = scene.owner.shape, scene.pixel_m
     forest = scene.kind == FOREST
     stand = shapes.noise(rng, shape, 170 / px, 3)

@@ -1,8 +1,8 @@
 """Views of the map as an aircraft would have them: on windows, turned, scaled, and off the grid.
 
 A view is cut from any raster of the landscape, labels (h, w) or photo (h, w, 3): always real ground, never padding.
-Pixel coordinates are (column, row), (0.5, 0.5) at the center of the first pixel. Heading is in degrees clockwise from
-grid north, of the image's top: with 90 the top of the image lies in the east.
+Pixel coordinates are (column, row), (0.5, 0.5) at the center of the first pixel. The heading of the image's top is in
+degrees clockwise from grid north: with 90 the top of the image is in the east.
 """
 
 from __future__ import annotations
@@ -32,17 +32,17 @@ FLIGHT_SCALES = (0.95, 1.05)
 
 @dataclass(frozen=True)
 class Picture:
-    """One picture of the sample, as truth.csv tells of it.
+    """A picture of the sample, as in truth.csv.
 
     Attributes:
-        name: of its file
-        kind: what it is an example of
-        column: of its center, in pixels of the map
-        row: of its center, in pixels of the map
-        heading_deg: of its top, clockwise from grid north
-        scale: map pixels an image pixel shows
-        window: name of the window that it is centered on, if any
-        in_color: whether classes are shown by their colors
+        name: Name of the file.
+        kind: Kind of example.
+        column: Column of the center, in pixels of the map.
+        row: Row of the center, in pixels of the map.
+        heading_deg: Heading of the top, clockwise from grid north.
+        scale: Map pixels per image pixel.
+        window: Name of the window at the center, if any.
+        in_color: Whether classes are shown by their colors.
     """
 
     name: str
@@ -141,7 +141,7 @@ def _off_grid(
     suffix: str = "png",
     **settings: Any,
 ) -> list[Picture]:
-    """Views at any place, heading and scale whose corners stay on the map."""
+    """Draw views at any place, heading and scale with all corners on the map."""
     pictures = []
     margin = WINDOW_PX / 2 * np.sqrt(2) * max(OFF_GRID_SCALES) + 2
     for number in range(1, count + 1):
@@ -160,7 +160,7 @@ def _windows(rng: np.random.Generator, shape_hw: tuple[int, int], margin: float,
 
 
 def _nearest_window(column: float, row: float, shape_hw: tuple[int, int], reach: float) -> tuple[int, int]:
-    """The window nearest to a pixel whose neighborhood of `reach` pixels lies on the map."""
+    """Return the window nearest to a pixel with `reach` pixels of map around it."""
     return min(
         _grid(shape_hw, reach - WINDOW_PX / 2),
         key=lambda at: np.hypot(at[0] + WINDOW_PX / 2 - column, at[1] + WINDOW_PX / 2 - row),

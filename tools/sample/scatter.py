@@ -23,7 +23,7 @@ class Ground:
         self._cells: dict[tuple[int, int], list[Polygon]] = {}
 
     def is_free(self, shape: Polygon, clearance: float) -> bool:
-        """Whether the shape and a strip of `clearance` m around it lie inside the map and touch nothing placed."""
+        """Return whether the shape and `clearance` m around it are inside the map and touch no placed shape."""
         if not self._inside.contains(shape):
             return False
         wide = shape.buffer(clearance, 2) if clearance else shape

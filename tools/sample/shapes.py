@@ -77,7 +77,7 @@ def rotated(points_xy: np.ndarray, angle: float) -> np.ndarray:
 
 
 def rectangle(center_xy: npt.ArrayLike, heading: float, length: float, width: float) -> Polygon:
-    """A rectangle whose `length` runs along `heading`."""
+    """Return a rectangle with its `length` along `heading`."""
     half = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * [length / 2, width / 2]
     return Polygon(rotated(half, heading) + np.asarray(center_xy))
 
@@ -122,7 +122,7 @@ def polygons_of(geometry: BaseGeometry | None, min_area: float = 0.0) -> list[Po
 
 
 def mask_polygons(mask_hw: np.ndarray, pixel: float, min_area: float) -> list[Polygon]:
-    """Outlines with their holes of a mask whose first row is the southernmost; pixel edge in meters."""
+    """Return outlines with holes of a mask. Its first row is the southernmost; pixel edge in meters."""
     padded = np.pad(mask_hw.astype(np.uint8), 2, mode="edge")  # so that outlines pass the map's edge
     padded = np.pad(padded, 1)
     contours, tree = cv2.findContours(padded, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)

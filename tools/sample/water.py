@@ -35,7 +35,7 @@ class Rivers:
 
 
 def banked(rng: np.random.Generator, points_xy: np.ndarray, width: float, variation: float) -> BaseGeometry:
-    """A water surface along a line whose width varies by ± `variation` × width."""
+    """Return a water surface along a line; its width varies by ± `variation` × width."""
     wave = np.interp(np.arange(len(points_xy)), np.linspace(0, len(points_xy), 60), rng.uniform(-1, 1, 60))
     half = 0.5 * width * (1 + variation * wave)
     pieces = [LineString(points_xy[i : i + 2]).buffer(half[i], 5) for i in range(len(points_xy) - 1)]

@@ -1,4 +1,4 @@
-"""A model's card as a page in Markdown, to lie beside the model's file."""
+"""Write a model's card as a Markdown page next to the model file."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from semref.core.segmentation.model_card import Ground, ModelCard
 
 
 def card_page(card: ModelCard) -> str:
-    """The whole page, in English."""
+    """Return the whole page in English."""
     pixels = "" if card.resolution_m is None else f"{card.resolution_m:g} m a pixel"
     minutes = "" if card.minutes is None else f", {card.minutes:g} minutes of one processor"
     rows = [
@@ -26,7 +26,7 @@ def card_page(card: ModelCard) -> str:
 
 
 def quality_table(card: ModelCard) -> list[str]:
-    """IoU a class by place, in lines; nothing where none is told."""
+    """Return lines with the IoU per class by place; an empty list without figures."""
     tested = [one for one in card.tested_on if one.iou]
     if card.validation_iou:
         tested.append(Ground("parts set aside of the ground trained on", iou=card.validation_iou))

@@ -1,4 +1,4 @@
-"""Let a network that was exported with aligned corners show everything where it is.
+"""Correct a network that was exported with aligned corners, so that labels have the right place.
 
     .venv/bin/python tools/training/keep_places.py MODEL.onnx OUTPUT.onnx
 
@@ -20,7 +20,7 @@ MODE, ALIGNED, CENTERS = "coordinate_transformation_mode", b"align_corners", b"h
 
 
 def keep_places(model: onnx.ModelProto) -> int:
-    """Changes the model; how many enlargements had aligned corners."""
+    """Change the model and return how many enlargements had aligned corners."""
     modes = [a for node in model.graph.node if node.op_type == "Resize" for a in node.attribute if a.name == MODE]
     aligned = [mode for mode in modes if mode.s == ALIGNED]
     for mode in aligned:
@@ -38,7 +38,7 @@ def main() -> None:
     if not changed:
         sys.exit(f"{options.model} enlarges nothing with aligned corners; nothing was written.")
     onnx.save(model, options.output)
-    print(f"{options.output}: {changed} enlargements keep the places of what they enlarge")
+    print(f"{options.output}: {changed} enlargements now keep the right places")
 
 
 if __name__ == "__main__":

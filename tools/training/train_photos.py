@@ -1,13 +1,13 @@
-"""Train a network for real photos: buildings, and with Dubai's mosaics roads, vegetation, water and land as well.
+"""Train a network for real photos: buildings, and with Dubai's mosaics also roads, vegetation, water and land.
 
     .venv/bin/python tools/training/train_photos.py OUTPUT_FOLDER --python PYTHON_WITH_TORCH [--without-dubai]
         [--leave-out PLACE …] [--minutes 10] [--seed 1671]
 
-Reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data) and writes OUTPUT_FOLDER/photos.onnx, or
-buildings.onnx --without-dubai, with its card inside, beside it as .json, and to read as .md. --leave-out trains
-without a place and tests on it: NAME_without_PLACE.onnx; what came out is told by the card of the network of all
-places, whichever is made first. The weights are no part of SemRef: before they are given to others the licenses of what
-they were trained on have to be confirmed (docs/reference/networks.md).
+The script reads banepa, oam_buildings and dubai_aerial ($SEMREF_DATA or ../shared/data). It writes
+OUTPUT_FOLDER/photos.onnx (buildings.onnx with --without-dubai) with the model's card, also as .json and .md.
+--leave-out trains without a place and tests on it: NAME_without_PLACE.onnx. The card of the network of all places has
+the results. The weights are not part of SemRef. Confirm the licenses of the training data before you share the weights
+(docs/reference/networks.md).
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ from semref.training.job import LITE0, PACKAGED, Job  # noqa: E402
 DATA = Path(os.environ.get("SEMREF_DATA") or ROOT.parent / "shared" / "data")
 PHOTOS, BUILDINGS_ONLY = "photos", "buildings"
 RESOLUTIONS_M = {PHOTOS: 0.5, BUILDINGS_ONLY: 0.25}
-"""Houses of Dubai's mosaics and of drones' photos are about as many pixels wide at half a meter; without Dubai finer
-pixels keep terraces apart."""
+"""Pixel sizes in m. At 0.5 m houses of Dubai's mosaics and of drone photos have similar widths in pixels. Without
+Dubai, finer pixels separate terraced houses."""
 
 TILE_PX, STRIDE_PX, DUBAI_TILE_PX, SHOWN_TILE_PX = 256, 128, 512, 512
 VALIDATION_FRACTION = 0.15
@@ -81,11 +81,11 @@ def main() -> None:
 def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output_folder", type=Path)
-    parser.add_argument("--python", type=Path, default=ROOT / ".venv-train" / "bin" / "python", help="one with torch")
-    parser.add_argument("--without-dubai", action="store_true", help="buildings only, nothing of unconfirmed license")
+    parser.add_argument("--python", type=Path, default=ROOT / ".venv-train" / "bin" / "python", help="with torch")
+    parser.add_argument("--without-dubai", action="store_true", help="buildings only; no unconfirmed license")
     names = [one.name for one in PLACES]
-    parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="trained without, tested on each")
-    parser.add_argument("--minutes", type=float, default=10.0, help="of the processor; default %(default)s")
+    parser.add_argument("--leave-out", nargs="+", default=[], choices=names, help="tested without training on it")
+    parser.add_argument("--minutes", type=float, default=10.0, help="minutes of processor time; default %(default)s")
     parser.add_argument("--threads", type=int, default=0, help="of torch")
     parser.add_argument("--seed", type=int, default=1671)
     options = parser.parse_args()
@@ -97,7 +97,7 @@ def parse() -> argparse.Namespace:
 
 
 def tiles_of(one: Place, name: str, folder: Path) -> list[Path]:
-    """Folders of training tiles of a place's photos; what is there already is kept."""
+    """Return the folders of training tiles of a place's photos; keep existing tiles."""
     classes = ALL_CLASSES if name == PHOTOS else BUILDINGS
     table = folder / f"classes_{name}.csv"
     table.write_text(places.class_table(classes), encoding="utf-8")
@@ -113,7 +113,7 @@ def tiles_of(one: Place, name: str, folder: Path) -> list[Path]:
 
 
 def cut(image: str, labels: str, tiles: Path, table: str, size: int, stride: int) -> None:
-    """Tiles of one photo; of one too small to set ground aside all of it is trained on."""
+    """Export tiles of a photo. All tiles of a small photo are for training, without validation."""
     for fraction in (VALIDATION_FRACTION, 0.0):
         made = tiles.with_name(f"{tiles.name}_{fraction:g}")
         made.mkdir(parents=True)
@@ -129,7 +129,7 @@ def cut(image: str, labels: str, tiles: Path, table: str, size: int, stride: int
 
 
 def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, Place]) -> None:
-    """Runs the training of semref:trainmodel; ends this program where it fails."""
+    """Run the training of semref:trainmodel; exit if it fails."""
     complete = {path: list(one.drawn) for path, one in tiles.items() if one.drawn != ALL_CLASSES}
     job = Job(
         tuple(tiles),
@@ -160,7 +160,7 @@ def train(options: argparse.Namespace, name: str, model: Path, tiles: dict[str, 
 
 
 def card_of(name: str, title: str, places: list[Place]) -> dict:
-    """What people should know before they use the network."""
+    """Return the limits that users of the network should know."""
     unlike = list(dict.fromkeys(places))
     licenses = " ".join(f"{one.name}: {one.license}." for one in unlike)
     return {
@@ -173,7 +173,7 @@ def card_of(name: str, title: str, places: list[Place]) -> dict:
 
 
 def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
-    """IoU on a place that the network was not trained on, as the card tells it."""
+    """Return the IoU on a place left out of training, for the card."""
     network = SegmentationModel(str(model), 1)
     table = read_class_table(str(folder / f"classes_{name}.csv"))
     values = network.classes.values_in(table, model.name)
@@ -191,7 +191,7 @@ def tested_on(one: Place, name: str, model: Path, folder: Path) -> dict:
 
 
 def pixels(path: Path) -> np.ndarray:
-    """(H, W) or (H, W, 3) uint8 of a file."""
+    """Read a file as (H, W) or (H, W, 3) uint8."""
     from osgeo import gdal
 
     bands = gdal.Open(str(path)).ReadAsArray()
@@ -199,7 +199,7 @@ def pixels(path: Path) -> np.ndarray:
 
 
 def write_card(folder: Path, name: str) -> None:
-    """Puts what networks with a place left out found into the card of that of all places; card and page beside it."""
+    """Add the results of networks without a place to the card of the network of all places; write card and page."""
     path = folder / f"{name}.onnx"
     data = path.read_bytes()
     card = json.loads(read_metadata(data)[KEY])

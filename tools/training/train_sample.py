@@ -1,10 +1,10 @@
-"""Train the demonstration model: photos of made-up areas that are not the one it is shown on.
+"""Train the sample model on photos of made-up areas other than the sample area.
 
     .venv/bin/python tools/training/train_sample.py OUTPUT_FOLDER [--seeds 11 12 13 14 15] [-- options of train_pan.py]
 
-Makes an area a seed (tools/sample), its label map (semref:rasterizeannotation) and training tiles
-(semref:exporttrainingtiles), then trains in .venv-train (setup_training.sh). What is there already is kept.
-OUTPUT_FOLDER/sample_area.onnx is the model.
+For each seed the script creates an area (tools/sample), its label map (semref:rasterizeannotation) and training tiles
+(semref:exporttrainingtiles). Then it trains in .venv-train (setup_training.sh). Existing files are kept. The model is
+OUTPUT_FOLDER/sample_area.onnx.
 """
 
 from __future__ import annotations
@@ -48,18 +48,18 @@ CARD = {
     "not_for": "Any photo of the real world: it has never seen one.",
     "license": "That of SemRef; no foreign data went into it.",
 }
-"""What the model says of itself."""
+"""Return the model's own description."""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output_folder", type=Path)
     parser.add_argument("--seeds", type=int, nargs="+", default=list(SEEDS))
-    parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="with the training's packages")
+    parser.add_argument("--python", type=Path, default=TRAINING_PYTHON, help="Python of the training environment")
     end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)  # argparse can't have options between positionals
     options, training = parser.parse_args(sys.argv[1:end]), sys.argv[end + 1 :]
     if DEFAULT_SEED in options.seeds:
-        parser.error(f"{DEFAULT_SEED} is the area that the model is shown on; train on others")
+        parser.error(f"{DEFAULT_SEED} is the sample area. Train on other seeds.")
     if not options.python.exists():
         parser.error(f"{options.python} is missing; run bash tools/training/setup_training.sh first")
     folder = options.output_folder.absolute()
@@ -82,7 +82,7 @@ def main() -> None:
 
 
 def tiles_of(area: Path, seed: int) -> Path:
-    """The training tiles of a seed's area."""
+    """Return the training tiles of a seed's area."""
     import processing
 
     tiles, labels = area.with_name(f"{area.name}_tiles"), area.with_name(f"{area.name}_labels.tif")
