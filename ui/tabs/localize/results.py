@@ -118,7 +118,7 @@ class ResultsBox(QgsCollapsibleGroupBox):
         name_fold(self)
 
     def share_room(self) -> None:
-        """Give height that the picture does not need to the table, unless the user moved the splitter."""
+        """Give height that the picture does not need to table and details, unless the user moved the splitter."""
         if QgsSettings().contains(_PARTS_SETTING):
             return
         room = sum(self.parts.sizes())
@@ -128,7 +128,8 @@ class ResultsBox(QgsCollapsibleGroupBox):
         wanted = self.image.height_for_all(self.parts.width())
         least = max(self.table.minimumSizeHint().height(), both // (_SHARES[0] + _SHARES[1]))
         height = max(least, min(both - wanted, self.table.height_of_all())) if wanted else least
-        self.parts.setSizes([height, both - height, details])
+        spare = min(max(0, both - height - wanted), self.details.sizeHint().height()) if wanted else 0
+        self.parts.setSizes([height, both - height - spare, details + spare])
 
     def show_findings(self, findings: list[Finding]) -> None:
         """Replace the results, and select the first one."""
