@@ -22,7 +22,6 @@ from .dock.dock import SemRefDock
 from .dock.preload import Preload
 from .packages.component_installer import ComponentInstaller
 from .running.localization_run import named_results
-from .widgets.messages import Messages
 
 if TYPE_CHECKING:
     from .packages.components_page import ComponentsPage
@@ -86,13 +85,13 @@ class DockEntry:
         if lacking:
             titles = ", ".join(package.title for package in lacking)
             sentence = tr("The sample project needs {packages}.").format(packages=titles)
-            notice = Messages(self._iface.messageBar()).error_with(sentence, tr("Install…"), self._show_options)
+            notice = self._dock.messages.error_with(sentence, tr("Install…"), self._show_options)
             self._installer.installed.connect(notice.dismiss)
             return
         self._sample_project().ask()
 
     def _copy_diagnostics(self) -> None:
-        Messages(self._iface.messageBar()).success(self._diagnostics.copy())
+        self._dock.messages.success(self._diagnostics.copy())
 
     def _sample_project(self):
         if self._sample is None:

@@ -20,7 +20,7 @@ from ..storage.text_tables import CLASSES_FILE, read_class_table
 from .project_state import read_state
 from .running.algorithm_run import AlgorithmRun
 from .widgets.database_box import MAKE_DATABASE
-from .widgets.messages import TAG, Messages
+from .widgets.messages import TAG
 from .widgets.progress import RemainingBar
 
 FOLDER = "semref_sample"
@@ -49,7 +49,7 @@ class SampleProject(QObject):
     def __init__(self, iface, dock) -> None:
         super().__init__(iface.mainWindow())
         self._iface, self._dock = iface, dock
-        self._messages = Messages(iface.messageBar())
+        self._messages = dock.messages
         self._folder = Path()
         self.run = AlgorithmRun(self)
         for signal in (self.run.done, self.run.failed, self.run.broke, self.run.canceled):
