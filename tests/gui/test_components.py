@@ -38,15 +38,6 @@ def page(plugin, iface):
     made.deleteLater()
 
 
-def keep_picture(widget, name: str) -> None:
-    """For looking at, where SEMREF_PICTURES names a folder."""
-    from qgis.PyQt.QtCore import QCoreApplication
-
-    QCoreApplication.processEvents()
-    if "SEMREF_PICTURES" in os.environ:
-        widget.grab().save(os.path.join(os.environ["SEMREF_PICTURES"], f"{name}.png"))
-
-
 def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticked(page, lacking):
     from qgis.core import QgsApplication
     from qgis.PyQt.QtCore import Qt
@@ -61,7 +52,6 @@ def test_the_page_lists_what_is_missing_and_copies_the_command_for_what_is_ticke
     page.list.topLevelItem(0).setCheckState(0, Qt.CheckState.Unchecked)
     page.copy.click()
     assert QgsApplication.clipboard().text() == install_command([ONNXRUNTIME])
-    keep_picture(page, "components_page")
 
 
 @pytest.mark.parametrize("width", [640, 760, 1100])
@@ -76,7 +66,6 @@ def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page
     listed = page.list
     assert listed.horizontalScrollBar().maximum() == 0 and listed.verticalScrollBar().maximum() == 0
     assert listed.header().length() <= listed.viewport().width()
-    keep_picture(page, f"components_page_{width}")
     metrics = listed.fontMetrics()
     wraps = Qt.TextFlag.TextWordWrap
     for row in range(listed.topLevelItemCount()):
@@ -87,7 +76,6 @@ def test_every_word_of_the_list_is_seen_without_scrolling_whatever_it_takes(page
             assert needed.width() <= shown.width() and needed.height() <= shown.height(), item.text(column)
     below = listed.visualItemRect(listed.topLevelItem(listed.topLevelItemCount() - 1)).bottom()
     assert below < listed.viewport().height() < below + 2 * metrics.height()
-    keep_picture(page, f"components_page_{width}")
 
 
 def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lacking):
@@ -99,7 +87,6 @@ def test_the_dock_says_what_is_missing_until_it_is_installed(plugin, iface, lack
     dock = iface.docks[0]
     assert dock.notice.isVisible() and "does not have yet: OpenCV, ONNX Runtime." in dock.notice.sentence.text()
     assert dock.findChild(QTabWidget) is None
-    keep_picture(dock, "dock_notice")
     dock.notice.install.click()
     assert iface.options_pages_shown == [PAGE]
     lacking.clear()
@@ -176,10 +163,6 @@ def test_devices_that_onnxruntime_reports_can_be_chosen_and_the_choice_is_kept(
     fake_providers(monkeypatch, "CPU")
     again = iface.options_factories[0].createWidget(None)
     assert again.devices.device.currentData() == "cuda" and "CUDA (onnxruntime-gpu)" in again.devices.missing.text()
-    page.resize(420, 700)
-    page.show()
-    keep_picture(page, "components_page_devices")
-    page.hide()
 
 
 def test_a_package_that_brings_a_device_is_installed_from_the_index_or_a_folder(page, lacking, monkeypatch, tmp_path):

@@ -45,8 +45,6 @@ def dialog(folder):
     made = ModelsDialog()
     made.show()
     yield made
-    if "SEMREF_PICTURES" in os.environ:
-        made.grab().save(os.path.join(os.environ["SEMREF_PICTURES"], "models.png"))
     made.close()
     made.deleteLater()
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import pytest
-
-DEADLINE_S = 300
+from dock_area import settle, wait_until
 
 
 @pytest.fixture
@@ -36,24 +34,6 @@ def open_sample(plugin, iface, monkeypatch):
         action.trigger()
 
     return click
-
-
-def settle() -> None:
-    """Lets queued signals and deleteLater happen."""
-    from qgis.PyQt.QtCore import QCoreApplication, QEvent
-
-    for _ in range(5):
-        QCoreApplication.processEvents()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-
-def wait_until(condition, what: str) -> None:
-    deadline = time.monotonic() + DEADLINE_S
-    while not condition():
-        if time.monotonic() > deadline:
-            pytest.fail(f"{what} did not happen within {DEADLINE_S} s.")
-        settle()
-        time.sleep(0.01)
 
 
 def messages(iface) -> list:
