@@ -7,8 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from ..core.assessment.assessment import Assessment
-from ..core.assessment.job import AssessmentJob
+from ..core.assessment.assessment import Assessment, AssessmentJob
 from ..core.database.model import ReferenceDatabase
 from ..core.errors import DatabaseError, SemRefError
 from ..core.evaluation.evaluation import Evaluation

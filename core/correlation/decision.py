@@ -190,5 +190,10 @@ def position_error_95(
     if not np.isfinite(covariance_m2).all():
         return float("inf")
     deviation = float(np.sqrt(max(np.linalg.eigvalsh(covariance_m2).max(), 0.0)))
-    noise = max(1 / max(score, 0.1) ** 2 - 1, settings.least_noise)
-    return float(np.hypot(settings.error_factor * noise * deviation, settings.error_floor_px * overview_pixel_m))
+    factor = settings.error_factor * noise_ratio(score, settings)
+    return float(np.hypot(factor * deviation, settings.error_floor_px * overview_pixel_m))
+
+
+def noise_ratio(score: float, settings: CorrelationSettings) -> float:
+    """Return the noise-to-signal ratio of labels whose correlation with the map is ``score``: 1 / score² − 1."""
+    return max(1 / max(score, 0.1) ** 2 - 1, settings.least_noise)

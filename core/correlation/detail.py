@@ -10,8 +10,6 @@ this ground; at the right one it stands out (the peak-to-sidelobe ratio of corre
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import cv2
 import numpy as np
 
@@ -37,11 +35,6 @@ def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> fl
     aside = correlation[np.maximum(down[:, None], right) >= window]
     spread = float(aside.std()) if aside.size else 0.0
     return float(correlation[0, 0]) / spread if spread > 0 and window > 1 else 0.0
-
-
-def details_at(image: EvidenceLevel, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[float]:
-    """``detail_at`` of each pose."""
-    return [detail_at(image, pyramid, pose) for pose in poses]
 
 
 def _window(image: EvidenceLevel, coarse_edge: int) -> int:

@@ -11,6 +11,7 @@ from ..geometry.error_settings import ClassBias, SharedErrors
 from ..geometry.pose import PoseCovariance, as_pairs
 from ..geometry.radius import CIRCLE_95
 from ..geometry.shared_errors import AREAS, CLASSES, MAP, VIEW, covariance_of
+from .decision import noise_ratio
 from .refine import ScoredPose, axes
 from .settings import CORRELATION, CorrelationSettings
 from .view_effects import ViewEffect
@@ -21,7 +22,7 @@ SAMPLES = 5
 
 def noise_factor(score: float, settings: CorrelationSettings = CORRELATION) -> float:
     """What standard deviations of the refinement are multiplied with, because errors of labels are not independent."""
-    return settings.error_factor * max(1 / max(score, 0.1) ** 2 - 1, settings.least_noise) / CIRCLE_95
+    return settings.error_factor * noise_ratio(score, settings) / CIRCLE_95
 
 
 def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:

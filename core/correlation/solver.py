@@ -24,7 +24,7 @@ from ..localization import RISK, CorrelationPeaks, Localization, Method, Place, 
 from ..sentences import Sentence
 from .class_pyramid import EvidenceLevel, MapPyramid, evidence_level, mirror_level
 from .decision import decide, decide_accuracy, position_error_95, rank, risk_of_peaks
-from .detail import details_at
+from .detail import detail_at
 from .exactness import covariance_on_map, full_pose_covariance, noise_factor
 from .parts import disagreeing_part
 from .places import (
@@ -119,12 +119,11 @@ def _rank_places(
     space, wide = spaces
     near = near_size(space, best_size), None if wide is None else near_size(wide, best_size)
     mirrored, _ = best_places(mirror_level(image), pyramid, near, settings.decoys)
-    scores = [chance.moved(pose.score, pose.pixel_size_m, best_size) for pose in poses]
-    decoys = [pose.score for pose in mirrored]
     level = reduce_image(image, settings.decision_edge)
+    flipped = mirror_level(level)
     order, peaks = rank(
-        list(zip(scores, details_at(level, pyramid, poses))),
-        list(zip(decoys, details_at(mirror_level(level), pyramid, mirrored))),
+        [(chance.moved(p.score, p.pixel_size_m, best_size), detail_at(level, pyramid, p)) for p in poses],
+        [(decoy.score, detail_at(flipped, pyramid, decoy)) for decoy in mirrored],
         settings,
     )
     return [poses[n] for n in order], peaks

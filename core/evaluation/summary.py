@@ -146,13 +146,13 @@ def success_by_offset(trials: Sequence[Trial], method: str) -> list[RateAt]:
     """Right fixes of windows that were moved by each of OFFSETS."""
     moved = of_method(trials, method, OFFSET)
     offsets = [round(cast(WindowQuery, t.query).offset, 6) for t in moved]
-    return _right_by(offsets, moved, (*OFFSETS, np.inf))
+    return binned(offsets, [t.is_right for t in moved], (*OFFSETS, np.inf))
 
 
 def success_by_landmarks(trials: Sequence[Trial], edges: Sequence[float] = LANDMARK_BINS) -> list[RateAt]:
     """Right ones among the trials whose landmarks were counted, from each edge to the next, the last without end."""
     counted = [t for t in trials if t.landmarks is not None]
-    return _right_by([t.landmarks or 0 for t in counted], counted, (*edges, np.inf))
+    return binned([t.landmarks or 0 for t in counted], [t.is_right for t in counted], (*edges, np.inf))
 
 
 def reliability(trials: Sequence[Trial], method: str) -> list[RateAt]:
@@ -190,8 +190,3 @@ def noise_rates(trials: Sequence[Trial]) -> list[list[Rate]]:
         [rate_of(t.is_right for t in tried if (t.query.noise.missed, t.query.noise.spurious) == pair) for pair in row]
         for row in ([(missed, spurious) for spurious in levels] for missed in levels)
     ]
-
-
-def _right_by(values: Sequence[float], trials: Sequence[Trial], edges: Sequence[float]) -> list[RateAt]:
-    """Right fixes by one value a trial."""
-    return binned(values, [t.is_right for t in trials], edges)

@@ -5,14 +5,14 @@ From a CSV, from the EXIF and XMP of a photo, from the log of its flight: the on
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from dataclasses import replace
 from datetime import datetime, timezone
-from math import isfinite
 
 from ..errors import ParameterError
-from ..geometry.camera import Camera, Height, Lens, above_ground
+from ..geometry.camera import Camera, Lens, above_ground
 from ..geometry.leveling import Attitude
 from ..labels.photo_camera import photo_camera
 from ..sentences import Sentence
@@ -100,13 +100,7 @@ def _read_table(path: str) -> dict[str, Camera]:
     found: dict[str, Camera] = {}
     dated = set()
     for row in rows_of(path, check_cameras):
-        stem = image_of(row)
-        if stem in found:
-            raise ParameterError(
-                "{place}: the image {image} is named a second time; give each image one line.",
-                place=row.place,
-                image=stem,
-            )
+        stem = image_of(row, found)
         found[stem] = row_camera(row, os.path.basename(path))
         text = row.texts.get("time", "")
         dated |= {_is_date(text)} if text else set()
@@ -116,58 +110,47 @@ def _read_table(path: str) -> dict[str, Camera]:
 
 
 def row_camera(row: Row, source: str) -> Camera:
-    """The camera of a row.
+    """Return the camera of a row.
 
     Args:
         source: Name of the file.
 
     Raises:
-        ParameterError: It can't be used; the line is named.
+        ParameterError: A cell can't be used; the error names the line.
     """
     texts, place = {name: row.texts.get(name, "") for name in COLUMNS}, row.place
     if bool(texts["roll"]) != bool(texts["pitch"]):
-        raise ParameterError("{place}: roll or pitch is empty; give both, or neither.", place=place)
+        raise ParameterError("{place}: roll or pitch is empty. Enter both or neither.", place=place)
     kinds = [kind for kind in LENSES if texts[kind]]
     if len(kinds) > 1:
-        raise ParameterError("{place}: {kinds} say the same thing twice; give one of them.", place=place, kinds=kinds)
-    lens = Lens(kinds[0], _number(texts, kinds[0], place)) if kinds else None
-    if lens and not 0 < lens.value < (180 if lens.kind == "field_of_view" else float("inf")):
         raise ParameterError(
-            "{place}: {kind} is {value:g}, which no camera has.", place=place, kind=lens.kind, value=lens.value
+            "{place}: {kinds} describe the same lens. Enter only one of them.", place=place, kinds=kinds
         )
+    lens = None
+    if kinds:
+        lens = Lens(kinds[0], _positive(row, kinds[0], 180.0 if kinds[0] == "field_of_view" else math.inf))
     attitude = None
     if texts["roll"]:
         try:
-            attitude = Attitude(_number(texts, "roll", place), _number(texts, "pitch", place))
+            attitude = Attitude(row.number("roll"), row.number("pitch"))
         except ParameterError as error:
-            raise ParameterError("{where}: {fault}", where=place, fault=error.sentence) from None
+            # Attitude itself does not name the line.
+            fault = error.sentence
+            raise ParameterError("{where}: {fault}", where=place, fault=fault) from None
     time_s = _seconds(texts["time"], place) if texts["time"] else None
-    heading = _number(texts, "heading", place) % 360.0 if texts["heading"] else None
-    if heading is not None and not isfinite(heading):
+    height = above_ground(_positive(row, "height")) if texts["height"] else None
+    heading = row.number("heading") % 360.0 if texts["heading"] else None
+    return Camera(attitude, lens, source, time_s, height=height, heading_deg=heading)
+
+
+def _positive(row: Row, name: str, below: float = math.inf) -> float:
+    """Return a number above 0 and below ``below``; raises ParameterError for any other."""
+    value = row.number(name)
+    if not 0 < value < below:
         raise ParameterError(
-            "{place}: {name} is “{text}”, which is not a number.", place=place, name="heading", text=texts["heading"]
+            "{place}: {kind} is {value:g}, which is impossible.", place=row.place, kind=name, value=value
         )
-    return Camera(attitude, lens, source, time_s, height=_height(texts, place), heading_deg=heading)
-
-
-def _height(texts: dict[str, str], place: Sentence) -> Height | None:
-    if not texts["height"]:
-        return None
-    meters = _number(texts, "height", place)
-    if not 0 < meters < float("inf"):
-        raise ParameterError(
-            "{place}: {kind} is {value:g}, which no camera has.", place=place, kind="height", value=meters
-        )
-    return above_ground(meters)
-
-
-def _number(texts: dict[str, str], name: str, place: Sentence) -> float:
-    try:
-        return float(texts[name])
-    except ValueError:
-        raise ParameterError(
-            "{place}: {name} is “{text}”, which is not a number.", place=place, name=name, text=texts[name]
-        ) from None
+    return value
 
 
 def _is_date(text: str) -> bool:
@@ -181,7 +164,7 @@ def _seconds(text: str, place: Sentence) -> float:
         seconds = float(text) if moment is None else 0.0
     except ValueError:
         seconds = float("nan")
-    if not isfinite(seconds):
+    if not math.isfinite(seconds):
         raise ParameterError(
             "{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.",
             place=place,

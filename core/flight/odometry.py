@@ -11,7 +11,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ..errors import ParameterError
 from .motion import Link, LinkSource
 from .table import Columns, Row, image_of, rows_of, stem_of
 
@@ -72,14 +71,7 @@ def read_odometry(path: str) -> tuple[OdometryRow, ...]:
     steps: list[OdometryRow] = []
     named: set[str] = set()
     for row in rows_of(path, check_odometry):
-        stem = image_of(row)
-        if stem in named:
-            raise ParameterError(
-                "{place}: the image {image} is named a second time; give each image one line.",
-                place=row.place,
-                image=stem,
-            )
-        named.add(stem)
+        named.add(image_of(row, named))
         steps.append(step_of(row, is_first=not steps))
     return tuple(steps)
 

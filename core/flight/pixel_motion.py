@@ -60,14 +60,10 @@ class Motion:
     Attributes:
         link: The motion; None where none was found.
         reason: Why none was found; None with a link.
-        agreeing: Cells of the overlap that agree with the motion.
-        cells: Cells with texture in the overlap.
     """
 
     link: Link | None
     reason: Sentence | None = None
-    agreeing: int = 0
-    cells: int = 0
 
 
 def motion_between(first: Features, second: Features, numbers: tuple[int, int] = (0, 1)) -> Motion:
@@ -98,9 +94,9 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
                 agreeing=agreeing,
                 cells=cells,
             )
-            return Motion(None, reason, agreeing, cells)
+            return Motion(None, reason)
         mapping = found.mapping
-        motion = Motion(_link(first, second, found, agreeing / cells, numbers), None, agreeing, cells)
+        motion = Motion(_link(first, second, found, agreeing / cells, numbers))
     return motion
 
 

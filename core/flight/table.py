@@ -6,7 +6,7 @@ import csv
 import os
 import re
 import stat
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from typing import Callable
@@ -124,6 +124,7 @@ class Columns:
     @classmethod
     def of(cls, path: str, line: str) -> Columns:
         """Reads a first line whose cells are separated by commas, semicolons or tabs."""
+        _require_length(path, line)
         first = line.strip()
         separator = max(",;\t", key=first.count)
         return cls(path, tuple(name.strip().strip('"').lower() for name in first.split(separator)), separator, first)
@@ -148,12 +149,7 @@ class Columns:
         Raises:
             ParameterError: The line is none of a table.
         """
-        if len(line) > limits.LINE_CHARACTERS:
-            raise ParameterError(
-                "{path} has a line of more than {most} characters; choose another file.",
-                path=self.path,
-                most=limits.LINE_CHARACTERS,
-            )
+        _require_length(self.path, line)
         place = Sentence("{source}, line {line}", source=self.path, line=number)
         try:
             cells = next(csv.reader([line], delimiter=self.separator, skipinitialspace=True), [])
@@ -161,6 +157,15 @@ class Columns:
             # A null character, before Python 3.11.
             raise ParameterError("{path} can't be read: {reason}.", path=place, reason=str(error)) from None
         return Row({name: cell.strip() for name, cell in zip(self.names, cells)}, place)
+
+
+def _require_length(path: str, line: str) -> None:
+    if len(line) > limits.LINE_CHARACTERS:
+        raise ParameterError(
+            "{path} has a line of more than {most} characters; choose another file.",
+            path=path,
+            most=limits.LINE_CHARACTERS,
+        )
 
 
 Check = Callable[[Columns], None]
@@ -177,12 +182,6 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
         ParameterError: The file can't be used.
     """
     numbered = [(n, line) for n, line in enumerate(text_of(path).splitlines(), start=1) if line.strip()]
-    if any(len(line) > limits.LINE_CHARACTERS for _, line in numbered):
-        raise ParameterError(
-            "{path} has a line of more than {most} characters; choose another file.",
-            path=path,
-            most=limits.LINE_CHARACTERS,
-        )
     columns = Columns.of(path, numbered[0][1] if numbered else "")
     check(columns)
     for number, line in numbered[1:]:
@@ -194,9 +193,20 @@ def stem_of(path: str) -> str:
     return os.path.splitext(re.split(r"[/\\]", path)[-1])[0]
 
 
-def image_of(row: Row) -> str:
-    """Name of the image of a row, without folders and extension; raises ParameterError where it names none."""
+def image_of(row: Row, known: Container[str] = ()) -> str:
+    """Return the name of a row's image, without folders and extension.
+
+    Args:
+        known: Names of the rows before.
+
+    Raises:
+        ParameterError: The row names no image, or one of those before.
+    """
     stem = stem_of(row.texts.get("image", ""))
     if not stem:
-        raise ParameterError("{place}: no image is named; give each image one line.", place=row.place)
+        raise ParameterError("{place}: the image is missing. Enter its file name.", place=row.place)
+    if stem in known:
+        raise ParameterError(
+            "{place}: the image {image} has a row already. Keep one row for each image.", place=row.place, image=stem
+        )
     return stem

@@ -89,13 +89,7 @@ class TableOfImages(Generic[Told]):
         try:
             if isinstance(row, ParameterError):
                 raise row
-            image = image_of(row)
-            if image in self._numbers:
-                raise ParameterError(
-                    "{place}: the image {image} is named a second time; give each image one line.",
-                    place=row.place,
-                    image=image,
-                )
+            image = image_of(row, self._numbers)
             told = self._read(row, self._is_cut)
         except ParameterError as error:
             if is_strict:

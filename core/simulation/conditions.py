@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -68,3 +68,25 @@ ASSUMED = Conditions(
 )
 """What assessments assume unless they are told otherwise: maps of another date, houses of 5 m seen from 1,000 m, a
 network as those that were measured, a camera without calibration on a gimbal; in meters."""
+
+
+def conditions_of(numbers: Mapping[str, float]) -> Conditions:
+    """How poor labels and cameras are taken to be.
+
+    Args:
+        numbers: By name: missed, invented, misnamed, ragged, background, displaced, shifted, leaning, lens and tilt;
+            percent, map units, degrees.
+
+    Raises:
+        ParameterError: For what can't be.
+    """
+    noise = LabelNoise(
+        numbers["missed"] / 100,
+        numbers["invented"] / 100,
+        numbers["misnamed"] / 100,
+        numbers["ragged"],
+        background=numbers["background"] / 100,
+        displaced=numbers["displaced"],
+        leaning=numbers["leaning"] / 100,
+    )
+    return Conditions(noise, numbers["shifted"], numbers["lens"] / 100, numbers["tilt"])

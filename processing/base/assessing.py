@@ -136,7 +136,7 @@ class AssessAlgorithm(SemRefAlgorithm):
 
     def conditions(self, values: Values) -> Conditions:
         """How poor labels and cameras are taken to be, in map units. Raises ParameterError for what can't be."""
-        from ...core.assessment.job import conditions_of
+        from ...core.simulation.conditions import conditions_of
 
         usual = {key: (number, number) for key, (number, _) in USUAL.items()}
         ranges = noise_ranges(values, usual, lambda key: (values.number(key),) * 2)
@@ -231,14 +231,13 @@ class AssessAlgorithm(SemRefAlgorithm):
             (trials, those that map correlation was tried on by their numbers in the queries) of each assessment.
         """
         from ...cluster.task_names import ASSESS, CORRELATE
-        from ...core.assessment.assessment import CORRELATED_SHARE, to_correlate
-        from ...core.assessment.job import job_of
+        from ...core.assessment.assessment import CORRELATED_SHARE, AssessmentJob, to_correlate
 
         def answers(task: str, here: Callable[..., Trial], asked: list[tuple[int, PlaceQuery]], size: int) -> Iterator:
             if run is None:
                 return (here(assessments[n], query) for n, query in asked)
             pieces = [(assessments[n].footprint, query) for n, query in asked]
-            return run.answers(task, job_of(assessments), pieces, assessments[0].database, size)
+            return run.answers(task, AssessmentJob.of(assessments[0]), pieces, assessments[0].database, size)
 
         def simulate_one(assessment: Assessment, query: PlaceQuery) -> Trial:
             # Milliseconds each, so that a thread for every one would cost more than it helps.

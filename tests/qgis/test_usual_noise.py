@@ -2,10 +2,9 @@
 
 import pytest
 
-from semref.core.assessment.job import conditions_of
 from semref.core.evaluation.evaluation import TrialRanges
 from semref.core.localization import Method
-from semref.core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG
+from semref.core.simulation.conditions import ASSUMED, LARGEST_LENS, LARGEST_TILT_DEG, conditions_of
 from semref.processing.algorithms.evaluate_localization import ORDER
 from semref.processing.algorithms.evaluate_localization import USUAL as RANGES
 from semref.processing.base.assessing import USUAL

@@ -69,7 +69,7 @@ def test_a_table_in_the_other_order_is_turned_round(tmp_path):
         (["a,,,", "b,1e9,0,0"], "line 3: dx_m is 1e.09"),
         (["a,,,", "b,1,2,720"], "line 3: dheading_deg is 720"),
         (["a,,,", "a,1,2,3"], "line 3: the image a"),
-        (["a,,,", ",1,2,3"], "line 3: no image"),
+        (["a,,,", ",1,2,3"], "line 3: the image is missing"),
     ],
 )
 def test_a_bad_row_is_reported_with_its_line(tmp_path, lines, said):

@@ -150,7 +150,6 @@ def test_ground_that_an_image_does_not_show_is_left_out():
     part = motion_between(
         photo_features(np.where(has_data, earlier, 0).astype(np.uint8), has_data), photo_features(later)
     )
-    assert part.cells < whole.cells
     assert part.link.translation == pytest.approx(whole.link.translation, abs=0.1)
 
 

@@ -96,8 +96,8 @@ def test_a_bad_line_is_reported_and_breaks_the_chain_of_links(path, capsys):
     ("lines", "message"),
     [
         (["a,,,,", "b,x,1,1,1"], "line 3"),
-        (["a,,,,", "a,1,1,1,1"], "second time"),
-        (["a,,,,", ",1,1,1,1"], "no image is named"),
+        (["a,,,,", "a,1,1,1,1"], "row already"),
+        (["a,,,,", ",1,1,1,1"], "the image is missing"),
         (["a,,,,", "b,1e9,1,1,1"], "must lie between"),
     ],
 )
