@@ -1,1 +1,1 @@
-"""Where a database will localize and where it will not, told before the flight."""
+"""Predict where a database will localize and where it will not, before a flight."""

@@ -1,7 +1,7 @@
-"""Where a database will localize: success, error and their reasons at given places, from trials and what they teach.
+"""Predict where a database will localize: success, error and reasons at given places, from trials and a model of them.
 
-Trials are planned, run one by one (``run``, and ``run_correlation`` for those without a fix) by whoever shows progress,
-and then estimated (``estimate``). A trial is made from (seed, number) alone.
+Callers plan trials, run them one by one (``run``, and ``run_correlation`` for those without a fix) and show progress.
+Then ``estimate`` gives the result. A trial depends on (seed, number) only.
 """
 
 from __future__ import annotations
@@ -25,50 +25,50 @@ from .model import SuccessModel, fit_success, local_sums
 
 WRONG = "wrong_fix"
 REASONS = (Status.TOO_FEW_REFERENCES.key, Status.AMBIGUOUS.key, Status.NO_MATCH.key, WRONG)
-"""Why there is no right fix."""
+"""Reasons for no right fix."""
 
 HEADINGS_DEG = (0.0, 30.0, 60.0)
-"""Headings at which a place's landmarks are counted; a square looks alike every 90°."""
+"""Headings at which a place's landmarks are counted; a square is the same every 90°."""
 
 TEXTURE_STEPS = 16
-"""Pixels across a footprint in which class areas are compared for a place's texture."""
+"""Pixels across a footprint for the comparison of class areas in a place's texture."""
 
 ERROR_STRENGTH = 2.0
-"""Right fixes nearby that the median error of all is worth in a place's expected error."""
+"""Weight of the median error of all fixes in a place's expected error, in right fixes nearby."""
 
 MOST_PARTS = 45_000
-"""Squares are looked at in 3 × 3 parts, as landmarks may lie on one side only; in fewer when there are many squares."""
+"""Squares are computed in 3 × 3 parts, because landmarks may be on one side only; in fewer parts for many squares."""
 
 CORRELATED_SHARE = 8
-"""Map correlation, which takes about a second an image, is tried on at most this part of the trials."""
+"""Map correlation takes about a second per image, so it is used for at most this part of the trials."""
 
 LOCAL_FIXES = 0.5
-"""Weight of right fixes nearby below which no error is told."""
+"""Least weight of right fixes nearby for an expected error."""
 
 
 @dataclass(frozen=True)
 class PlaceQuery(Query):
-    """An image to be simulated, drawn for the place of that number."""
+    """An image to simulate, drawn for the place of that number."""
 
     place: int = 0
 
 
 @dataclass(frozen=True)
 class Estimates:
-    """What to expect at P places, each (P,).
+    """Expectations at P places, each (P,).
 
     Attributes:
-        success: probability of a right fix
-        low: end of its 95 % interval
-        high: end of its 95 % interval
-        error: expected (median), map units; NaN where hardly any image has a fix
-        trials: simulated for the place itself
-        landmarks: whole in view
-        classes: that have any landmark in view
-        look_alikes: share of the trials nearby that were refused because another place or the mirrored image fits
-            almost as well
-        wrong: share of the trials nearby with a wrong fix
-        reasons: of REASONS, what keeps most of the others nearby from a fix, '' where none fails
+        success: Probability of a right fix.
+        low: Lower end of its 95 % interval.
+        high: Upper end of its 95 % interval.
+        error: Expected (median) error, m; NaN where hardly any image has a fix.
+        trials: Simulated for the place itself.
+        landmarks: Whole landmarks in view.
+        classes: Classes with a landmark in view.
+        look_alikes: Share of the trials nearby that were refused because another place or the mirrored image matches
+            almost as well.
+        wrong: Share of the trials nearby with a wrong fix.
+        reasons: Of REASONS, the most frequent reason nearby for no right fix, '' if all trials succeed.
     """
 
     success: np.ndarray
@@ -83,13 +83,13 @@ class Estimates:
     reasons: tuple[str, ...]
 
     def part(self, chosen: np.ndarray) -> Estimates:
-        """The estimates of some places, by their numbers."""
+        """Return the estimates of some places, by their numbers."""
         arrays = {name: getattr(self, name)[chosen] for name in vars(self) if name != "reasons"}
         return Estimates(**arrays, reasons=tuple(self.reasons[n] for n in np.asarray(chosen).tolist()))
 
 
 class Assessment:
-    """One footprint of a database under stated noise."""
+    """Assessment of a database for one footprint and assumed errors."""
 
     def __init__(  # noqa: PLR0913 - what is assessed, and the five choices that the form offers
         self,
@@ -100,17 +100,17 @@ class Assessment:
         seed: int,
         correlation: bool = False,
     ) -> None:
-        """Prepares what all trials share.
+        """Prepare the data that all trials share.
 
         Args:
-            footprint: edge of the ground that an image shows, map units
-            conditions: how poor labels and cameras are taken to be
-            seed: with the same one, everything is the same
-            correlation: landmarks first, then map correlation, as the method “automatic” does; needs the overview
+            footprint: Footprint width of the images, m.
+            conditions: Assumed errors of labels and cameras.
+            seed: The same one repeats everything.
+            correlation: Use landmarks, then map correlation, as the method “automatic” does; needs the overview.
 
         Raises:
-            ParameterError: for a footprint that is none.
-            DatabaseError: for a database without landmarks.
+            ParameterError: The footprint is invalid.
+            DatabaseError: The database has no landmarks.
         """
         self.simulator = ImageSimulator(localizer, database, footprint, conditions.biases)
         self.conditions = conditions
@@ -121,10 +121,10 @@ class Assessment:
         self.seed = seed
         self._texture = _texture(database, footprint)
         self.model: SuccessModel | None = None
-        """Of the last estimate, of landmarks alone."""
+        """Of the last estimate, for landmarks only."""
 
     def plan(self, places: np.ndarray, spread: float, count: int) -> list[PlaceQuery]:
-        """``count`` trials around places (P, 2), as evenly as may be: in squares of edge ``spread``, any heading."""
+        """Return ``count`` trials, evenly distributed over squares of edge ``spread`` around places (P, 2)."""
         rng = np.random.default_rng([self.seed, 0, round(1000 * self.footprint)])
         whole, rest = divmod(count, max(len(places), 1))
         chosen = np.concatenate([np.tile(np.arange(len(places)), whole), rng.permutation(len(places))[:rest]])
@@ -139,11 +139,11 @@ class Assessment:
         return queries
 
     def run(self, query: PlaceQuery) -> Trial:
-        """The image, localized by its landmarks."""
+        """Localize a simulated image by its landmarks."""
         return self.simulator.constellation(query, np.random.default_rng([self.seed, 1, query.number]))
 
     def run_correlation(self, query: PlaceQuery) -> Trial:
-        """The image, localized by map correlation; takes seconds on a large map."""
+        """Localize a simulated image by map correlation; takes seconds on a large map."""
         return self.simulator.correlation(query, np.random.default_rng([self.seed, 2, query.number]))
 
     def estimate(
@@ -153,13 +153,13 @@ class Assessment:
         correlated: dict[int, Trial] | None = None,
         spread: float = 0.0,
     ) -> Estimates:
-        """What to expect after trials.
+        """Return the expectations after trials.
 
         Args:
             places: (P, 2) map x, y
-            trials: of landmarks, one for each planned query
-            correlated: those of map correlation, by their number in ``trials``
-            spread: edge of the squares around the places that estimates are averages of; 0 for the places alone
+            trials: By landmarks, one for each planned query.
+            correlated: By map correlation, by their number in ``trials``.
+            spread: Edge of the squares around the places over which estimates are averaged; 0 for the places only.
         """
         correlated = correlated or {}
         centers = _centers(trials)
@@ -193,15 +193,15 @@ class Assessment:
         )
 
     def features(self, places: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """What places show.
+        """Return the properties of places.
 
         Args:
             places: (P, 2) map x, y
 
         Returns:
-            (P, F) numbers by which places are told to be alike, (P,) whole landmarks in view, (P,) their classes. The
-            numbers: ln(1 + landmarks), ln(1 + evidence they would be if all were found), spread of ln area, share of
-            the commonest class, share of the ground with labels, texture of class areas.
+            (P, F) numbers that make places comparable, (P,) whole landmarks in view, (P,) their classes. The numbers:
+            ln(1 + landmarks), ln(1 + evidence if all were found), standard deviation of ln area, share of the most
+            frequent class, share of the ground with labels, texture of class areas.
         """
         index = self.localizer.index
         pixel, references = self.simulator.pixel, self.database.references
@@ -240,7 +240,7 @@ class AssessmentJob:
 
     @classmethod
     def of(cls, one: Assessment) -> AssessmentJob:
-        """Return the job of an assessment whose database is a file."""
+        """Return the job of an assessment with a database in a file."""
         has_overview = one.database.overview is not None
         return cls(one.database.source or "", has_overview, one.conditions, one.seed, one.correlation)
 
@@ -250,11 +250,11 @@ class AssessmentJob:
 
 
 def to_correlate(seed: int, trials: Sequence[Trial], most: int) -> list[int]:
-    """Numbers, in ``trials``, of those without a fix that map correlation is tried on: ``most``, evenly spread.
+    """Return the numbers, in ``trials``, of ``most`` evenly spread ones without a fix, for map correlation.
 
     Args:
-        trials: Of landmarks, in the order of the plan.
-        most: So many.
+        trials: By landmarks, in the order of the plan.
+        most: Number of trials.
     """
     failed = [n for n, trial in enumerate(trials) if not trial.is_fix]
     order = np.random.default_rng([seed, 3]).permutation(len(failed))[:most]
@@ -262,17 +262,17 @@ def to_correlate(seed: int, trials: Sequence[Trial], most: int) -> list[int]:
 
 
 def _centers(trials: Sequence[Trial]) -> np.ndarray:
-    """(T, 2) map x, y where the images were taken."""
+    """Return (T, 2) map x, y of the images' centers."""
     return np.array([trial.query.view.position for trial in trials]).reshape(-1, 2)
 
 
 def _right(trials: Iterable[Trial]) -> np.ndarray:
-    """(T,) bool."""
+    """Return (T,) bool: right fixes."""
     return np.array([trial.is_right for trial in trials], bool)
 
 
 def _causes_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> tuple[np.ndarray, tuple[str, ...]]:
-    """(P, R) shares of the trials near places (P, 2) that failed for each of REASONS, and the commonest one of each."""
+    """Return (P, R) shares of failed trials near places (P, 2) by REASONS, and the most frequent reason of each."""
     causes = np.array([[_cause(trial) == reason for reason in REASONS] for trial in trials], float)
     counts, sums = local_sums(places, _centers(trials), reach, causes)
     shares = sums / np.maximum(counts, 1e-9)[:, None]
@@ -280,14 +280,14 @@ def _causes_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> t
 
 
 def _cause(trial: Trial) -> str:
-    """Of REASONS, '' for a right fix."""
+    """Return one of REASONS, '' for a right fix."""
     if trial.is_fix:
         return "" if trial.is_right else WRONG
     return trial.status.key
 
 
 def _errors_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> np.ndarray:
-    """(P,) expected errors: the mean logarithm of right fixes nearby, drawn to that of all; NaN without."""
+    """Return (P,) expected errors: the mean logarithm of right fixes nearby, weighted with that of all; NaN without."""
     right = [trial for trial in trials if trial.is_right]
     if not right:
         return np.full(len(places), np.nan)
@@ -298,7 +298,7 @@ def _errors_near(places: np.ndarray, trials: Sequence[Trial], reach: float) -> n
 
 
 def _parts(places: np.ndarray, spread: float) -> tuple[np.ndarray, int]:
-    """(P · n, 2) middles of the n parts of squares of edge ``spread`` around places (P, 2), and n."""
+    """Return (P · n, 2) centers of the n parts of squares of edge ``spread`` around places (P, 2), and n."""
     edge = next(k for k in (3, 2, 1) if k == 1 or spread > 0 and k * k * len(places) <= MOST_PARTS)
     steps = ((np.arange(edge) + 0.5) / edge - 0.5) * spread
     offsets = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(1, -1, 2)
@@ -313,7 +313,7 @@ class _Texture:
         labeled: (h, w) share of the footprint with labels.
         texture: (h, w) as of ``_texture``.
         origin: Map (x, y) of the upper left corner.
-        pixel: Edge of a pixel, map units.
+        pixel: Edge of a pixel, m.
     """
 
     labeled: np.ndarray
@@ -322,7 +322,7 @@ class _Texture:
     pixel: float
 
     def at(self, places: np.ndarray) -> np.ndarray:
-        """(P, 2) labeled share and texture around places (P, 2)."""
+        """Return (P, 2) labeled share and texture around places (P, 2)."""
         columns = np.floor((places[:, 0] - self.origin[0]) / self.pixel).astype(int)
         rows = np.floor((self.origin[1] - places[:, 1]) / self.pixel).astype(int)
         height, width = self.labeled.shape
@@ -331,7 +331,7 @@ class _Texture:
 
 
 def _texture(database: ReferenceDatabase, footprint: float) -> _Texture:
-    """Labeled share and texture of footprints everywhere; zeros for a database without overview.
+    """Return labeled share and texture of footprints everywhere; zeros for a database without overview.
 
     Texture is the standard deviation of the classes' areas in TEXTURE_STEPS² parts, summed over classes.
     """
@@ -349,7 +349,7 @@ def _texture(database: ReferenceDatabase, footprint: float) -> _Texture:
             table = np.zeros(256, np.uint8)
             table[value] = 255
             share = cv2.resize(cv2.LUT(overview, table), size, interpolation=cv2.INTER_AREA).astype(np.float32) / 255
-            # Nothing lies beyond the map.
+            # The map has no ground beyond its edge.
             mean, square = (
                 cv2.boxFilter(image, -1, (window, window), borderType=cv2.BORDER_CONSTANT)
                 for image in (share, share**2)

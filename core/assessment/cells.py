@@ -1,4 +1,4 @@
-"""The squares of ground that an assessment tells about."""
+"""The squares of ground of an assessment."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Cells:
     """C squares of a grid.
 
     Attributes:
-        size: Edge of a square, map units.
+        size: Edge of a square, m.
         centers: (C, 2) map x, y.
         columns: (C,) in the grid.
         rows: (C,) in the grid, from the north.
@@ -34,28 +34,25 @@ class Cells:
 
 
 def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
-    """Squares that cover a map, from its upper left corner.
+    """Return squares that cover a map, row by row from its upper left corner.
 
-    Ground without any label or landmark is left out where the map's edge leads to it: a map's frame that its country
-    doesn't fill. Ground without labels inside the map counts.
+    Ground without any label or landmark is left out if it is connected with the map's edge: the frame around a country.
+    Ground without labels inside the map counts.
 
     Args:
-        size: Edge of a square, map units.
-
-    Returns:
-        The squares, row by row.
+        size: Edge of a square, m.
 
     Raises:
-        ParameterError: For a size that can't be used.
+        ParameterError: The size can't be used.
     """
     if not 0 < size < math.inf:
-        raise ParameterError("The edge of a square is {size:g}; give it in map units.", size=size)
+        raise ParameterError("The edge of a square is {size:g} m; it must be more than 0 m.", size=size)
     x0, y_low, x1, y0 = database.parameters.extent
     width, height = (max(math.ceil((b - a) / size - 1e-6), 1) for a, b in ((x0, x1), (y_low, y0)))
     if width * height > limits.SQUARES:
         least = math.sqrt((x1 - x0) * (y0 - y_low) / limits.SQUARES)
         raise ParameterError(
-            "The edge of a square is {size:g}, which makes {count} squares of the map; give {least:.3g} or more.",
+            "The edge of a square is {size:g} m, which gives {count} squares on the map. Enter {least:.3g} m or more.",
             size=size,
             count=width * height,
             least=1.01 * least,
@@ -65,7 +62,7 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
     columns = np.clip(((positions[:, 0] - x0) / size).astype(int), 0, width - 1)
     rows = np.clip(((y0 - positions[:, 1]) / size).astype(int), 0, height - 1)
     empty[rows, columns] = False
-    # A frame of empty ground around the map joins all that its edge leads to.
+    # A frame of empty ground around the map connects all empty ground at its edge.
     framed = np.pad(empty, 1, constant_values=True).astype(np.uint8)
     _, regions = cv2.connectedComponents(framed, connectivity=4)
     rows, columns = np.nonzero(regions[1:-1, 1:-1] != regions[0, 0])
@@ -74,7 +71,7 @@ def ground_cells(database: ReferenceDatabase, size: float) -> Cells:
 
 
 def _labeled(database: ReferenceDatabase, size: float, width: int, height: int) -> np.ndarray:
-    """(height, width) bool: squares with a labeled pixel of the overview; all of them without overview."""
+    """Return (height, width) bool: squares with a labeled pixel of the overview; all squares without overview."""
     overview = database.overview
     if overview is None:
         return np.ones((height, width), bool)

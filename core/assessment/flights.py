@@ -1,8 +1,8 @@
-"""Flights along a planned route, simulated: where the first position comes, how errors grow, where the track is lost.
+"""Simulate flights along a planned route: the first position, the growth of errors, the loss of the track.
 
-What a single image gives says little of a flight, whose images stand in for each other. So flights are flown: images
-cut from the database's overview all along a line and spoiled as an assessment's are, motion that is off as stated, and
-the tracker that looks at real ones, image by image as on board.
+Single images do not predict a flight, because its images support each other. So flights are simulated: images cut from
+the database's overview along a line with the errors of an assessment, motion with stated errors, and the tracker that
+also follows real flights, image by image as on board.
 """
 
 from __future__ import annotations
@@ -31,20 +31,20 @@ from ..simulation.views import View, cut
 from .route import RoutePoints
 
 TURN_DEG, SCALE = 0.3, 0.003
-"""Deviations of what a link tells of turn and ln pixel size."""
+"""Standard deviations of a link's turn and ln pixel size."""
 
 SIZE_KNOWN = 1.1
-"""Ratio to either side that the pixel size is told with: a height over ground known to 10 %."""
+"""Ratio to either side of the known pixel size: a height above ground known to 10 %."""
 
 
 @dataclass(frozen=True)
 class FlightPlan:
-    """How a route is flown.
+    """How to fly a route.
 
     Attributes:
-        flights: Simulated along each line.
-        footprint: Edge of the ground that an image shows, map units.
-        drift: What motion between images is off by: of each link and of all of them together, shares of the distance.
+        flights: Simulated flights along each line.
+        footprint: Footprint width of an image, m.
+        drift: Error of the motion between images: of each link and of all links together, shares of the distance.
         seed: The same one repeats the result.
     """
 
@@ -56,13 +56,13 @@ class FlightPlan:
 
 @dataclass(frozen=True)
 class FlownRoute:
-    """What F flights over N points of a route came to, each (F, N), as known in flight.
+    """Results of F flights over N points of a route, each (F, N), as known during the flight.
 
     Attributes:
-        is_placed: Whether the image had a position.
-        radii: 95 % radius that was told, map units; NaN without a position.
-        errors: True error, map units; NaN without a position.
-        is_lost: Whether a track was lost there.
+        is_placed: Whether the image has a position.
+        radii: 95 % radius, m; NaN without a position.
+        errors: True error, m; NaN without a position.
+        is_lost: Whether a track ended there.
     """
 
     points: RoutePoints
@@ -83,7 +83,7 @@ class FlownRoute:
 
     @property
     def radius(self) -> np.ndarray:
-        """(N,) 95 % radius in map units, median of the flights with a position; NaN where less than half have one."""
+        """(N,) 95 % radius in m, median of the flights with a position; NaN if less than half have one."""
         found = np.full(len(self.points), np.nan)
         usual = self.placed >= 0.5
         if usual.any():
@@ -91,13 +91,13 @@ class FlownRoute:
         return found
 
     def first(self, line: int, threshold: float) -> float | None:
-        """Map units along a line to where ``threshold`` of the flights had their first position; None for nowhere."""
+        """Return the m along a line where ``threshold`` of the flights have had a first position; None for nowhere."""
         members = np.flatnonzero(self.points.lines == line)
         known = np.logical_or.accumulate(self.is_placed[:, members], axis=1).mean(axis=0) >= threshold
         return float(self.points.along[members][known.argmax()]) if known.any() else None
 
     def at(self, points: RoutePoints) -> np.ndarray:
-        """(M,) number of the nearest image on the same line for other points of the same route."""
+        """Return (M,) number of the nearest image on the same line for other points of the same route."""
         found = np.zeros(len(points), int)
         for line in range(len(points.lengths)):
             here, there = np.flatnonzero(self.points.lines == line), np.flatnonzero(points.lines == line)
@@ -107,28 +107,29 @@ class FlownRoute:
 
 
 class FlownRoutes:
-    """Flies a route.
+    """Simulates the flights of a route.
 
     Attributes:
-        result: What came of it, once the steps are done.
+        result: Available after the steps.
     """
 
     def __init__(
         self, database: ReferenceDatabase, localizer: Localizer, conditions: Conditions, plan: FlightPlan
     ) -> None:
-        """Takes what all flights share.
+        """Prepare the data that all flights share.
 
         Args:
             database: With its overview.
-            conditions: How poor labels and cameras are taken to be.
-            plan: How the route is flown.
+            conditions: Assumed errors of labels and cameras.
+            plan: How to fly the route.
 
         Raises:
-            DatabaseError: The database has no overview, or no landmark.
+            DatabaseError: The database has no overview or no landmark.
         """
         if database.overview is None or not len(database.references):
             raise DatabaseError(
-                "{source} has no overview, by which flights are simulated; build it with one.", source=database.source
+                "{source} has no overview or no landmarks, which simulated flights need. Build it again with both.",
+                source=database.source,
             )
         self._database, self._localizer, self._conditions, self._plan = database, localizer, conditions, plan
         self._frame = database.parameters.overview_frame
@@ -136,7 +137,7 @@ class FlownRoutes:
         self.result: FlownRoute | None = None
 
     def steps(self, points: RoutePoints) -> Iterator[tuple[int, int]]:
-        """(images done, images) after each image.
+        """Yield (images done, all images) after each image.
 
         Raises:
             ParameterError: There are too many images.
@@ -144,8 +145,8 @@ class FlownRoutes:
         flights, count = self._plan.flights, len(points)
         if flights * count > limits.FLOWN_IMAGES:
             raise ParameterError(
-                "The flights have {count} images together, at most {most} can be simulated; choose fewer flights, or "
-                "a larger distance between images.",
+                "The flights have {count} images together; at most {most} can be simulated. Choose fewer flights or a "
+                "larger distance between images.",
                 count=flights * count,
                 most=limits.FLOWN_IMAGES,
             )
@@ -168,7 +169,7 @@ class FlownRoutes:
         self.result = FlownRoute(points, placed, radii, errors, lost)
 
     def _fly(self, points: RoutePoints, members: np.ndarray, number: list[int]) -> Iterator[FlightPose]:
-        """What each image of one flight along a line is told when it comes."""
+        """Yield the pose of each image of one flight along a line, as known at that image."""
         plan = self._plan
         rng = np.random.default_rng([plan.seed, 4, *number])
         bias = complex(*rng.normal(0, plan.drift, 2))
@@ -196,12 +197,12 @@ class FlownRoutes:
 
 
 def link_between(number: int, pair: tuple[View, View], drift: float, bias: complex, rng: np.random.Generator) -> Link:
-    """The motion between two views as it is measured, with what its deviations are.
+    """Return the motion between two views with simulated errors, and their standard deviations.
 
     Args:
         number: Of the first image, from 0.
-        drift: Deviation, share of the distance.
-        bias: What all links of the flight are off by, share of the distance along and across.
+        drift: Standard deviation, share of the distance.
+        bias: Constant error of all links of the flight, share of the distance along and across.
         rng: A seeded one repeats the result.
     """
     turns = [turn_of(view.heading_deg, view.pixel_size) for view in pair]

@@ -1,8 +1,8 @@
-"""Simulated images for an assessment: what a camera would show of a database's own landmarks, spoiled, and its fix.
+"""Simulate images for an assessment from a database's own landmarks, with errors, and localize them.
 
-A database has no label map, so its landmarks are seen as points: those that lie whole in the image, missed, spurious,
-mislabeled and moved as the noise says, then localized by the localizer itself. Map correlation, where it is wanted, is
-tried on an image cut from the overview.
+A database contains no label map, so its landmarks are points: those that are whole in the image, missed, spurious,
+mislabeled and moved according to the noise, then localized by the localizer itself. Map correlation uses an image cut
+from the overview.
 """
 
 from __future__ import annotations
@@ -30,19 +30,20 @@ from ..simulation.noise import JITTER_LENGTH_PX
 from ..simulation.views import View, cut, image_coordinates
 
 SMALL_SHARE = 0.35
-"""Objects too small for the catalogue that an image shows besides, as a share of its landmarks: a database doesn't know
-them, and they are in the way. Liechtenstein 2021 has so many of 16 to 100 m²."""
+"""Objects too small for the database that an image also shows, as a share of its landmarks: the database does not
+contain them, and they disturb. Liechtenstein 2021 has this share of objects of 16 to 100 m²."""
 
 REACH = 1.5
-"""Landmarks are looked for so much farther out than a level camera sees: a tilted one sees farther on one side."""
+"""Landmarks are searched this many times farther out than a level camera sees: a tilted one sees farther on one
+side."""
 
 OTHER_SHAPE = 0.8
-"""An object whose bounding box is not known is taken for a square of this share of its half edge more: √area / 2 / 0.8,
-as landmarks are hardly ever squares."""
+"""An object without a known bounding box counts as a square with a half edge of √area / 2 / 0.8, as landmarks are
+hardly ever squares."""
 
 
 class ImageSimulator:
-    """Makes images of one footprint from a database alone and localizes them. Same generator, same image."""
+    """Makes images of one footprint from a database and localizes them. The same generator gives the same image."""
 
     def __init__(
         self,
@@ -51,24 +52,25 @@ class ImageSimulator:
         footprint: float,
         biases: KnownBiases = UNBIASED,
     ) -> None:
-        """Takes the landmarks of a database as they are seen in images of one size.
+        """Prepare the landmarks of a database for images of one size.
 
         Args:
-            database: with an overview where map correlation is wanted
-            footprint: edge of the ground that an image shows, map units
-            biases: what is known of how labels are shifted
+            database: With an overview if map correlation is needed.
+            footprint: Footprint width of an image, m.
+            biases: Known class offsets of the labels.
 
         Raises:
-            ParameterError: for a footprint that is none.
-            DatabaseError: for a database without landmarks.
+            ParameterError: The footprint is invalid.
+            DatabaseError: The database has no landmarks.
         """
         if not 0 < footprint < math.inf:
             raise ParameterError(
-                "The footprint is {footprint:g}; give the edge of the ground that an image shows.", footprint=footprint
+                "The footprint width is {footprint:g} m; it must be more than 0 m.", footprint=footprint
             )
         if not len(database.references):
             raise DatabaseError(
-                "{source} has no landmark; build it with other classes or a smaller area.", source=database.source
+                "{source} has no landmark. Build it with other classes or a smaller minimum area.",
+                source=database.source,
             )
         self._localizer, self._biases = localizer, biases
         self._database = database
@@ -87,33 +89,33 @@ class ImageSimulator:
         self._reach = REACH * footprint * math.sqrt(0.5)
 
     def view(self, x: float, y: float, heading_deg: float) -> View:
-        """An image of the footprint at a place."""
+        """Return an image of the footprint at a place."""
         return View(x, y, heading_deg, self.pixel, self.size_px, self.size_px)
 
     @property
     def is_searched(self) -> bool:
-        """Whether images of this footprint are among those that the constellation looks for without being told."""
+        """Whether the constellation searches images of this footprint without a prior scale."""
         low, high = self._pixel_sizes
         return low <= self.pixel <= high
 
     @property
     def is_correlated(self) -> bool:
-        """The same of map correlation."""
+        """Whether map correlation searches images of this footprint without a prior scale."""
         low, high = self._localizer.pixel_sizes(
             (self.size_px, self.size_px), self._localizer.settings.correlation.scales
         )
         return low <= self.pixel <= high
 
     def whole_landmarks(self, view: View) -> tuple[np.ndarray, np.ndarray]:
-        """What a view shows of the database's landmarks.
+        """Return the database's landmarks in a view.
 
         Returns:
-            (n,) numbers of those that lie whole in the image, and (n, 2) their pixel coordinates in it.
+            (n,) numbers of those that are whole in the image, and (n, 2) their pixel coordinates.
         """
         first, last = np.searchsorted(self._eastings, (view.x - self._reach, view.x + self._reach))
         near = self._order[first:last]
         centers = image_coordinates(view, self._database.references.positions[near])
-        # An upright box has its widest point, seen along a turned axis, at the corner that lies that way.
+        # Along a turned axis, the widest point of an upright box is the corner in that direction.
         turn = math.radians(view.heading_deg)
         half_width, half_height = self._half[near].T / view.pixel_size
         cosine, sine = abs(math.cos(turn)), abs(math.sin(turn))
@@ -126,7 +128,7 @@ class ImageSimulator:
         return near[whole], centers[whole]
 
     def landmarks(self, query: Query, rng: np.random.Generator) -> tuple[Landmarks, int]:
-        """Landmarks of the spoiled image, and how many the map has whole in it."""
+        """Return the landmarks of the image with errors, and the number of the map's whole landmarks in it."""
         chosen, centers = self.whole_landmarks(query.view)
         seen = self._as_seen(chosen, centers)
         noise = query.noise.in_pixels(self.pixel)
@@ -137,7 +139,7 @@ class ImageSimulator:
         return self._with_small(moved, len(chosen), rng), len(chosen)
 
     def constellation(self, query: Query, rng: np.random.Generator) -> Trial:
-        """An image at a place, localized by its landmarks."""
+        """Localize an image at a place by its landmarks."""
         landmarks, count = self.landmarks(query, rng)
         if not len(landmarks):
             found = Localization(Status.TOO_FEW_REFERENCES, Method.CONSTELLATION)
@@ -149,23 +151,23 @@ class ImageSimulator:
         return judge(query, Method.CONSTELLATION, found, landmarks=count)
 
     def correlation(self, query: Query, rng: np.random.Generator) -> Trial:
-        """An image at a place, cut from the overview and spoiled, localized by its class areas."""
+        """Localize an image at a place, cut from the overview with errors, by its class areas."""
         database = self._database
-        # Whoever asks for map correlation has a database with an overview.
+        # A database for map correlation has an overview.
         frame, source = database.parameters.overview_frame, ArrayLabels(cast(np.ndarray, database.overview))
         pixel = frame.pixel_size
         labels = cut(source, frame, self._coarse_view(query.view, pixel))
-        # Spurious landmarks look like those of some other place.
+        # Spurious landmarks are those of another place.
         x, y = database.references.positions[rng.integers(0, len(database.references))]
         donor = cut(source, frame, self._coarse_view(self.view(x, y, float(rng.uniform(0, 360))), pixel))
-        # Boundaries move alike over as many map units as pixels of a label map of one map unit.
+        # Boundaries move together over as many meters as pixels of a label map with pixels of 1 m.
         noise = replace(query.noise.in_pixels(pixel), jitter_length=max(JITTER_LENGTH_PX / pixel, 2.0))
         labels = spoil_labels(labels, noise, rng, database.class_table.reference_values, donor)
         found = self._localizer.localize_by_map_correlation(labels, biases=self._biases)
         return judge(query, Method.MAP_CORRELATION, found, landmarks=len(self.whole_landmarks(query.view)[0]))
 
     def _coarse_view(self, view: View, pixel: float) -> View:
-        """The same ground in about as coarse pixels as the overview's."""
+        """Return the same ground in pixels about as coarse as the overview's."""
         size = max(round(self.footprint / pixel), 1)
         return replace(view, pixel_size=self.footprint / size, width_px=size, height_px=size)
 
@@ -180,7 +182,7 @@ class ImageSimulator:
         return Landmarks(centers, references.classes[chosen], areas, bounds, np.zeros(len(chosen), bool))
 
     def _with_small(self, landmarks: Landmarks, count: int, rng: np.random.Generator) -> Landmarks:
-        """The landmarks and, anywhere in the image, some that are too small for the catalogue of ``count``."""
+        """Return the landmarks and, anywhere in the image, some that are too small for the database."""
         largest = self._database.parameters.minimum_area / self.pixel**2
         count = rng.poisson(SMALL_SHARE * count) if largest > self._smallest_px else 0
         small = self._as_seen(rng.integers(0, len(self._database.references), count))
@@ -190,7 +192,7 @@ class ImageSimulator:
 
 
 def _half_boxes(database: ReferenceDatabase) -> np.ndarray:
-    """(N, 2) half width and half height of each landmark's upright box, map units."""
+    """Return (N, 2) half width and half height of each landmark's upright box, m."""
     references = database.references
     if references.bounds_px is not None:
         bounds = references.bounds_px.astype(np.float64)
@@ -200,8 +202,8 @@ def _half_boxes(database: ReferenceDatabase) -> np.ndarray:
 
 
 def _seen_half(half_width: np.ndarray, half_height: np.ndarray, cosine: float, sine: float) -> np.ndarray:
-    """(n,) half extents of upright boxes along an axis turned by that angle.
+    """Return (n,) half extents of upright boxes along an axis turned by that angle.
 
-    They are those of the ellipse in the box, not of its corners, which turned buildings hardly ever fill.
+    They are those of the ellipse in the box, because turned buildings hardly ever fill its corners.
     """
     return np.hypot(half_width * cosine, half_height * sine)

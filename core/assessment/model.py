@@ -1,8 +1,8 @@
-"""From single trials to a probability everywhere: what trials nearby say, and a regression where there are few.
+"""Probability of success everywhere from single trials: trials nearby, and a regression where there are few.
 
-A logistic regression on what a place shows gives a first guess; the trials around the place, weighted by how near they
-are, count against it as so many more trials (Beta distribution). How far trials reach and how many trials the guess is
-worth is what predicts each trial best from all the others.
+A logistic regression on the properties of a place gives a first estimate. The trials around the place, weighted by
+distance, add to it as more trials (Beta distribution). The reach of trials and the weight of the regression are those
+that best predict each trial from all others.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from dataclasses import dataclass
 import numpy as np
 
 RIDGE = 1.0
-"""Penalty of the regression's standardized coefficients, in trials: keeps it finite where all trials went one way."""
+"""Penalty of the regression's standardized coefficients, in trials: keeps it finite if all trials have one result."""
 
 NEWTON_STEPS = 30
 
 REACHES = (0.08, 0.15, 0.25, 0.4)
-"""Standard deviations of the trials' weights that are tried, as shares of the footprint."""
+"""Tested standard deviations of the trials' weights, as shares of the footprint."""
 
 STRENGTHS = (1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 128.0)
-"""What the regression's guess may be worth, in trials."""
+"""Tested weights of the regression, in trials."""
 
 MOST_TUNED = 3000
-"""Trials by which reach and strength are chosen; bounds the time and the memory."""
+"""Trials that choose reach and strength; limits time and memory."""
 
 WEIGHTS_AT_A_TIME = 2_000_000
 
@@ -39,20 +39,20 @@ class Chances:
 
     Attributes:
         means: (P,).
-        weights: (P,) trials that they are worth: the more, the narrower.
+        weights: (P,) equivalent number of trials: more trials give a narrower distribution.
     """
 
     means: np.ndarray
     weights: np.ndarray
 
     def interval(self) -> tuple[np.ndarray, np.ndarray]:
-        """(P,) low and (P,) high ends of the 95 % interval; the mean lies in it."""
+        """Return (P,) low and (P,) high ends of the 95 % interval, which contains the mean."""
         low, high = beta_quantiles(self.means * self.weights, (1 - self.means) * self.weights, (0.025, 0.975))
-        # Of a skewed distribution the mean may lie beyond a quantile.
+        # The mean of a skewed distribution may be beyond a quantile.
         return np.minimum(low, self.means), np.maximum(high, self.means)
 
     def either(self, other: Chances) -> Chances:
-        """That one of two comes true of which the second is tried when the first fails.
+        """Return the probability of success if a second method is tried after the first fails.
 
         It is the Beta distribution with the mean and variance of the product of both failures.
         """
@@ -64,7 +64,7 @@ class Chances:
         return Chances(1 - failure, weights)
 
     def averaged(self, count: int) -> Chances:
-        """Of each ``count`` places that follow each other their mean."""
+        """Return the mean of each ``count`` consecutive places."""
         return Chances(self.means.reshape(-1, count).mean(axis=1), self.weights.reshape(-1, count).mean(axis=1))
 
     def _variances(self) -> np.ndarray:
@@ -73,17 +73,17 @@ class Chances:
 
 @dataclass(frozen=True)
 class SuccessModel:
-    """A regression on F features of places, and the T trials that it was fitted to.
+    """A regression on F features of places, and its T trials.
 
     Attributes:
         centers: (F,) means of the features.
         scales: (F,) standard deviations of the features.
         coefficients: (1 + 2 F,) of the regression: intercept, features, their squares.
         places: (T, 2) map x, y of the trials.
-        successes: (T,) 1 for a right fix, else 0.
-        reach: How far trials count, map units.
-        strength: How many trials the regression is worth.
-        left_out: (T,) what each trial was predicted from the others; NaN beyond MOST_TUNED.
+        successes: (T,) 1 for a right fix, otherwise 0.
+        reach: Distance over which trials count, m.
+        strength: Weight of the regression, in trials.
+        left_out: (T,) prediction of each trial from the others; NaN beyond MOST_TUNED.
     """
 
     centers: np.ndarray
@@ -96,11 +96,11 @@ class SuccessModel:
     left_out: np.ndarray
 
     def guess(self, features: np.ndarray) -> np.ndarray:
-        """(P,) the regression's probability for features (P, F)."""
+        """Return (P,) the regression's probability for features (P, F)."""
         return _logistic(_design((features - self.centers) / self.scales) @ self.coefficients)
 
     def chances(self, places: np.ndarray, features: np.ndarray) -> Chances:
-        """Probabilities at places (P, 2) with features (P, F)."""
+        """Return probabilities at places (P, 2) with features (P, F)."""
         guess = self.guess(features)
         counts, hits = local_sums(places, self.places, self.reach, self.successes)
         weights = self.strength + counts
@@ -109,13 +109,13 @@ class SuccessModel:
 
 
 def fit_success(features: np.ndarray, places: np.ndarray, successes: np.ndarray, footprint: float) -> SuccessModel:
-    """Fits T > 0 trials.
+    """Return the model of T > 0 trials.
 
     Args:
         features: (T, F) of the places.
         places: (T, 2) map x, y.
         successes: (T,) bool.
-        footprint: Edge of the ground that an image shows, map units.
+        footprint: Footprint width of an image, m.
     """
     successes = np.asarray(successes, np.float64)
     centers = features.mean(axis=0)
@@ -131,7 +131,7 @@ def fit_success(features: np.ndarray, places: np.ndarray, successes: np.ndarray,
 def local_sums(
     places: np.ndarray, trials: np.ndarray, reach: float, values: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(P,) summed weights of trials (T, 2) around places (P, 2), and (P,) or (P, K) sums of values (T,) or (T, K)."""
+    """Return (P,) summed weights of trials (T, 2) around places (P, 2), and (P,) or (P, K) weighted sums of values."""
     counts = np.empty(len(places))
     sums = np.empty((len(places), *values.shape[1:]))
     step = max(WEIGHTS_AT_A_TIME // max(len(trials), 1), 1)
@@ -143,7 +143,7 @@ def local_sums(
 
 
 def beta_quantiles(alpha: np.ndarray, beta: np.ndarray, shares: tuple[float, ...]) -> tuple[np.ndarray, ...]:
-    """(P,) quantiles of Beta distributions, by summing their densities over even steps; shares in 0…1."""
+    """Return (P,) quantiles of Beta distributions, by sums of their densities over even steps; shares in 0…1."""
     steps = (np.arange(QUANTILE_STEPS) + 0.5) / QUANTILE_STEPS
     found = [np.empty(len(alpha)) for _ in shares]
     chunk = WEIGHTS_AT_A_TIME // QUANTILE_STEPS
@@ -167,7 +167,7 @@ def _weights(places: np.ndarray, trials: np.ndarray, reach: float) -> np.ndarray
 def _tune(
     guess: np.ndarray, places: np.ndarray, successes: np.ndarray, footprint: float
 ) -> tuple[float, float, np.ndarray]:
-    """Reach and strength by which each trial is best predicted from the others, and these predictions (T,)."""
+    """Return the reach and strength that best predict each trial from the others, and these predictions (T,)."""
     best = -math.inf, REACHES[0] * footprint, STRENGTHS[-1], guess
     for share in REACHES:
         reach = share * footprint
@@ -183,14 +183,14 @@ def _tune(
 
 
 def _design(standardized: np.ndarray) -> np.ndarray:
-    """Intercept, the features and their squares: success need not rise evenly with any of them."""
-    # Beyond what was seen squares would run away.
+    """Return intercept, features and their squares: success need not increase evenly with a feature."""
+    # Beyond the range of the trials, squares would grow too much.
     bounded = np.clip(standardized, -3, 3)
     return np.column_stack([np.ones(len(bounded)), bounded, bounded**2])
 
 
 def _fit_logistic(design: np.ndarray, successes: np.ndarray) -> np.ndarray:
-    """Penalised maximum likelihood by Newton's method."""
+    """Return the penalized maximum likelihood estimate by Newton's method."""
     # Half a success and half a failure: no rate is exactly 0 or 1.
     design = np.vstack([design, design.mean(axis=0), design.mean(axis=0)])
     successes = np.append(successes, [1.0, 0.0])
@@ -203,7 +203,7 @@ def _fit_logistic(design: np.ndarray, successes: np.ndarray) -> np.ndarray:
         slope = design.T @ (counts * (successes - expected)) - penalty * coefficients
         curvature = (design * (counts * expected * (1 - expected))[:, None]).T @ design + np.diag(penalty + 1e-9)
         step = np.linalg.solve(curvature, slope)
-        # Bounded, as far steps may overshoot.
+        # Bounded, because large steps may overshoot.
         step *= min(1.0, 5.0 / max(float(np.abs(step).max()), 1e-12))
         coefficients = coefficients + step
         if np.abs(step).max() < 1e-8:

@@ -1,4 +1,4 @@
-"""A planned route, point by point: where a stretch has no expected fix, how long it is, and where to shift it."""
+"""A planned route, point by point: stretches without an expected fix, their length, and better parallel lines."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from .. import limits
 from ..errors import ParameterError
 
 SHIFTS = (-1.0, -0.5, 0.5, 1.0)
-"""Where else a stretch is tried, as shares of the largest shift; left of the direction of flight below 0."""
+"""Tested shifts of a stretch, as shares of the largest shift; below 0 left of the direction of flight."""
 
 WORTH_SHIFTING = 0.1
-"""A shift is told when it raises the mean success of a stretch by so much."""
+"""Least increase of a stretch's mean success for a suggested shift."""
 
 
 @dataclass(frozen=True)
@@ -24,10 +24,10 @@ class RoutePoints:
 
     Attributes:
         lines: (N,) number of the line, from 0.
-        along: (N,) map units from its start.
+        along: (N,) distance from its start, m.
         places: (N, 2) map x, y.
         headings_deg: (N,) direction of flight, clockwise from grid north.
-        lengths: Of each line, map units.
+        lengths: Of each line, m.
     """
 
     lines: np.ndarray
@@ -40,7 +40,7 @@ class RoutePoints:
         return len(self.along)
 
     def shifted(self, chosen: np.ndarray, offset: float) -> np.ndarray:
-        """(n, 2) chosen points moved by ``offset`` map units, right of the direction of flight; < 0: left of it."""
+        """Return (n, 2) chosen points shifted by ``offset`` m to the right of the direction of flight; < 0: left."""
         turn = np.radians(self.headings_deg[chosen])
         return self.places[chosen] + offset * np.column_stack([np.cos(turn), -np.sin(turn)])
 
@@ -51,8 +51,8 @@ class RouteGap:
 
     Attributes:
         line: Number of the line, from 0.
-        start: The last good point before it, map units from the line's start.
-        end: The first good point after it, map units from the line's start.
+        start: Last good point before it, m from the line's start.
+        end: First good point after it, m from the line's start.
         points: (n,) numbers of the points that are not good enough.
     """
 
@@ -63,16 +63,16 @@ class RouteGap:
 
     @property
     def length(self) -> float:
-        """Map units."""
+        """Length in m."""
         return self.end - self.start
 
 
 @dataclass(frozen=True)
 class ShiftHint:
-    """Where a stretch does better.
+    """A better parallel line for a stretch.
 
     Attributes:
-        offset: Map units to the right of the direction of flight; below 0 to the left.
+        offset: m to the right of the direction of flight; below 0 to the left.
         success: Mean expected success there, 0…1.
         before: Mean expected success on the line itself, 0…1.
     """
@@ -83,29 +83,26 @@ class ShiftHint:
 
 
 def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
-    """Points along lines, their ends included.
+    """Return points along lines, line by line, ends included; lines without a length are left out.
 
     Args:
         lines: (n, 2) map x, y of the corners of each.
-        spacing: From point to point, map units.
-
-    Returns:
-        The points, line by line; lines without a length are left out.
+        spacing: Between points, m.
 
     Raises:
-        ParameterError: For a spacing that can't be used, and when no line has a length.
+        ParameterError: The spacing can't be used, or no line has a length.
     """
     if not 0 < spacing < math.inf:
-        raise ParameterError("The distance between points is {spacing:g}; give it in map units.", spacing=spacing)
+        raise ParameterError("The distance between points is {spacing:g} m; it must be more than 0 m.", spacing=spacing)
     lines = [line for line in lines if len(line) > 1 and _steps(line).sum() > 0]
     if not lines:
-        raise ParameterError("The route has no line with a length; draw one through two points at least.")
+        raise ParameterError("The route has no line with a length. Draw a line through at least two points.")
     lengths = tuple(float(_steps(line).sum()) for line in lines)
     count = sum(math.ceil(length / spacing) + 1 for length in lengths)
     if count > limits.ROUTE_POINTS:
         least = sum(lengths) / limits.ROUTE_POINTS
         raise ParameterError(
-            "The distance between points is {spacing:g}, which makes {count} points; give {least:.3g} or more.",
+            "The distance between points is {spacing:g} m, which gives {count} points. Enter {least:.3g} m or more.",
             spacing=spacing,
             count=count,
             least=1.01 * least,
@@ -114,7 +111,7 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
     for number, (line, length) in enumerate(zip(lines, lengths)):
         at = np.append(np.arange(0, length - 1e-6 * spacing, spacing), length)
         ends = np.concatenate([[0.0], np.cumsum(_steps(line))])
-        # The segment that a point ends, so that the last one has a direction too.
+        # The segment that ends at a point, so that the last point has a direction too.
         steps = _steps(line)
         segment = np.clip(np.searchsorted(ends, at, side="right") - 1, 0, len(steps) - 1)
         segment = np.where(steps[segment] > 0, segment, np.flatnonzero(steps > 0)[-1])
@@ -130,7 +127,7 @@ def route_points(lines: Sequence[np.ndarray], spacing: float) -> RoutePoints:
 
 
 def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[RouteGap]:
-    """Stretches whose points have less success (N,) than ``threshold``, in the order of flight."""
+    """Return the stretches with less success (N,) than ``threshold``, in the order of flight."""
     good, found = success >= threshold, []
     for line, length in enumerate(points.lengths):
         members = np.flatnonzero(points.lines == line)
@@ -144,7 +141,7 @@ def gaps(points: RoutePoints, success: np.ndarray, threshold: float) -> list[Rou
 
 
 def stretch(points: RoutePoints, n: int) -> np.ndarray:
-    """(m, 2) map x, y of the line that a point stands for: half the way to its neighbors on the line, m 2 or 3."""
+    """Return (m, 2) map x, y of a point's part of the line: half the way to its neighbors on the line, m 2 or 3."""
     own, line = points.places[n], points.lines[n]
     sides = [m for m in (n - 1, n + 1) if 0 <= m < len(points) and points.lines[m] == line]
     halves = [(points.places[m] + own) / 2 for m in sides]
@@ -154,15 +151,12 @@ def stretch(points: RoutePoints, n: int) -> np.ndarray:
 
 
 def best_shift(before: np.ndarray, offsets: Sequence[float], successes: Sequence[np.ndarray]) -> ShiftHint | None:
-    """Where to shift a stretch; of shifts that are almost as good the shortest.
+    """Return the best shift of a stretch, the shortest of similar ones; None if no shift is worth it.
 
     Args:
         before: (n,) success of its points on the line.
-        offsets: Shifts that were tried, map units.
+        offsets: Tested shifts, m.
         successes: (n,) success at each of them.
-
-    Returns:
-        The best shift; None when none is worth it.
     """
     means = [float(success.mean()) for success in successes]
     now = float(before.mean())
@@ -174,5 +168,5 @@ def best_shift(before: np.ndarray, offsets: Sequence[float], successes: Sequence
 
 
 def _steps(line: np.ndarray) -> np.ndarray:
-    """(n − 1,) lengths of a line's segments."""
+    """Return (n − 1,) lengths of a line's segments."""
     return np.hypot(*np.diff(line, axis=0).T)

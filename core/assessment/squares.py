@@ -1,4 +1,4 @@
-"""Assessed squares of ground as rows of a layer, and why images fail there."""
+"""Assessed squares of ground as rows of a layer, with the reasons for failing images."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ VERDICTS = ("hardly_ever", "sometimes", "often", "reliably", "very_reliably")
 
 
 def verdict_edges(threshold: float) -> tuple[float, ...]:
-    """Success from which each of VERDICTS is given, and 1 at the end; the upper two are good enough.
+    """Return the least success of each of VERDICTS, and 1 at the end; the upper two are good enough.
 
     Args:
         threshold: Success that is good enough, 0…1.
@@ -47,13 +47,13 @@ def verdict_edges(threshold: float) -> tuple[float, ...]:
 
 
 def footprint_sizes(text: str, default: float) -> list[float]:
-    """Numbers of a list separated by ``;``.
+    """Return the numbers of a list with ``;`` between them.
 
     Args:
-        default: For an empty one.
+        default: For an empty list.
 
     Raises:
-        ParameterError: For anything else.
+        ParameterError: The text is not such a list.
     """
     sizes = []
     for part in (text or "").split(";"):
@@ -64,13 +64,13 @@ def footprint_sizes(text: str, default: float) -> list[float]:
                 sizes.append(math.nan)
     if not all(0 < size < math.inf for size in sizes):
         raise ParameterError(
-            "“{text}” is no list of footprints; give edges of the ground in map units, separated by “;”.", text=text
+            "“{text}” is not a list of footprint widths. Enter numbers in m with “;” between them.", text=text
         )
     return list(dict.fromkeys(sizes)) or [default]
 
 
 def reason_sentence(reason: str, landmarks: float) -> Sentence | None:
-    """What keeps most images from a right fix; None where nothing does.
+    """Return the main reason against a right fix; None without one.
 
     Args:
         reason: Of ``assessment.REASONS``, or empty.
@@ -79,10 +79,10 @@ def reason_sentence(reason: str, landmarks: float) -> Sentence | None:
     if reason == Status.TOO_FEW_REFERENCES.key:
         return Sentence("Too few landmarks: {landmarks:.0f} in view on average.", landmarks=landmarks)
     if reason == Status.AMBIGUOUS.key:
-        return Sentence("Look-alikes: another place, or the mirrored image, fits almost as well.")
+        return Sentence("Similar places: another place or the mirrored image matches almost as well.")
     if reason == Status.NO_MATCH.key:
         return Sentence(
-            "Too little evidence: landmarks ({landmarks:.0f} in view) agree with the map too loosely.",
+            "Too little evidence: the landmarks ({landmarks:.0f} in view) do not match the map closely enough.",
             landmarks=landmarks,
         )
     return Sentence("Some fixes would be wrong.") if reason == WRONG else None
@@ -96,12 +96,12 @@ def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words
     threshold: float,
     wording: Callable[[Sentence], str] = english,
 ) -> Iterator[dict[str, Any]]:
-    """What is told of each square, by the names of FIELDS; None for what is not known.
+    """Yield the values of each square by the names of FIELDS; None if unknown.
 
     Args:
-        footprint: Edge of the ground that images show.
+        footprint: Footprint width of the images, m.
         threshold: Success that is good enough, 0…1.
-        wording: How a reason is said.
+        wording: Converts a reason to text.
     """
     unlike, inner = _nearest_distinctiveness(windows, cells.centers, footprint), verdict_edges(threshold)[1:-1]
     for n in range(len(cells)):
@@ -117,7 +117,7 @@ def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words
 def expectation(
     estimates: Estimates, n: int, threshold: float, wording: Callable[[Sentence], str] = english
 ) -> dict[str, Any]:
-    """What is told of the n-th place of some, by the columns that squares and points along a route share."""
+    """Return the values of the n-th place, by the columns that squares and points along a route share."""
     success, error, landmarks = (float(of[n]) for of in (estimates.success, estimates.error, estimates.landmarks))
     reason = None if success >= threshold else reason_sentence(estimates.reasons[n], landmarks)
     return {
@@ -135,7 +135,7 @@ def expectation(
 
 
 def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: float) -> list[float]:
-    """Of the window nearest to each place, of the level whose size is nearest to the footprint; NaN where unknown."""
+    """Return that of the window nearest to each place, of the level nearest to the footprint; NaN if unknown."""
     sizes, known = np.unique(windows.sizes), windows.distinctiveness
     if known is None or not len(sizes):
         return [math.nan] * len(places)
@@ -144,5 +144,5 @@ def _nearest_distinctiveness(windows: Windows, places: np.ndarray, footprint: fl
     points, queries = ((xy - middle).astype(np.float32) for xy in (windows.centers[chosen], places))
     number, squared = nearest(points, queries, 1)
     found = known[chosen[number[:, 0]]]
-    # A window that doesn't hold the place says nothing about it.
+    # A window without the place has no information about it.
     return np.where(squared[:, 0] <= (footprint / 2) ** 2, found, np.nan).tolist()

@@ -1,1 +1,1 @@
-"""Map correlation: class areas of an image and of the map (docs/explanation/method.md)."""
+"""Map correlation: compare class areas of an image and the map (docs/explanation/method.md)."""

@@ -1,4 +1,4 @@
-"""The pyramid of a large database, loaded from the user's cache or built (docs/reference/file_formats.md#cache)."""
+"""The pyramid of a large database, from the user's cache or built (docs/reference/file_formats.md#cache)."""
 
 from __future__ import annotations
 
@@ -20,25 +20,26 @@ from .class_pyramid import (
 from .settings import CorrelationSettings
 
 VERSION = 2
-"""Raised whenever the same overview gives other evidence, and so another answer."""
+"""Increase it when the same overview gives other evidence and therefore other results."""
 
 FEWEST_PIXELS = 64_000_000
-"""Of an overview below which its pyramid is made in a second or two and not cached: it takes 1.7 bytes a pixel."""
+"""Overviews with fewer pixels are not cached: their pyramid takes a second or two. A cached pyramid needs 1.7 bytes per
+pixel."""
 
 
 def key_of(overview_hw: np.ndarray, settings: CorrelationSettings) -> str:
-    """What tells a pyramid from others: SHA-256 of the overview and all that it is made with, hexadecimal."""
-    told = json.dumps([VERSION, STORED_REDUCTION, MAXIMUM_CHANNELS, settings.rarity_exponent, *overview_hw.shape])
-    return digest([told.encode(), overview_hw])
+    """Return the cache key of a pyramid: SHA-256 of the overview and of all build values, hexadecimal."""
+    values = json.dumps([VERSION, STORED_REDUCTION, MAXIMUM_CHANNELS, settings.rarity_exponent, *overview_hw.shape])
+    return digest([values.encode(), overview_hw])
 
 
 def cached_pyramid(overview_hw: np.ndarray, frame: MapFrame, settings: CorrelationSettings) -> MapPyramid:
-    """Return the pyramid of a database's overview; one of a large map is loaded from the cache or stored there.
+    """Return the pyramid of a database's overview; that of a large map is loaded from the cache or stored there.
 
     Args:
         overview_hw: (H, W) uint8 labels.
-        frame: Where its pixels lie.
-        settings: It is made with, and every search in it uses.
+        frame: Grid of its pixels.
+        settings: Of the pyramid and of every search in it.
     """
     if overview_hw.size < FEWEST_PIXELS:
         return MapPyramid(overview_hw, frame, settings)
@@ -50,7 +51,7 @@ def cached_pyramid(overview_hw: np.ndarray, frame: MapFrame, settings: Correlati
 
 
 def _fit(parts: PyramidParts, shape_hw: tuple[int, int]) -> bool:
-    """Whether the arrays have the shapes and kinds of a pyramid of an overview of that shape."""
+    """Return whether the arrays have the shapes and types of a pyramid for an overview of that shape."""
     projection = parts.get("projection")
     if projection is None or projection.ndim != 2 or len(projection) > MAXIMUM_CHANNELS:
         return False

@@ -1,15 +1,15 @@
-"""Class fractions of label rasters at coarser and coarser pixels: what map correlation compares.
+"""Class fractions of label rasters at increasingly coarse pixels, which map correlation compares.
 
-Told in docs/explanation/method.md#map-correlation.
+See docs/explanation/method.md#map-correlation.
 
-A label raster becomes, per class, the fraction of each coarse pixel that the class covers. Area overlap survives what
-centers of gravity don't: merged houses, ragged edges, missing roads. Pixels without a label say nothing: they are
-counted neither for nor against a class, so that the edge of a map is not its most striking feature. On a map with a
-single class they count as a class of their own.
+For each class, a label raster becomes the fraction of each coarse pixel that the class covers. Area overlap is robust
+where centers of gravity are not: merged houses, boundary jitter, missing roads. Pixels without a label count neither
+for nor against a class, so that the edge of a map is not its most distinctive feature. On a map with a single class
+they count as a class of their own.
 
-Fractions are not compared class by class but as *evidence*: at most ``MAXIMUM_CHANNELS`` numbers a pixel, the fractions
-less what is usual on this map, weighted by how informative each class is, and turned to the few directions in which
-they differ most (principal components). That keeps the time the same for 5 and for 200 classes.
+Fractions are not compared class by class but as *evidence*: at most ``MAXIMUM_CHANNELS`` numbers per pixel. Evidence is
+the fractions minus their mean on this map, weighted by the information of each class, and projected to the few
+directions of largest variance (principal components). The time is therefore the same for 5 and for 200 classes.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from ..labels.class_table import UNLABELED
 from .settings import CORRELATION, CorrelationSettings
 
 MAXIMUM_CHANNELS = 4
-"""Evidence channels; OpenCV's samplers take four at once."""
+"""Evidence channels; OpenCV's samplers process four at once."""
 
 STORED_REDUCTION = 4
-"""Evidence is kept in memory from this reduction of the overview on; finer levels are made of crops when needed."""
+"""Evidence is stored from this reduction of the overview on; finer levels are computed from crops when needed."""
 
 
 @dataclass(frozen=True)
 class ClassSpace:
-    """How the labels of a map become evidence. K classes, C ≤ MAXIMUM_CHANNELS channels.
+    """Projection from the labels of a map to evidence. K classes, C ≤ MAXIMUM_CHANNELS channels.
 
     Attributes:
         values: (K,) uint8, class values of the map; 0 (unlabeled) only beside a single class.
-        usual: (K,) float64, share of the labeled area that each covers.
-        projection: (C, K) float32, evidence of fractions less the usual ones.
+        usual: (K,) float64, share of the labeled area that each class covers.
+        projection: (C, K) float32, evidence of fractions minus the usual ones.
     """
 
     values: np.ndarray
@@ -48,7 +48,7 @@ class ClassSpace:
 
     @property
     def channels(self) -> int:
-        """Numbers a pixel of evidence, C; 0 where the map tells nothing."""
+        """Channels of evidence, C; 0 if the map contains no information."""
         return len(self.projection)
 
 
@@ -57,7 +57,7 @@ class EvidenceLevel:
     """Evidence on a grid.
 
     Attributes:
-        evidence: (H, W, C) float32, 0 where nothing is known.
+        evidence: (H, W, C) float32, 0 without labels.
         known: (H, W) float32, labeled share of each pixel.
         pixel: (x, y) edges of a pixel in the unit of the raster: meters for a map, pixels for an image.
     """
@@ -68,23 +68,23 @@ class EvidenceLevel:
 
 
 def class_fractions(labels_hw: np.ndarray, values: Sequence[int] | np.ndarray, size_wh: tuple[int, int]) -> np.ndarray:
-    """(h, w, K) uint8: the share of each coarse pixel (``FULL`` = all of it) that each class covers.
+    """Return (h, w, K) uint8: the share of each coarse pixel (``FULL`` = all of it) that each class covers.
 
     Args:
         labels_hw: (H, W) uint8 labels.
         values: (K,) class values.
-        size_wh: (w, h), coarse pixels along x and y, not more than the raster has; pixel edges needn't fall together.
+        size_wh: (w, h), coarse pixels along x and y, at most those of the raster; pixel edges need not coincide.
     """
     fractions = np.empty((size_wh[1], size_wh[0], len(values)), np.uint8)
     for index, value in enumerate(values):
-        # A comparison takes a fifth of the time of a table.
+        # A comparison takes a fifth of the time of a lookup table.
         covered = np.equal(labels_hw, value).view(np.uint8) * np.uint8(FULL)
         fractions[..., index] = cv2.resize(covered, size_wh, interpolation=cv2.INTER_AREA)
     return fractions
 
 
 def class_space(fractions: np.ndarray, values: np.ndarray, rarity_exponent: float) -> ClassSpace:
-    """The class space of a map. No labeled pixel gives no channels.
+    """Return the class space of a map; without labeled pixels it has no channels.
 
     Args:
         fractions: (h, w, K) uint8, coarse ones of the map.
@@ -104,13 +104,13 @@ def class_space(fractions: np.ndarray, values: np.ndarray, rarity_exponent: floa
     used = np.argsort(-strength, kind="stable")[:MAXIMUM_CHANNELS]
     used = used[strength[used] > 1e-9 * max(strength.max(), 1e-12)]
     projection = directions[:, used].T * weights
-    # The sign of an eigenvector is the linear algebra library's choice; fix it.
+    # The sign of an eigenvector depends on the linear algebra library: fix it.
     projection *= np.sign(projection[np.arange(len(used)), np.abs(projection).argmax(axis=1)])[:, None]
     return ClassSpace(values, usual, projection.astype(np.float32))
 
 
 def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, np.ndarray]:
-    """Evidence = projection · (fraction − labeled share × usual fraction), 0 where nothing is labeled.
+    """Return evidence = projection · (fraction − labeled share × usual fraction), 0 without labels.
 
     Args:
         fractions: (h, w, K) uint8.
@@ -127,28 +127,25 @@ def evidence_of(fractions: np.ndarray, space: ClassSpace) -> tuple[np.ndarray, n
 
 
 def evidence_level(labels_hw: np.ndarray, space: ClassSpace, size_wh: tuple[int, int]) -> EvidenceLevel:
-    """A label raster's evidence at coarse pixels.
+    """Return a label raster's evidence at coarse pixels; its ``pixel`` is in pixels of the raster.
 
     Args:
         labels_hw: (H, W) uint8 labels.
         size_wh: Coarse pixels along x and y.
-
-    Returns:
-        Its ``pixel`` is in pixels of the raster.
     """
     evidence, known = evidence_of(class_fractions(labels_hw, space.values, size_wh), space)
     return EvidenceLevel(evidence, known, (labels_hw.shape[1] / size_wh[0], labels_hw.shape[0] / size_wh[1]))
 
 
 def evidence_of_shares(shares: ClassShares, space: ClassSpace, shape_hw: tuple[int, int]) -> EvidenceLevel:
-    """The evidence of an image of that shape of which the probable shares of classes are known, on their grid."""
+    """Return the evidence of an image of that shape from the probable shares of its classes, on their grid."""
     evidence, known = evidence_of(shares.of(space.values), space)
     height, width = known.shape
     return EvidenceLevel(evidence, known, (shape_hw[1] / width, shape_hw[0] / height))
 
 
 def reduce_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLevel:
-    """The same evidence on fewer, larger pixels (means of areas; evidence is linear in the fractions)."""
+    """Return the evidence on fewer, larger pixels: means of areas, because evidence is linear in the fractions."""
     height, width = level.known.shape
     if size_wh == (width, height):
         return level
@@ -159,7 +156,7 @@ def reduce_level(level: EvidenceLevel, size_wh: tuple[int, int]) -> EvidenceLeve
 
 
 def mirror_level(level: EvidenceLevel) -> EvidenceLevel:
-    """Left and right exchanged."""
+    """Return the evidence with left and right exchanged."""
     flipped = np.ascontiguousarray(level.evidence[:, ::-1])
     return EvidenceLevel(flipped, np.ascontiguousarray(level.known[:, ::-1]), level.pixel)
 
@@ -169,7 +166,7 @@ PyramidParts = dict[str, np.ndarray]
 
 
 def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts:
-    """What of a pyramid takes time to make, by name; ``part_shapes`` tells their kinds.
+    """Return the arrays of a pyramid that take time to compute, by name; see ``part_shapes`` for their types.
 
     Args:
         labels_hw: (H, W) uint8, a map's overview.
@@ -177,9 +174,9 @@ def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts
     """
     values = np.unique(labels_hw)
     if (values != UNLABELED).sum() > 1:
-        # On a map of one class alone, ground without a label is the other class: all that it can be compared by.
+        # On a map with a single class, ground without a label is the other class.
         values = values[values != UNLABELED]
-    # Whole blocks only: the rest of the last one counts as unlabeled.
+    # Whole blocks only: padding counts as unlabeled.
     block = STORED_REDUCTION
     height, width = labels_hw.shape
     padded = cv2.copyMakeBorder(labels_hw, 0, -height % block, 0, -width % block, cv2.BORDER_CONSTANT, value=0)
@@ -199,13 +196,13 @@ def pyramid_parts(labels_hw: np.ndarray, rarity_exponent: float) -> PyramidParts
 
 
 def _mean_energy(evidence: np.ndarray, known: np.ndarray) -> float:
-    """Mean over the labeled map of the squared evidence, summed over channels."""
+    """Return the mean, over the labeled map, of the squared evidence, summed over channels."""
     labeled = known > 0.5
     return float((evidence[labeled] ** 2).sum(axis=1).mean()) if labeled.any() else 0.0
 
 
 def part_shapes(shape_hw: tuple[int, int], classes: int, channels: int) -> dict[str, tuple[str, tuple[int, ...]]]:
-    """Kind and shape of each part of the pyramid of an overview of that shape, of so many classes and channels."""
+    """Return type and shape of each array of the pyramid of an overview of that shape."""
     shapes: dict[str, tuple[str, tuple[int, ...]]] = {
         "values": ("|u1", (classes,)),
         "usual": ("<f8", (classes,)),
@@ -224,10 +221,10 @@ def part_shapes(shape_hw: tuple[int, int], classes: int, channels: int) -> dict[
 
 
 class MapPyramid:
-    """A map's evidence at pixels of 1, 2, 4, … overview pixels; prepared once a database, used for every query.
+    """A map's evidence at pixels of 1, 2, 4, … overview pixels, prepared once for all queries.
 
-    Levels from STORED_REDUCTION on are made beforehand (C·4 bytes a pixel, a quarter fewer pixels each), and held in
-    memory or mapped from a file (``stored``); finer ones are computed for the crop that is asked for.
+    Levels from STORED_REDUCTION on are computed beforehand (C·4 bytes per pixel, a quarter of the pixels each) and
+    stored in memory or mapped from a file (``stored``). Finer levels are computed for the requested crop.
     """
 
     def __init__(
@@ -237,13 +234,13 @@ class MapPyramid:
         settings: CorrelationSettings = CORRELATION,
         parts: PyramidParts | None = None,
     ) -> None:
-        """Prepares an overview.
+        """Prepare an overview.
 
         Args:
             overview_hw: (H, W) uint8 labels.
-            frame: Where its pixels lie.
-            settings: It is made with, and every search in it uses.
-            parts: Of ``pyramid_parts`` of this overview; None: they are made.
+            frame: Grid of its pixels.
+            settings: Of the pyramid and of every search in it.
+            parts: Of ``pyramid_parts`` of this overview; None to compute them.
         """
         self.labels = np.ascontiguousarray(overview_hw)
         self.frame = frame
@@ -258,39 +255,39 @@ class MapPyramid:
 
     @property
     def bytes(self) -> int:
-        """What labels and evidence take in memory."""
+        """Memory of labels and evidence."""
         return self.labels.nbytes + sum(level.evidence.nbytes + level.known.nbytes for level in self._stored)
 
     @property
     def quiet(self) -> float:
-        """Energy a pixel that is added to the map's own in a score."""
+        """Energy per pixel that is added to the map's own in a score."""
         return self.settings.quiet_energy * self.energy
 
     @property
     def size_m(self) -> tuple[float, float]:
-        """Width and height of the map in map units."""
+        """Width and height of the map, m."""
         return self.labels.shape[1] * self.frame.pixel_size, self.labels.shape[0] * self.frame.pixel_size
 
     def level_of(self, pixel_m: float) -> int:
-        """The level whose pixels are nearest to ``pixel_m`` (×0.71 to ×1.41): its reduction is 2 to the power of it."""
+        """Return the level with pixels nearest to ``pixel_m`` (×0.71 to ×1.41); its reduction is 2 ** level."""
         level = max(0, int(round(np.log2(pixel_m / self.frame.pixel_size))))
         return min(level, int(np.log2(STORED_REDUCTION)) + len(self._stored) - 1)
 
     def stored(self, level: int) -> EvidenceLevel | None:
-        """The whole map at a level that is held in memory; None for finer ones."""
+        """Return the whole map at a stored level; None for finer ones."""
         number = level - int(np.log2(STORED_REDUCTION))
         return self._stored[number] if number >= 0 else None
 
     def crop(self, pixel_m: float, box_m: tuple[float, float, float, float]) -> tuple[EvidenceLevel, float, float]:
-        """The level whose pixels are nearest to those wanted (×0.71 to ×1.41), cut to a box.
+        """Return the level with the nearest pixel size (×0.71 to ×1.41), cut to a box.
 
         Args:
             pixel_m: Edge of a pixel, meters.
             box_m: (left, top, right, bottom) in meters right and down from the map's upper left corner.
 
         Returns:
-            The level and the left and top edge of its first pixel, meters. Never empty: a box beside the map gives one
-            unknown pixel.
+            The level, and the left and top edge of its first pixel in meters. Never empty: a box beside the map gives
+            one unknown pixel.
         """
         level = self.level_of(pixel_m)
         stored = int(np.log2(STORED_REDUCTION))
@@ -318,7 +315,7 @@ class MapPyramid:
 
 
 def _halve(fractions: np.ndarray) -> np.ndarray:
-    """(⌈h/2⌉, ⌈w/2⌉, K) uint8: means of 2 × 2 pixels; beyond the edge is unlabeled."""
+    """Return (⌈h/2⌉, ⌈w/2⌉, K) uint8: means of 2 × 2 pixels; beyond the edge is unlabeled."""
     height, width, count = fractions.shape
     halved = np.empty((-(-height // 2), -(-width // 2), count), np.uint8)
     for index in range(count):

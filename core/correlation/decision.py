@@ -1,10 +1,10 @@
-"""Map correlation's verdict: is the best place *the* place (docs/explanation/method.md#map-correlation)?
+"""Decision of map correlation: is the best place right (docs/explanation/method.md#map-correlation)?
 
-Two opponents: chance, and the best other place of the map. What chance reaches for an image with these classes on this
-map the best place of the mirrored image tells; whether the map has two places alike, the best other place. Both are
-weighed by how well class areas agree as a whole, of which the place was chosen, and in detail, which nobody searched
-for. The curve was fitted on parts of three places and frozen before their other parts were tried
-(docs/reference/settings.md).
+A place has two opponents: chance, and the best other place on the map. The best place of the mirrored image shows what
+chance reaches for an image with these classes on this map. The best other place shows whether the map has two similar
+places. Both are weighted by the overall agreement of class areas, by which the place was chosen, and by the agreement
+in detail, which the search did not use. The curve was fitted on parts of three places and fixed before it was tested on
+their other parts (reference page of the settings).
 """
 
 from __future__ import annotations
@@ -19,26 +19,26 @@ from ..sentences import Sentence
 from .settings import CORRELATION, CorrelationSettings
 
 LEAST_CHANCE = 0.1
-"""Least Fisher's z that a lead is measured in: where nothing else fits at all, chance would be nothing."""
+"""Least Fisher's z as the unit of a lead: without any other match, chance would be zero."""
 
 
 def fisher_z(correlation: float) -> float:
-    """artanh, bounded: makes the spread of correlations by chance alike whatever their size (Fisher 1915)."""
+    """Return artanh, bounded: gives correlations by chance the same spread at every size (Fisher 1915)."""
     return float(np.arctanh(np.clip(correlation, 0.0, 0.999)))
 
 
 def surprises(
     details: Sequence[float], others: Sequence[float], settings: CorrelationSettings = CORRELATION
 ) -> list[float]:
-    """Of each place, how little its detail is like that of all the others: −ln of Student's density, signed.
+    """Return for each place how far its detail exceeds that of all others: −ln of Student's density, signed.
 
-    The others are few, so that their mean and their spread are averaged with what is usual: the posterior predictive
-    distribution of a normal one (Gelman et al., Bayesian Data Analysis, 3.3), 0 at its mean. One outlier among them
-    makes the spread large, so that of two places that stand out neither surprises.
+    Mean and spread of the few others are averaged with the usual values: the posterior predictive distribution of a
+    normal one (Gelman et al., Bayesian Data Analysis, 3.3), 0 at its mean. One outlier among them enlarges the spread,
+    so that neither of two outstanding places surprises.
 
     Args:
-        details: Of ``detail_at``, of the image's places.
-        others: Of the mirrored image's, which can't be right.
+        details: Of ``detail_at``, for the image's places.
+        others: For the mirrored image's places, which can't be right.
     """
     usual, spread, weight = settings.usual_detail
     found = []
@@ -58,11 +58,11 @@ def rank(
     mirrored: Sequence[tuple[float, float]],
     settings: CorrelationSettings = CORRELATION,
 ) -> tuple[list[int], CorrelationPeaks]:
-    """Numbers of the places, most likely first, and what is decided about the first by.
+    """Return the numbers of the places, most probable first, and the figures that decide about the first.
 
     Args:
         places: Score and detail of each, highest score first, at least one.
-        mirrored: The same of the mirrored image's places.
+        mirrored: Score and detail of the mirrored image's places.
     """
     scores = [score for score, _ in places]
     details = surprises([detail for _, detail in places], [detail for _, detail in mirrored], settings)
@@ -76,19 +76,19 @@ def rank(
 
 
 def lead(peaks: CorrelationPeaks) -> float:
-    """Lead over the stronger opponent in Fisher's z, in units of that one's: of what chance reaches here."""
+    """Return the lead over the stronger opponent in Fisher's z, in units of that opponent's z."""
     chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
     return fisher_z(peaks.score) / chance - 1
 
 
 def log_odds_over_chance(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
-    """Ln of the odds that the best place is right, against that it is one by chance."""
+    """Return ln of the odds that the best place is right, against a match by chance."""
     offset, by_lead, by_detail = settings.confidence_curve
     return offset + by_lead * lead(peaks) + by_detail * peaks.detail
 
 
 def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
-    """The same against that another place is right, which is as good as the best others in score and in detail."""
+    """Return ln of the odds against another place, with the best score and detail of all others."""
     _, by_lead, by_detail = settings.confidence_curve
     chance = max(fisher_z(peaks.runner_up), fisher_z(peaks.mirror), LEAST_CHANCE)
     lead_here = (fisher_z(peaks.score) - fisher_z(peaks.runner_up)) / chance
@@ -96,7 +96,7 @@ def log_odds_over_runner_up(peaks: CorrelationPeaks, settings: CorrelationSettin
 
 
 def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRELATION) -> float:
-    """Probability that the best place is wrong: one by chance, or another that is like it."""
+    """Return the error probability of the best place: a match by chance, or another similar place."""
     over_chance, over_runner_up = log_odds_over_chance(peaks, settings), log_odds_over_runner_up(peaks, settings)
     return risk_of(-float(np.logaddexp(-over_chance, -over_runner_up)))
 
@@ -104,11 +104,11 @@ def risk_of_peaks(peaks: CorrelationPeaks, settings: CorrelationSettings = CORRE
 def decide(
     peaks: CorrelationPeaks, allowed_risk: float = RISK, settings: CorrelationSettings = CORRELATION
 ) -> tuple[Status, Sentence | None]:
-    """Status, and the reason unless that is a fix.
+    """Return the status, and the reason unless it is a fix.
 
     Args:
-        peaks: How well the best places agree.
-        allowed_risk: Probability of being wrong up to which the best place is a fix.
+        peaks: Agreement of the best places.
+        allowed_risk: Maximum error probability of a fix.
     """
     score = peaks.score
     risk = risk_of_peaks(peaks, settings)
@@ -150,28 +150,27 @@ def decide(
 def decide_accuracy(
     error_95_m: float, diagonal_m: float, is_held: bool = False, settings: CorrelationSettings = CORRELATION
 ) -> tuple[Status, Sentence | None]:
-    """Status of the only place that agrees, by how closely it is known, and the reason unless that is a fix.
+    """Return the status of the only agreeing place from its accuracy, and the reason unless it is a fix.
 
     Args:
-        error_95_m: As the image itself tells.
+        error_95_m: 95 % radius of the image itself.
         diagonal_m: Of the image on the ground.
-        is_held: It lies where the map ends, and would fit better farther out.
+        is_held: The place is at the map's edge and would match better beyond it.
     """
     if is_held:
         return Status.AMBIGUOUS, Sentence(
-            "One place agrees, but more than half of the image lies beyond the map there, so that its position isn't "
-            "known."
+            "One place matches, but more than half of the image is outside the map, so its position is not known."
         )
     needed_m = settings.largest_error * diagonal_m
     if error_95_m <= needed_m:
         return Status.FIX, None
     if not np.isfinite(error_95_m):
         return Status.AMBIGUOUS, Sentence(
-            "One place agrees, but the image doesn't tell its position in all directions."
+            "One place matches, but the image does not determine the position in all directions."
         )
     return Status.AMBIGUOUS, Sentence(
-        "One place agrees, but its position is known only within {error_95_m:.3g} m; an image of this size needs "
-        "{needed_m:.3g} m.",
+        "One place matches, but its 95 % radius is {error_95_m:.3g} m; for this footprint, at most {needed_m:.3g} m is "
+        "allowed.",
         error_95_m=error_95_m,
         needed_m=needed_m,
     )
@@ -180,12 +179,11 @@ def decide_accuracy(
 def position_error_95(
     covariance_m2: np.ndarray, score: float, overview_pixel_m: float, settings: CorrelationSettings = CORRELATION
 ) -> float:
-    """Radius in meters that holds the true position in 95 % of fixes.
+    """Return the 95 % radius of a position, m.
 
     Args:
         covariance_m2: (2, 2) of the position.
-        overview_pixel_m: Pixel of the map's overview.
-        settings: Of map correlation.
+        overview_pixel_m: Pixel size of the map's overview.
     """
     if not np.isfinite(covariance_m2).all():
         return float("inf")
@@ -195,5 +193,5 @@ def position_error_95(
 
 
 def noise_ratio(score: float, settings: CorrelationSettings) -> float:
-    """Return the noise-to-signal ratio of labels whose correlation with the map is ``score``: 1 / score² − 1."""
+    """Return the noise-to-signal ratio of labels that correlate with the map by ``score``: 1 / score² − 1."""
     return max(1 / max(score, 0.1) ** 2 - 1, settings.least_noise)

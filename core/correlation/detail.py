@@ -1,11 +1,11 @@
-"""Map correlation's second opinion: whether what the search did not look at agrees, too.
+"""Check of map correlation: agreement in the detail that the search did not use.
 
-Told in docs/explanation/method.md#map-correlation.
+See docs/explanation/method.md#map-correlation.
 
-The best of very many places agrees well by chance alone, because it was chosen for that: at the pixels of the first
-look. What is finer than those took no part in the choice but for the last few steps. At a wrong place it agrees hardly
-better than with the image moved aside there by a few pixels, which tells what chance gives for just this image on just
-this ground; at the right one it stands out (the peak-to-sidelobe ratio of correlation filters, Bolme et al. 2010).
+The best of very many places agrees well by chance at the pixels of the first look, because it was chosen for that.
+Finer detail took no part in the choice except in the last steps. At a wrong place it agrees hardly better than with the
+image shifted by a few pixels, which shows what chance gives for this image on this ground. At the right place it
+exceeds that clearly (peak-to-sidelobe ratio of correlation filters, Bolme et al. 2010).
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from .refine import ScoredPose, map_under
 
 
 def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> float:
-    """How far what is finer than the first look's pixels agrees better than with the image moved aside.
+    """Return how far the detail below the first look's pixels agrees better than with the image shifted.
 
     Args:
         image: Its evidence, at the decision's pixels.
-        pose: As refined at those pixels.
+        pose: Refined at those pixels.
 
     Returns:
-        In standard deviations of the correlation with the moved image; 0 where nothing is that fine.
+        Standard deviations of the correlation with the shifted image; 0 without such detail.
     """
     window = _window(image, pyramid.settings.coarse_edge)
     seen, there = finer(image.evidence, window), finer(map_under(image, pyramid, pose)[0], window)
@@ -38,11 +38,11 @@ def detail_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> fl
 
 
 def _window(image: EvidenceLevel, coarse_edge: int) -> int:
-    """Odd edge, pixels of the image, that a pixel of the first look has at least; 1 where it is one of them."""
+    """Return the odd edge, in pixels of the image, of at least a pixel of the first look; 1 if they are the same."""
     height, width = image.known.shape
     return 2 * int(np.sqrt(height * width) / coarse_edge / 2) + 1
 
 
 def finer(planes: np.ndarray, window: int) -> np.ndarray:
-    """(H, W, C) less the mean over ``window``² pixels around."""
+    """Return (H, W, C) minus the mean over ``window``² pixels around."""
     return planes - cv2.blur(planes, (window, window), borderType=cv2.BORDER_REFLECT).reshape(planes.shape)

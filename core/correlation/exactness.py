@@ -1,6 +1,6 @@
-"""How exactly map correlation knows a place: its own fit's spread, and the errors that all of an image shares.
+"""Accuracy of a place in map correlation: the covariance of its own fit and of the errors that the whole image shares.
 
-Told in docs/explanation/method.md#position-error.
+See docs/explanation/method.md#how-exactly.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ from .settings import CORRELATION, CorrelationSettings
 from .view_effects import ViewEffect
 
 SAMPLES = 5
-"""Places along an edge of an image, by whose distances it is told how much of a map's displacement all of it shares."""
+"""Places along an edge of an image; their distances determine how much of a map's displacement the image shares."""
 
 
 def noise_factor(score: float, settings: CorrelationSettings = CORRELATION) -> float:
-    """What standard deviations of the refinement are multiplied with, because errors of labels are not independent."""
+    """Return the factor of the refinement's standard deviations, because label errors are not independent."""
     return settings.error_factor * noise_ratio(score, settings) / CIRCLE_95
 
 
 def covariance_on_map(pose: ScoredPose, covariance: np.ndarray) -> np.ndarray:
-    """(4, 4) of map x and y, heading in radians, ln pixel size; infinite where that is.
+    """Return (4, 4) of map x and y, heading in radians, ln pixel size; infinite values stay infinite.
 
     Args:
-        covariance: (4, 4) as ``pose_covariance`` tells it, in image pixels, radians and ln pixel size.
+        covariance: (4, 4) of ``pose_covariance``, in image pixels, radians and ln pixel size.
     """
     to_map = np.eye(4)
     # y of the map goes up, that of image pixels down.
@@ -45,15 +45,15 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
     errors: SharedErrors,
     effect: ViewEffect | None = None,
 ) -> PoseCovariance:
-    """How exactly a pose is known.
+    """Return the covariance of a pose with all its sources of error.
 
     Args:
         pose: With its score.
-        covariance: (4, 4) as ``pose_covariance`` tells it, calibrated by ``noise_factor`` already.
+        covariance: (4, 4) of ``pose_covariance``, already calibrated by ``noise_factor``.
         edge_m: Of the ground that the image shows.
-        overview_pixel_m: Pixel of the map's overview.
-        errors: What is known of the map and of the labels.
-        effect: What lens and tilt may have done, where that was looked at.
+        overview_pixel_m: Pixel size of the map's overview.
+        errors: Of the map and of the labels.
+        effect: Possible effect of lens and tilt, if it was estimated.
     """
     if not np.isfinite(covariance).all():
         return PoseCovariance(as_pairs(np.full((2, 2), np.inf)), np.inf, np.inf)
@@ -62,7 +62,7 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
     shared = errors.map_accuracy**2 * shared_over(errors.settings.map_kernels, edge_m)
     own += shared
     known = [errors.bias_of(bias.value) for bias in (*errors.class_biases, ClassBias(0))]
-    # Which class moved the place, and how far, areas don't tell: what is stated is not taken off.
+    # Areas do not show which class moved the place: stated class offsets are not subtracted.
     common = errors.common_spread if errors.unstated([one.value for one in known]) else 0.0
     bias = common**2 + max(errors.spread_of(one, pose.pixel_size_m) ** 2 + one.length**2 / 2 for one in known)
     parts = [
@@ -75,20 +75,20 @@ def full_pose_covariance(  # noqa: PLR0913 - a fit, what it was made on, and wha
         parts.append((VIEW, float(np.sqrt(np.trace(view[:2, :2]) / 2))))
         own += view
     own[:2, :2] += bias * np.eye(2)
-    told = tuple(sorted(((name, CIRCLE_95 * part) for name, part in parts), key=lambda part: -part[1]))
-    return covariance_of(own, pose.pixel_size_m, told)
+    budget = tuple(sorted(((name, CIRCLE_95 * part) for name, part in parts), key=lambda part: -part[1]))
+    return covariance_of(own, pose.pixel_size_m, budget)
 
 
 def shared_over(kernels: tuple[tuple[float, float], ...], edge_m: float) -> np.ndarray:
-    """(4, 4) covariance of what a map's displacement of variance 1 m² does to a pose: what does not average out.
+    """Return (4, 4): effect on a pose of a map displacement with variance 1 m², which does not average out.
 
-    Of map x and y in meters, heading in radians and ln pixel size.
+    The order is map x and y in meters, heading in radians, ln pixel size.
     """
     places = np.arange(SAMPLES) / (SAMPLES - 1) * edge_m - edge_m / 2
     x, y = (axis.ravel() for axis in np.meshgrid(places, places))
     away = np.hypot(x[:, None] - x, y[:, None] - y)
     together = sum(share * np.exp(-away / length) for length, share in kernels)
-    # Displacements along both axes are independent: turn and growth are their moments about the center.
+    # Displacements along both axes are independent: turn and scale are their moments about the center.
     turning = np.stack([x, y]) / (x**2 + y**2).sum()
     turned = float(sum(moment @ together @ moment for moment in turning))
     return np.diag([float(together.mean())] * 2 + [turned] * 2)

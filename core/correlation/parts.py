@@ -1,7 +1,7 @@
-"""Whether a place holds for all of an image: the parts along its edges, each compared with the map by itself.
+"""Check whether a place is right for the whole image: the parts along its edges, each compared with the map.
 
-An image that shows two places side by side, or ground that changed on one side, agrees with the map in the rest so well
-that the place is sure; what it does not hold for is told.
+If an image shows two places side by side, or ground that changed on one side, the rest can agree so well that the place
+is certain. The fix then names the part that does not agree.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from .class_pyramid import EvidenceLevel, MapPyramid
 from .refine import ScoredPose, map_under
 
 PART_SHARE = 0.3
-"""Share of an image's edge that a part of it reaches in from that edge."""
+"""Width of a part as a share of the image's edge."""
 
 PART_KNOWN = 0.3
-"""Least share of a part that image and map both have labels of."""
+"""Least share of a part with labels in image and map."""
 
 
 @dataclass(frozen=True)
@@ -38,26 +38,23 @@ class Part:
 
 
 def disagreeing_part(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> Sentence | None:
-    """What a place that agrees as a whole does not hold for.
+    """Return the part that agrees least, if it agrees far less than the whole image; otherwise None.
 
     Args:
         image: Its evidence, at the pixels of the decision.
-
-    Returns:
-        The part that agrees least, if it agrees far less than the whole image; None if none does.
     """
     settings = pyramid.settings
     whole, parts = agreeing_parts(image, pyramid, pose)
-    telling = [part for part in parts if min(part.energies) >= settings.part_energy]
-    if whole <= 0 or not telling:
+    informative = [part for part in parts if min(part.energies) >= settings.part_energy]
+    if whole <= 0 or not informative:
         return None
-    least = min(telling, key=lambda part: part.agreement)
+    least = min(informative, key=lambda part: part.agreement)
     if least.agreement >= settings.part_agreement * whole:
         return None
     part = IMAGE_PARTS[least.name]
     return Sentence(
-        "In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in all of "
-        "it): changed, mistaken, or another place. The fix holds for the rest.",
+        "In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed "
+        "ground, wrong labels, or another place. The fix is valid for the rest.",
         part=part,
         agreement=least.agreement,
         whole=whole,
@@ -65,19 +62,19 @@ def disagreeing_part(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose
 
 
 def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[float, list[Part]]:
-    """How well an image and the parts along its edges agree with the map at a place.
+    """Return how well an image and the parts along its edges agree with the map at a place.
 
     Args:
         image: Its evidence, at the pixels of the decision.
 
     Returns:
-        Correlation −1…1 of all of it, and the parts of which enough has labels in image and map.
+        Correlation −1…1 of the whole image, and the parts with enough labels in image and map.
     """
     there, on_map = map_under(image, pyramid, pose)
     known = (image.known > 0.5) & (on_map > 0.5)
     if not known.any():
         return 0.0, []
-    # Against the mean of all that is known: a part is a piece of the same comparison.
+    # Minus the mean of the whole image: a part belongs to the same comparison.
     seen, there = (evidence - evidence[known].mean(axis=0) for evidence in (image.evidence, there))
     height, width = known.shape
     reach_x, reach_y = (max(1, round(PART_SHARE * edge)) for edge in (width, height))
@@ -99,6 +96,6 @@ def agreeing_parts(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) 
 
 
 def _agreement(seen: np.ndarray, there: np.ndarray, quiet: float) -> float:
-    """Correlation −1…1 of (n, C) evidence whose mean is off already; ``quiet`` is added to the energy of a pixel."""
+    """Return the correlation −1…1 of (n, C) evidence without means; ``quiet`` is added to the energy of a pixel."""
     energies = [float((one**2).sum()) + quiet * len(one) for one in (seen, there)]
     return float((seen * there).sum() / np.sqrt(energies[0] * energies[1]))

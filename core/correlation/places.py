@@ -1,6 +1,6 @@
-"""Map correlation's list of places: from the whole map to a handful of refined poses, coarse to fine.
+"""Find places in map correlation: from the whole map to a few refined poses, coarse to fine.
 
-Told in docs/explanation/method.md#map-correlation.
+See docs/explanation/method.md#map-correlation.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from .refine_many import refine_many
 from .search import SearchSpace, search
 
 LEAST_LABELED = 0.3
-"""Share of the image that has to be labeled with classes of the map."""
+"""Least share of the image with classes of the map."""
 
 LEAST_ENERGY = 0.02
-"""Evidence about its mean that the image has to have, in units of the map's mean energy a pixel: one class everywhere,
-or nearly, fits every place of that class."""
+"""Least variance of the image's evidence, in units of the map's mean energy per pixel: an image of nearly one class
+matches every place of that class."""
 
 TURN_STEP_DEG = 14.4
 """Step of the headings: moves the middle of the edges of an image of ``coarse_edge`` by one coarse pixel either way."""
@@ -32,27 +32,26 @@ SCALE_STEP = 1.2
 """Ratio of neighboring pixel sizes, for the same reason."""
 
 CHANCE_PEAKS = (1, 12)
-"""From which to before which of a pixel size's peaks the median is what chance gives there; the first may be the right
-place. Set by hand."""
+"""Range of a pixel size's peaks whose median is the level of chance; the first may be the right place. Set by hand."""
 
 WIDE_EDGE = 8
 """Edge of the image at the look before the first one on large maps (``most_at_once``). Set by hand."""
 
 WIDE_STEP = 1.5
-"""Turns and ratios of pixel sizes of that look, in those of the first one: what comes of it starts nearer to the
-optimum than half a turn of it. Set by hand."""
+"""Steps of turns and pixel sizes of that look, in units of the first look's: its results start nearer to the optimum
+than half a turn step. Set by hand."""
 
 WIDE_CANDIDATES = (4096, 512)
 """Places of that look that are refined at its own pixels, and at those of the first look. Set by hand."""
 
 OVERSHOOT = 1.15
-"""A pose may be refined to a pixel size beyond the outermost one looked at by this ratio: half a step and a bit."""
+"""Refinement may exceed the outermost searched pixel size by this ratio: half a step and some margin."""
 
 
 def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid, shares: ClassShares | None = None) -> EvidenceLevel:
-    """The image's evidence at the finest pixels that are used: ``finest_edge`` of them along an edge or all it has.
+    """Return the image's evidence at the finest pixels in use: at most ``finest_edge`` along an edge.
 
-    By the probable shares of classes where they are known.
+    It uses the probable shares of classes if they are known.
     """
     if shares is not None:
         return evidence_of_shares(shares, pyramid.space, _shape(labels_hw))
@@ -60,23 +59,23 @@ def image_evidence(labels_hw: np.ndarray, pyramid: MapPyramid, shares: ClassShar
 
 
 def size_for(shape_hw: tuple[int, int], edge: int) -> tuple[int, int]:
-    """(width, height) of an image of that shape with ``edge``² pixels, never more than it has."""
+    """Return (width, height) with about ``edge``² pixels for an image of that shape, at most its own."""
     height, width = shape_hw
     step = max(1.0, np.sqrt(height * width) / edge)
     return max(1, int(round(width / step))), max(1, int(round(height / step)))
 
 
 def reduce_image(image: EvidenceLevel, edge: int) -> EvidenceLevel:
-    """The image at about edge × edge pixels (the root of its area), never more than it has."""
+    """Return the image at about edge × edge pixels (the root of its area), at most its own."""
     return reduce_level(image, size_for(_shape(image.known), edge))
 
 
 def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence | None:
-    """Why the image can't be found on any map; None when it may."""
+    """Return why the image can't be found on any map; None if it can."""
     labeled = float(coarse.known.mean())
     if labeled < LEAST_LABELED:
         return Sentence(
-            "Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed.",
+            "Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed.",
             labeled=labeled,
             least=LEAST_LABELED,
         )
@@ -89,15 +88,15 @@ def missing_information(coarse: EvidenceLevel, pyramid: MapPyramid) -> Sentence 
 
 
 def search_space(pyramid: MapPyramid, prior: Prior, step: float = 1.0) -> SearchSpace:
-    """All turns (or those of the prior), its pixel sizes in even ratios, and the part of the map to search.
+    """Return the headings (all or those of the prior), pixel sizes in even ratios, and the part of the map to search.
 
-    ``step``: how far turns and pixel sizes are apart, in the settings' steps.
+    ``step``: distance of headings and pixel sizes, in the settings' steps.
 
     Raises:
         ValueError: The prior has no range of pixel sizes.
     """
     if prior.pixel_size_range is None:
-        raise ValueError("Without a range of pixel sizes nothing can be searched.")
+        raise ValueError("The prior has no range of pixel sizes.")
     low, high = np.log(prior.pixel_size_range[0]), np.log(prior.pixel_size_range[1])
     count = max(1, int(np.ceil((high - low) / (step * np.log(SCALE_STEP)) - 1e-9)))
     sizes = np.exp(low + (np.arange(count) + 0.5) * (high - low) / count)
@@ -123,13 +122,13 @@ def _shape(plane: np.ndarray) -> tuple[int, int]:
 
 
 def near_size(space: SearchSpace, pixel_size_m: float) -> SearchSpace:
-    """The part of a search space whose pixel sizes are within a step of one."""
+    """Return the part of a search space with pixel sizes within one step of a given one."""
     step = np.abs(np.log(space.pixel_sizes_m / pixel_size_m))
     return replace(space, pixel_sizes_m=space.pixel_sizes_m[step <= max(step.min(), np.log(SCALE_STEP))])
 
 
 def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
-    """Places × turns × scales that ``search`` compares."""
+    """Return the number of comparisons of ``search``: places × headings × pixel sizes."""
     width, height = space.box_m[2] - space.box_m[0], space.box_m[3] - space.box_m[1]
     pixels_m2 = coarse.pixel[0] * coarse.pixel[1] * space.pixel_sizes_m**2
     return float((width * height / pixels_m2).sum() * len(space.headings_deg))
@@ -138,14 +137,14 @@ def comparisons(space: SearchSpace, coarse: EvidenceLevel) -> float:
 def search_spaces(
     image: EvidenceLevel, pyramid: MapPyramid, prior: Prior
 ) -> tuple[SearchSpace, SearchSpace | None] | None:
-    """What is searched, and the same in larger steps where a look at larger pixels chooses what is looked at; or None.
+    """Return the search space and, if a look at larger pixels chooses first, the same with larger steps.
 
     Args:
         image: Evidence at the pixels of the first look or finer ones.
         prior: With a range of pixel sizes.
 
     Returns:
-        None where the image shows too little ground for so large a map.
+        None if the image shows too little ground for such a large map.
     """
     settings, space, wide = pyramid.settings, search_space(pyramid, prior), None
     looks = comparisons(space, reduce_image(image, settings.coarse_edge))
@@ -158,12 +157,12 @@ def search_spaces(
 def first_peaks(
     image: EvidenceLevel, pyramid: MapPyramid, spaces: tuple[SearchSpace, SearchSpace | None], share: float
 ) -> np.ndarray:
-    """Rows of ``search``, (N, 5) best first, of the first look.
+    """Return rows of ``search``, (N, 5) best first, of the first look.
 
     Args:
         image: Evidence at the pixels of the first look or finer ones.
         spaces: Of ``search_spaces``.
-        share: Of the places that a look at larger pixels chooses, that the first look takes.
+        share: Of the places from a look at larger pixels that the first look uses.
     """
     space, wide = spaces
     if wide is None:
@@ -172,67 +171,67 @@ def first_peaks(
 
 
 def edge_m(image: EvidenceLevel, pixel_size_m: float) -> float:
-    """Edge on the ground (root of the area) of an image at a pixel size."""
+    """Return the edge on the ground (root of the area) of an image at a pixel size."""
     height, width = _shape(image.known)
     return float(np.sqrt(image.pixel[0] * width * image.pixel[1] * height)) * pixel_size_m
 
 
 @dataclass(frozen=True)
 class ChanceLevels:
-    """What chance gives at each pixel size that was searched: the smaller the ground, the better anything fits it.
+    """Level of chance at each searched pixel size: the smaller the ground, the better it matches anywhere.
 
     Attributes:
         log_sizes: (S,) ln of the pixel sizes, ascending.
-        levels: (S,) the usual score of a good place that is not the right one, in Fisher's z.
+        levels: (S,) usual score of a good but wrong place, in Fisher's z.
     """
 
     log_sizes: np.ndarray
     levels: np.ndarray
 
     def at(self, pixel_size_m: np.ndarray | float) -> np.ndarray:
-        """Chance's score in Fisher's z at pixel sizes."""
+        """Return chance's score in Fisher's z at pixel sizes."""
         return np.interp(np.log(pixel_size_m), self.log_sizes, self.levels)
 
     def moved(self, score: float, from_size_m: float, to_size_m: float) -> float:
-        """A score at one pixel size as it would have to be at another to be as far above chance."""
+        """Return the score at another pixel size that is equally far above chance."""
         moved = fisher_z(score) + float(self.at(to_size_m) - self.at(from_size_m))
         return float(np.tanh(max(moved, 0.0)))
 
 
 def chance_levels(peaks: np.ndarray, pixel_sizes_m: np.ndarray, are_chosen: bool = False) -> ChanceLevels:
-    """Chance's level from the peaks of a look, (N, 5) best first: of each pixel size the median of a few.
+    """Return the level of chance from the peaks of a look, (N, 5) best first: the median of a few for each pixel size.
 
-    All 0 where a pixel size has too few peaks to tell, as within a small radius; unless the peaks ``are_chosen`` of all
-    sizes together, when its neighbors tell.
+    All levels are 0 if a pixel size has too few peaks, as in a small search area. If the peaks ``are_chosen`` from all
+    sizes together, neighboring sizes are used instead.
     """
     first, last = CHANCE_PEAKS
     nearest = np.abs(np.log(peaks[:, 4, None] / pixel_sizes_m)).argmin(axis=1)
-    told = []
+    found = []
     for number, size_m in enumerate(pixel_sizes_m):
         scores = peaks[nearest == number, 0][first:last]
         if len(scores) == last - first:
-            told.append((np.log(size_m), float(np.median(np.arctanh(np.clip(scores, 0.0, 0.999))))))
-    if not told or len(told) < len(pixel_sizes_m) and not are_chosen:
+            found.append((np.log(size_m), float(np.median(np.arctanh(np.clip(scores, 0.0, 0.999))))))
+    if not found or len(found) < len(pixel_sizes_m) and not are_chosen:
         return ChanceLevels(np.log(pixel_sizes_m), np.zeros(len(pixel_sizes_m)))
-    return ChanceLevels(*np.array(told).T)
+    return ChanceLevels(*np.array(found).T)
 
 
 def best_places(
     image: EvidenceLevel, pyramid: MapPyramid, spaces: tuple[SearchSpace, SearchSpace | None], count: int
 ) -> tuple[list[ScoredPose], ChanceLevels]:
-    """The best poses, refined at the decision's pixels, farthest above chance first, no two at the same place.
+    """Return the best poses, refined at the decision's pixels, farthest above chance first, all at different places.
 
     Args:
-        image: Evidence at the finest pixels that are used.
-        spaces: What is searched, of ``search_spaces``.
-        count: Places of the first look that are refined.
+        image: Evidence at the finest pixels in use.
+        spaces: Of ``search_spaces``.
+        count: Places of the first look to refine.
     """
     settings, quiet = pyramid.settings, pyramid.quiet
     space, wide = spaces
     peaks = first_peaks(image, pyramid, spaces, count / settings.candidates)
     chance = chance_levels(peaks, space.pixel_sizes_m, wide is not None)
     poses = _poses_of(peaks)
-    # Neighboring peaks may lead to different optima: at first, places are told apart at half the distance.
+    # Neighboring peaks may lead to different optima: until the last round, places differ from half the distance on.
     for edge, kept in (
         (settings.coarse_edge, count),
         (settings.middle_edge, settings.middle_candidates),
@@ -245,9 +244,9 @@ def best_places(
 
 
 def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, share: float) -> np.ndarray:
-    """Rows like those of ``search``, (N, 5) best first, of the places that a look at larger pixels chooses.
+    """Return rows like those of ``search``, (N, 5) best first, of the places that a look at larger pixels chooses.
 
-    ``share``: of the places that are refined.
+    ``share``: of the places to refine.
     """
     settings, sizes = pyramid.settings, wide.pixel_sizes_m
 
@@ -266,7 +265,7 @@ def _wide_peaks(image: EvidenceLevel, pyramid: MapPyramid, wide: SearchSpace, sh
 
 
 _STEPS, _HALF = 3, 0.5
-"""Of a refinement; of the distance at which places are told apart in the end."""
+"""Steps of a refinement; share of the final distance between different places."""
 
 
 def _poses_of(peaks: np.ndarray) -> list[ScoredPose]:
@@ -274,13 +273,13 @@ def _poses_of(peaks: np.ndarray) -> list[ScoredPose]:
 
 
 def _is_in(pose: ScoredPose, space: SearchSpace) -> bool:
-    """Whether a pose that was moved still has a pixel size that was searched."""
+    """Return whether a refined pose still has a searched pixel size."""
     low, high = space.pixel_sizes_m[[0, -1]]
     return low / OVERSHOOT <= pose.pixel_size_m <= high * OVERSHOOT
 
 
 def _above_chance(poses: list[ScoredPose], chance: ChanceLevels) -> list[ScoredPose]:
-    """Sorted by how far they are above chance at their pixel size."""
+    """Return the poses sorted by how far they are above chance at their pixel size."""
     if not poses:
         return []
     scores, sizes = np.array([(pose.score, pose.pixel_size_m) for pose in poses]).T
@@ -289,7 +288,7 @@ def _above_chance(poses: list[ScoredPose], chance: ChanceLevels) -> list[ScoredP
 
 
 def distinct(poses: list[ScoredPose], image: EvidenceLevel, share: float, count: int) -> list[ScoredPose]:
-    """The first ``count`` poses of which none is nearer to an earlier one than a share of that one's edge."""
+    """Return the first ``count`` poses, without those nearer to an earlier one than a share of that one's edge."""
     kept: list[ScoredPose] = []
     places, distances = np.empty((count, 2)), np.empty(count)
     for pose in poses:
@@ -304,10 +303,11 @@ def distinct(poses: list[ScoredPose], image: EvidenceLevel, share: float, count:
 
 
 def finest_pose(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[ScoredPose, np.ndarray]:
-    """The pose refined at finer and finer pixels, to the map's overview pixel at most, and its covariance.
+    """Return the pose refined at increasingly fine pixels, at most the overview's, and its covariance.
 
-    That is taken at the decision's pixels: finer ones promise an accuracy that poor labels don't keep (measured with
-    strong noise: 95 % of the errors are below 3.5 deviations at 64 pixels along an edge, below 7.9 at 128).
+    The covariance is computed at the decision's pixels. Finer pixels would give an accuracy that poor labels do not
+    have (measured with strong noise: 95 % of the errors are below 3.5 standard deviations at 64 pixels along an edge,
+    below 7.9 at 128).
     """
     height, width = image.known.shape
     first, quiet = pyramid.settings.decision_edge, pyramid.quiet

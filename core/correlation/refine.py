@@ -1,10 +1,10 @@
-"""Map correlation's second look: a pose moved to where image and map agree best, finer than a pixel.
+"""Refine a pose in map correlation to the best agreement of image and map, finer than a pixel.
 
-Told in docs/explanation/method.md#map-correlation.
+See docs/explanation/method.md#map-correlation.
 
-Gauss–Newton on Σ (map(pose) − a·image − b)² over all channels, a and b free: the same optimum as the zero-mean
-normalized cross-correlation (Evangelidis & Psarakis 2008), with the mean of both gradients (Malis 2004, "ESM") for a
-wider pull. Four parameters: place (2), heading, logarithm of the pixel size.
+Gauss–Newton on Σ (map(pose) − a·image − b)² over all channels, with free a and b. It has the optimum of the zero-mean
+normalized cross-correlation (Evangelidis & Psarakis 2008). The mean of both gradients (Malis 2004, "ESM") converges
+from farther away. Four parameters: place (2), heading, logarithm of the pixel size.
 """
 
 from __future__ import annotations
@@ -17,36 +17,35 @@ import numpy as np
 from .class_pyramid import EvidenceLevel, MapPyramid
 
 LEAST_KNOWN = 0.5
-"""Share of the footprint that has to be labeled on the map, of a place to be looked at."""
+"""Least labeled share of the map under a place in the search."""
 
 LEAST_KNOWN_MOVED = 0.4
-"""The same when a place is moved to where it fits best: less, so that the limit does not hold places at the map's
-edge."""
+"""Least labeled share during refinement: smaller, so that the limit does not stop places at the map's edge."""
 
 LARGEST_STEP = (1.5, 1.5, 0.06, 0.06)
-"""Bound of one Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. Beyond it the linearization
-does not hold."""
+"""Largest Gauss–Newton step: coarse pixels right and down, radians, ln pixel size. The linearization is not valid
+beyond."""
 
 CONVERGED = 0.02
-"""A step is the last one when it moves nothing by more than this share of a coarse pixel. Set by hand, for the time."""
+"""Refinement ends after a step below this share of a coarse pixel. Set by hand, for the time."""
 
 DAMPING = 1e-4
-"""Added to the normal equations, share of their trace. What changes the image less than that is not determined by it:
-the place along a straight shore that crosses it."""
+"""Added to the normal equations, as a share of their trace. Parameters with less effect are undetermined: for example
+the place along a straight shore that crosses the image."""
 
 NOT_COMPARABLE = -1.0
-"""Score where the map has too few labels under the image, or either of them shows the same all over."""
+"""Score if the map has too few labels under the image, or if either is uniform."""
 
 
 @dataclass(frozen=True)
 class ScoredPose:
-    """Where an image lies, from the map's upper left corner.
+    """Pose of an image, from the map's upper left corner.
 
     Attributes:
         x: Of its center, meters right.
         y: Of its center, meters down.
         heading_deg: Of its top, clockwise from up.
-        pixel_size_m: Ground sampling distance.
+        pixel_size_m: Ground size of a pixel.
         score: Correlation, −1 to 1.
     """
 
@@ -58,13 +57,13 @@ class ScoredPose:
 
 
 def axes(pose: ScoredPose) -> np.ndarray:
-    """(2, 2): meters right and down a step of one image pixel right and down makes."""
+    """Return (2, 2): meters right and down for one image pixel right and down."""
     cos, sin = np.cos(np.radians(pose.heading_deg)), np.sin(np.radians(pose.heading_deg))
     return pose.pixel_size_m * np.array([[cos, -sin], [sin, cos]])
 
 
 def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tuple[np.ndarray, np.ndarray]:
-    """The map as the image would see it from ``pose``: evidence (h, w, C) and labeled share (h, w), float32."""
+    """Return the map as the image would show it from ``pose``: evidence (h, w, C), labeled share (h, w), float32."""
     height, width = image.known.shape
     to_map = axes(pose) * np.array(image.pixel)
     reach = np.abs(to_map) @ np.array([width, height]) / 2
@@ -82,13 +81,13 @@ def map_under(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> tu
 
 
 def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, steps: int) -> ScoredPose:
-    """The best pose of a few Gauss–Newton steps, with its score.
+    """Return the best pose of a few Gauss–Newton steps, with its score.
 
     Args:
         image: Its evidence.
-        pose: A first one.
-        quiet: Energy a pixel added to the map's own in the score.
-        steps: At most.
+        pose: Start pose.
+        quiet: Energy per pixel that is added to the map's own in the score.
+        steps: Most steps.
     """
     best = pose
     for step in range(steps + 1):
@@ -106,11 +105,11 @@ def refine(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: f
 
 
 def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> bool:
-    """Whether a refined pose would move on, were the map not to end: then it lies beside the right one.
+    """Return whether a refined pose would move beyond the map's edge; then the right place is farther out.
 
     Args:
         image: Its evidence.
-        quiet: As for ``refine``.
+        quiet: As in ``refine``.
     """
     pull = _linearize(image, pyramid, pose, quiet).pull
     if pull is None:
@@ -120,7 +119,7 @@ def is_held_by_edge(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
 
 
 def move_pose(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
-    """A pose after a step; its score is not known.
+    """Return a pose after a step, without a score.
 
     Args:
         move: (4,) right and down in image pixels, radians clockwise, ln scale.
@@ -135,16 +134,16 @@ def move_pose(pose: ScoredPose, move: np.ndarray) -> ScoredPose:
 
 
 def score_at(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> float:
-    """Correlation −1…1 of image and map at a pose as it is, or NOT_COMPARABLE."""
+    """Return the correlation −1…1 of image and map at an unchanged pose, or NOT_COMPARABLE."""
     return _linearize(image, pyramid, pose, quiet, LEAST_KNOWN).score
 
 
 def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float) -> np.ndarray:
-    """Covariance of a pose, to be calibrated.
+    """Return the uncalibrated covariance of a pose.
 
     Returns:
-        (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite where nothing tells
-        all of the pose.
+        (4, 4) of x in image pixels right, y down, heading in radians and ln pixel size; infinite if the image does not
+        determine the whole pose.
     """
     pull = _linearize(image, pyramid, pose, quiet).pull
     if pull is None:
@@ -161,7 +160,7 @@ def pose_covariance(image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose,
 
 @dataclass(frozen=True)
 class _Pull:
-    """Where a pose is drawn to.
+    """Gradient of a pose.
 
     Attributes:
         slopes: (4, h·w·C) of the fit, by the parameters in ``parameter_units``.
@@ -174,14 +173,14 @@ class _Pull:
 
 @dataclass(frozen=True)
 class _Fit:
-    """Score of a pose, and where it is drawn to unless nothing tells that."""
+    """Score of a pose, and its gradient if there is one."""
 
     score: float
     pull: _Pull | None = None
 
 
 def parameter_units(image: EvidenceLevel) -> np.ndarray:
-    """One coarse pixel, at the image's edge, in each parameter: they differ by orders of magnitude."""
+    """Return the change of each parameter that moves the image's edge by one coarse pixel."""
     height, width = image.known.shape
     return np.array([image.pixel[0], image.pixel[1], 2 / width, 2 / height])
 
@@ -189,7 +188,7 @@ def parameter_units(image: EvidenceLevel) -> np.ndarray:
 def _linearize(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, quiet: float, least_known: float | None = None
 ) -> _Fit:
-    """A pose's score and pull; ``least_known``: of the footprint, that of poses that are moved if None."""
+    """Return a pose's score and gradient; ``least_known``: least labeled share, that of refinement if None."""
     patch, known = map_under(image, pyramid, pose)
     if known.mean() < (LEAST_KNOWN_MOVED if least_known is None else least_known):
         return _Fit(NOT_COMPARABLE)
@@ -204,7 +203,7 @@ def _linearize(
     if gain <= 0:
         return _Fit(score)
     both = there + gain * seen
-    # Slopes by one coarse pixel, and by the turn and the growth that move the edge's middle by one.
+    # Slopes by one coarse pixel, and by the turn and scale that move the middle of the edge by one.
     gradient_x, gradient_y = difference(both, 1) / 2, difference(both, 0) / 2
     height, width = known.shape
     x = ((np.arange(width, dtype=np.float32) - (width - 1) / 2) * image.pixel[0])[None, :, None]
@@ -217,30 +216,30 @@ def _linearize(
 
 
 def _normal(pull: _Pull) -> np.ndarray:
-    """(4, 4) of the normal equations."""
-    # OpenCV's product and inverse: BLAS and LAPACK would start threads for them and let them spin.
+    """Return (4, 4) of the normal equations."""
+    # OpenCV's product and inverse: BLAS and LAPACK would start threads that keep spinning.
     return cv2.mulTransposed(pull.slopes, False, dtype=cv2.CV_64F)
 
 
 def _inverse(pull: _Pull, damping: float) -> np.ndarray:
-    """(4, 4) inverse of the normal equations, lightly damped."""
+    """Return the (4, 4) inverse of the normal equations, slightly damped."""
     normal = _normal(pull)
     damped = damping * max(float(np.trace(normal)), 1e-30)
     return cv2.invert(normal + damped * np.eye(4), flags=cv2.DECOMP_CHOLESKY)[1]
 
 
 def _move(pull: _Pull, image: EvidenceLevel) -> np.ndarray:
-    """(4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
+    """Return the (4,) Gauss–Newton step: x, y in image pixels, radians, ln scale."""
     descent = np.einsum("ik,k->i", pull.slopes, pull.residual).astype(np.float64)
     limit = np.array(LARGEST_STEP) * np.array([*image.pixel, 1, 1])
     return np.clip(-(_inverse(pull, DAMPING) @ descent) * parameter_units(image), -limit, limit)
 
 
 def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: int) -> np.ndarray:
-    """(P, P) covariance of the sum of all pixels' pulls (P, h·w·C), whose neighbors err together.
+    """Return the (P, P) covariance of the sum of all pixels' gradients (P, h·w·C) with correlated neighbors.
 
-    Pulls are summed in blocks × blocks parts of the image, which are taken as independent (cluster-robust "sandwich"
-    covariance, Liang & Zeger 1986): a patch of a wrong class counts as one error, not as a thousand.
+    Gradients are summed in blocks × blocks parts of the image, which count as independent (cluster-robust "sandwich"
+    covariance, Liang & Zeger 1986): a patch of a wrong class is one error, not a thousand.
     """
     height, width = shape_hw
     rows, columns = (np.linspace(0, edge, min(blocks, edge), endpoint=False).astype(int) for edge in (height, width))
@@ -251,7 +250,7 @@ def clustered_covariance(pulls: np.ndarray, shape_hw: tuple[int, int], blocks: i
 
 
 def difference(planes: np.ndarray, axis: int) -> np.ndarray:
-    """Central differences along an axis, 0 at the two ends (where the image stops, its slope is unknown)."""
+    """Return central differences along an axis; 0 at both ends, where the slope is unknown."""
     slope = np.zeros_like(planes)
     inner = [slice(None)] * planes.ndim
     after, before = list(inner), list(inner)

@@ -1,7 +1,7 @@
-"""Many poses of one image moved at once to where image and map agree best: ``refine`` for a list of places.
+"""``refine`` for many poses of one image at once.
 
-The same Gauss–Newton steps, all poses in one array: at the few pixels of a first look, calls would cost more than
-arithmetic.
+The Gauss–Newton steps are the same, with all poses in one array: at the few pixels of a first look, calls would take
+longer than arithmetic.
 """
 
 from __future__ import annotations
@@ -29,16 +29,13 @@ from .refine import (
 def refine_many(
     image: EvidenceLevel, pyramid: MapPyramid, poses: list[ScoredPose], quiet: float, steps: int
 ) -> list[ScoredPose]:
-    """The best pose of ``steps`` Gauss–Newton steps from each of N poses, with its score.
+    """Return the best pose of ``steps`` Gauss–Newton steps from each of N poses, with its score, in the given order.
 
     Args:
         image: Evidence at coarse pixels.
-        poses: To start from.
-        quiet: Energy a pixel added to the map's own in the score.
-        steps: How often each is moved.
-
-    Returns:
-        In the order given.
+        poses: Start poses.
+        quiet: Energy per pixel that is added to the map's own in the score.
+        steps: Steps of each pose.
     """
     best = [replace(pose, score=NOT_COMPARABLE) for pose in poses]
     if not poses:
@@ -56,7 +53,7 @@ def refine_many(
 
 
 def _maps_under(image: EvidenceLevel, pyramid: MapPyramid, poses: list[ScoredPose]) -> tuple[np.ndarray, np.ndarray]:
-    """The map as the image would see it from each pose: evidence (N, h, w, C) and labeled share (N, h, w), float32."""
+    """Return the map as the image would show it from each pose: evidence (N, h, w, C), labeled share (N, h, w)."""
     height, width = image.known.shape
     patches = np.empty((len(poses), *image.evidence.shape), np.float32)
     known = np.empty((len(poses), height, width), np.float32)
@@ -78,7 +75,7 @@ def _maps_under(image: EvidenceLevel, pyramid: MapPyramid, poses: list[ScoredPos
 
 
 def _places(image: EvidenceLevel, poses: list[ScoredPose], level_pixel_m: float) -> tuple[np.ndarray, np.ndarray]:
-    """Columns and rows, (n · h, w) float32, of a map's level that the image's pixels show from n poses."""
+    """Return columns and rows, (n · h, w) float32, in a map's level for the image's pixels at n poses."""
     height, width = image.known.shape
     right = ((np.arange(width) - (width - 1) / 2) * image.pixel[0])[None, None, :]
     down = ((np.arange(height) - (height - 1) / 2) * image.pixel[1])[None, :, None]
@@ -92,7 +89,7 @@ def _places(image: EvidenceLevel, poses: list[ScoredPose], level_pixel_m: float)
 def _scored(
     seen: np.ndarray, patches: np.ndarray, known: np.ndarray, quiet: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(N,) scores, (N,) gains of the image in the map, and the map (N, h, w, C) free of its means."""
+    """Return (N,) scores, (N,) gains of the image in the map, and the map (N, h, w, C) without its means."""
     there = patches - patches.mean(axis=(1, 2), keepdims=True)
     norm = max(float((seen**2).sum()), 1e-30)
     energy = np.einsum("nhwc,nhwc->n", there, there)
@@ -103,7 +100,7 @@ def _scored(
 
 
 def _moves(image: EvidenceLevel, seen: np.ndarray, there: np.ndarray, gains: np.ndarray) -> np.ndarray:
-    """(N, 4) Gauss–Newton steps: x, y in image pixels, radians, ln pixel size."""
+    """Return (N, 4) Gauss–Newton steps: x, y in image pixels, radians, ln pixel size."""
     count, height, width, _ = there.shape
     model = gains[:, None, None, None].astype(np.float32) * seen
     both = (there + model) / 2

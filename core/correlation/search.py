@@ -1,14 +1,13 @@
-"""Map correlation's first look: all places, turns and scales at coarse pixels, by FFT.
+"""First look of map correlation: all places, headings and pixel sizes at coarse pixels, by FFT.
 
-See docs/explanation/method.md#map-correlation.
+See docs/explanation/method.md#map-correlation. For every pixel size, the map is resampled so that the *image* always
+has the same coarse size: the spectra of the turned images are computed once for all pixel sizes. The map is processed
+in tiles (overlap-save), so that memory does not depend on its size; tiles without labels take no time.
 
-For every assumed ground sampling distance the map is resampled so that the *image* always has the same coarse size:
-the spectra of the turned images are computed once and serve all scales. The map goes tile by tile (overlap-save),
-so memory does not depend on its size; tiles without labels cost nothing.
-
-Score of a place and a turn: Σ over channels of ⟨image, map⟩ under the turned footprint, image free of its mean there,
-divided by the image's norm and by the root of the map's energy around its own mean in the footprint averaged over
-turns: the zero-mean normalized cross-correlation but for the corners; the exact one follows in the refinement.
+The score of a place and a heading is Σ over channels of ⟨image, map⟩ under the turned footprint. The image has mean 0
+there. The sum is divided by the image's norm and by the root of the map's energy around its own mean in the footprint,
+averaged over headings. This is the zero-mean normalized cross-correlation except in the corners; refinement computes
+the exact one.
 """
 
 from __future__ import annotations
@@ -25,19 +24,19 @@ from .class_pyramid import EvidenceLevel, MapPyramid
 from .refine import LEAST_KNOWN
 
 TILE_SIZE = 128
-"""Edge of a tile of the FFT, coarse pixels: a power of two is quickest, about four times the turned image is best."""
+"""Edge of a tile of the FFT, coarse pixels: powers of two are fastest, about four times the turned image is best."""
 
 THREADS = 2
-"""Tiles compared at a time; changes nothing but the time."""
+"""Tiles compared at a time; affects only the time."""
 
 
 @dataclass(frozen=True)
 class SearchSpace:
-    """What is searched.
+    """Poses to search.
 
     Attributes:
-        headings_deg: (T,) turns of the image.
-        pixel_sizes_m: (S,) ground sampling distances.
+        headings_deg: (T,) headings of the image.
+        pixel_sizes_m: (S,) ground sizes of a pixel.
         box_m: (left, top, right, bottom) of the image's center, in meters right and down from the map's upper left
             corner.
     """
@@ -61,13 +60,13 @@ class TurnedImage:
 
 
 def turn_image(image: EvidenceLevel, heading_deg: float, edge: int, pixel: float) -> TurnedImage:
-    """The image as it lies on the map: a square template around its center.
+    """Return the image in its direction on the map: a square template around its center.
 
     Args:
         image: Its evidence.
         heading_deg: Of its top, clockwise from up.
-        edge: Of the template, its own pixels.
-        pixel: Edge of such a pixel, image pixels.
+        edge: Of the template, in its own pixels.
+        pixel: Edge of such a pixel, in image pixels.
     """
     height, width = image.known.shape
     cos, sin = np.cos(np.radians(heading_deg)), np.sin(np.radians(heading_deg))
@@ -83,13 +82,13 @@ def turn_image(image: EvidenceLevel, heading_deg: float, edge: int, pixel: float
 
 
 def template_edge(image: EvidenceLevel) -> int:
-    """Odd edge of the square that holds the image at any turn, in its own pixels."""
+    """Return the odd edge of the square that contains the image at any heading, in its own pixels."""
     height, width = image.known.shape
     return int(np.ceil(np.hypot(height, width))) // 2 * 2 + 3
 
 
 def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.ndarray:
-    """Peaks of each tile and scale; the same place can come up for several scales.
+    """Return peaks of each tile and pixel size; one place can occur for several pixel sizes.
 
     Args:
         image: Coarse evidence.
@@ -120,7 +119,7 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
 
 
 class _Tile(NamedTuple):
-    """A part of the places searched: its corner in meters right and down of the map's, and its places along x and y."""
+    """A part of the searched places: its corner in meters right and down of the map's, and its places along x and y."""
 
     left: float
     top: float
@@ -130,14 +129,14 @@ class _Tile(NamedTuple):
 
 @dataclass(frozen=True)
 class _Templates:
-    """The image at every turn, ready to be laid over a tile.
+    """The image at every heading, prepared for comparison with a tile.
 
     Attributes:
-        pixel: Edge of a template's pixel, image pixels.
-        edge: Of a template, its pixels.
-        tile_size: Edge of a tile, such pixels.
-        spectra: Of each turn and channel, conjugate.
-        mask: Spectrum of the mean mask over turns.
+        pixel: Edge of a template's pixel, in image pixels.
+        edge: Of a template, in its pixels.
+        tile_size: Edge of a tile, in such pixels.
+        spectra: For each heading and channel, conjugate.
+        mask: Spectrum of the mean mask over headings.
         mask_sum: Pixels that it covers.
         quiet: Energy that is added to a footprint's own.
     """
@@ -177,7 +176,7 @@ def _templates(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) ->
 def _tile_peaks(
     pyramid: MapPyramid, templates: _Templates, space: SearchSpace, size_m: float, tile: _Tile
 ) -> list[tuple[float, ...]]:
-    """Rows of ``search`` of one tile at one pixel size."""
+    """Return rows of ``search`` for one tile at one pixel size."""
     pixel_m = size_m * templates.pixel
     scores = _tile_scores(pyramid, templates, pixel_m, (tile.left, tile.top))
     if scores is None:
@@ -197,7 +196,7 @@ def _tile_peaks(
 
 
 def _tiles(box_m: tuple[float, float, float, float], pixel_m: float, step: int) -> Iterator[_Tile]:
-    """Tiles that together cover the box, ``step`` places along an edge."""
+    """Yield tiles that cover the box, with ``step`` places along an edge."""
     columns = max(1, int(np.ceil((box_m[2] - box_m[0]) / pixel_m)))
     rows = max(1, int(np.ceil((box_m[3] - box_m[1]) / pixel_m)))
     for row in range(0, rows, step):
@@ -209,14 +208,14 @@ def _tiles(box_m: tuple[float, float, float, float], pixel_m: float, step: int) 
 def _tile_scores(
     pyramid: MapPyramid, templates: _Templates, pixel_m: float, corner_m: tuple[float, float]
 ) -> np.ndarray | None:
-    """Scores (turns, places, places) of every place of one tile, or None without labels.
+    """Return scores (headings, places, places) of every place of one tile, or None without labels.
 
-    The first place is the pixel whose upper left corner is ``corner_m``.
+    The first place is the pixel with the upper left corner ``corner_m``.
     """
     size, places = templates.tile_size, templates.places
     half = (templates.edge - 1) / 2 * pixel_m
     left, top = corner_m[0] - half, corner_m[1] - half
-    # One pixel more on each side, for the interpolation.
+    # One more pixel on each side, for the interpolation.
     box = left - pixel_m, top - pixel_m, left + (size + 1) * pixel_m, top + (size + 1) * pixel_m
     level, first_x, first_y = pyramid.crop(pixel_m, box)
     step = pixel_m / level.pixel[0]
@@ -248,11 +247,11 @@ def _tile_scores(
 
 @dataclass(frozen=True)
 class _Spectrum:
-    """Spectrum of a plane of even edge n, laid out for quick products: NumPy's are several times as fast as OpenCV's.
+    """Spectrum of a plane of even edge n, for products in NumPy, which are several times faster than in OpenCV.
 
     Attributes:
         inner: (n, n / 2 − 1) complex64, the columns that OpenCV packs as pairs of real and imaginary part.
-        borders: (2, n) float32, the first and the last column: spectra of one dimension, packed themselves.
+        borders: (2, n) float32, the first and the last column: packed spectra of one dimension.
     """
 
     inner: np.ndarray
@@ -260,7 +259,7 @@ class _Spectrum:
 
     @classmethod
     def of(cls, plane: np.ndarray, size: int) -> _Spectrum:
-        """Of a plane put into the upper left corner of a ``size`` × ``size`` one."""
+        """Return the spectrum of a plane in the upper left corner of a ``size`` × ``size`` one."""
         if len(plane) < size:
             padded = np.zeros((size, size), np.float32)
             padded[: plane.shape[0], : plane.shape[1]] = plane
@@ -271,12 +270,12 @@ class _Spectrum:
         return cls(inner, np.ascontiguousarray(packed[:, [0, -1]].T))
 
     def conjugate(self) -> _Spectrum:
-        """With ``inner`` conjugate, as a template is multiplied."""
+        """Return it with conjugate ``inner``, the form of templates."""
         return _Spectrum(np.conj(self.inner), self.borders)
 
 
 def _correlation(tile: Sequence[_Spectrum], template: Sequence[_Spectrum], places: int) -> np.ndarray:
-    """(places, places) float32: Σ over channels of the correlation with a template of conjugate spectra."""
+    """Return (places, places) float32: Σ over channels of the correlation with a template of conjugate spectra."""
     inner = tile[0].inner * template[0].inner
     borders = cv2.mulSpectrums(tile[0].borders, template[0].borders, cv2.DFT_ROWS, conjB=True)
     one_channel = np.empty_like(inner)
@@ -291,12 +290,12 @@ def _correlation(tile: Sequence[_Spectrum], template: Sequence[_Spectrum], place
 
 
 def _even_size(least: int) -> int:
-    """The smallest even edge of a tile, ``least`` or more, that the FFT is quick with."""
+    """Return the smallest even edge of a tile, ``least`` or more, that is fast for the FFT."""
     return 2 * cv2.getOptimalDFTSize((least + 1) // 2)
 
 
 def _peaks(score: np.ndarray, radius: int, count: int) -> np.ndarray:
-    """(M, 2) int rows and columns of the local maxima above 0, best first, at most ``count``."""
+    """Return (M, 2) int rows and columns of the local maxima above 0, best first, at most ``count``."""
     kernel = np.ones((2 * radius + 1, 2 * radius + 1), np.uint8)
     at = np.argwhere((score >= cv2.dilate(score, kernel)) & (score > 0))
     order = np.argsort(-score[at[:, 0], at[:, 1]], kind="stable")

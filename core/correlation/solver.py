@@ -1,13 +1,13 @@
-"""Map correlation: an image's place by overlap of class areas, for labels too poor for centers of gravity.
+"""Map correlation: locate an image by overlap of class areas, for labels too poor for centers of gravity.
 
-Told in docs/explanation/method.md#map-correlation.
+See docs/explanation/method.md#map-correlation.
 
-All places, turns and scales at coarse pixels (``search``), the best of them moved to their optimum at finer
-and finer pixels (``refine``), then a decision on the evidence: how well image and map agree, also in the detail
-that the search did not look at (``detail``), how much worse the next best other place does, and how well the *mirrored*
-image does, which can never be right and has the same classes, density and regularity, so that its best peak shows what
-chance gives on this map. A place that is the only one
-but not known closely (a straight shore) is told as a possible place, not as a fix.
+All places, headings and pixel sizes are compared at coarse pixels (``search``), and the best are refined at
+increasingly fine pixels (``refine``). The decision uses the agreement of image and map, also in the detail that the
+search did not use (``detail``), the score of the next best place, and the score of the *mirrored* image. The mirrored
+image can't be right and has the same classes, density and regularity, so that its best peak shows what chance gives on
+this map. A place that is unique but inaccurate, as along a straight shore, is reported as a possible place, not as a
+fix.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from .search import SearchSpace
 from .view_effects import view_effect
 
 ALTERNATIVE_BAND = 0.1
-"""Other places are results when their score is at most this much below the best one's."""
+"""Other places are results if their score is at most this much below the best one's."""
 
 
 def localize(  # noqa: PLR0913 - an image by its labels and their shares, the map, and what is known beforehand
@@ -54,27 +54,27 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
     errors: SharedErrors | None = None,
     shares: ClassShares | None = None,
 ) -> Localization:
-    """Finds a label image on a map. Same input, same result.
+    """Find a label image on a map. The same input gives the same result.
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
-        pyramid: The map's overview, prepared once.
-        prior: What is known beforehand, the range of pixel sizes at least.
-        allowed_risk: Probability of being wrong up to which the best place is a fix.
-        errors: What is known of the map's errors and the labels'; the defaults without it.
-        shares: Probable shares of classes, which then count instead of the labels.
+        pyramid: Of the map's overview, prepared once.
+        prior: With a range of pixel sizes at least.
+        allowed_risk: Maximum error probability of a fix.
+        errors: Of map and labels; the defaults without it.
+        shares: Probable shares of classes, which replace the labels.
 
     Returns:
-        The best place is told also where it is no fix, if there is any.
+        The best place, even if it is not a fix.
 
     Raises:
         LabelMapError: The image has no pixels.
-        ValueError: The range of pixel sizes is empty or not positive, or the radius is not.
+        ValueError: The range of pixel sizes is empty or not positive, or the radius is not positive.
     """
     _check(labels_hw, prior)
     settings = pyramid.settings
     if not pyramid.space.channels:
-        return _no_match(Sentence("The map has one class everywhere, so that no place differs from another."))
+        return _no_match(Sentence("The map has only one class, so all places look the same."))
     image = image_evidence(np.ascontiguousarray(labels_hw), pyramid, shares)
     coarse = reduce_image(image, settings.coarse_edge)
     missing = missing_information(coarse, pyramid)
@@ -82,12 +82,10 @@ def localize(  # noqa: PLR0913 - an image by its labels and their shares, the ma
         return _no_match(missing)
     spaces = search_spaces(image, pyramid, prior)
     if spaces is None:
-        return _no_match(
-            Sentence("The image shows too little ground to search this whole map for it; give a prior position.")
-        )
+        return _no_match(Sentence("The footprint is too small to search the whole map. Set a prior position."))
     poses, chance = best_places(image, pyramid, spaces, settings.candidates)
     if not poses:
-        return _no_match(Sentence("No place of the map has labels under at least half of the image."))
+        return _no_match(Sentence("The map has no place with labels under at least half of the image."))
     poses, peaks = _rank_places(image, pyramid, spaces, poses, chance)
     pose, covariance = finest_pose(image, pyramid, poses[0])
     decided = reduce_image(image, settings.decision_edge)
@@ -112,10 +110,10 @@ def _rank_places(
     poses: Sequence[ScoredPose],
     chance: ChanceLevels,
 ) -> tuple[list[ScoredPose], CorrelationPeaks]:
-    """The places by score and detail, the best first, and what the verdict needs to know of them."""
+    """Return the places by score and detail, the best first, and the figures for the decision."""
     settings = pyramid.settings
     best_size = poses[0].pixel_size_m
-    # What chance gives depends on the ground that an image shows: a decoy of the same size, a rival as if it were.
+    # The level of chance depends on the footprint: decoys have the same size, and other places are converted to it.
     space, wide = spaces
     near = near_size(space, best_size), None if wide is None else near_size(wide, best_size)
     mirrored, _ = best_places(mirror_level(image), pyramid, near, settings.decoys)
@@ -130,15 +128,15 @@ def _rank_places(
 
 
 def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> float | None:
-    """Correlation −1…1 of a label image with the map at a place that another method found; milliseconds.
+    """Return the correlation −1…1 of a label image with the map at a place from another method; takes milliseconds.
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
         place: With heading and pixel size.
 
     Returns:
-        None where class areas can't tell: the image has too few labels or hardly more than one class, or the map has
-        labels under less than half of it.
+        None if class areas are not sufficient: the image has too few labels or hardly more than one class, or the map
+        has labels under less than half of it.
     """
     if not pyramid.space.channels:
         return None
@@ -150,20 +148,17 @@ def agreement_at(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> fl
 
 
 def part_against(labels_hw: np.ndarray, pyramid: MapPyramid, place: Place) -> Sentence | None:
-    """The part of a label image that a place, found by another method, does not hold for.
+    """Return the part of a label image that disagrees with a place from another method; None without one.
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
         place: With heading and pixel size.
-
-    Returns:
-        None where class areas tell none.
     """
     return disagreeing_part(_decided_level(labels_hw, pyramid), pyramid, _pose_of(place, pyramid))
 
 
 def _decided_level(labels_hw: np.ndarray, pyramid: MapPyramid) -> EvidenceLevel:
-    """A label image at the pixels of the decision."""
+    """Return a label image at the pixels of the decision."""
     height, width = labels_hw.shape
     size = size_for((height, width), pyramid.settings.decision_edge)
     return evidence_level(np.ascontiguousarray(labels_hw), pyramid.space, size)
@@ -175,14 +170,14 @@ def _pose_of(place: Place, pyramid: MapPyramid) -> ScoredPose:
 
 
 def _check(labels_hw: np.ndarray, prior: Prior) -> None:
-    """Raises what ``localize`` says."""
+    """Raise the errors of ``localize``."""
     if labels_hw.size == 0:
         raise LabelMapError("The image has no pixels.")
     sizes = prior.pixel_size_range
     if sizes is None or not 0 < sizes[0] <= sizes[1]:
-        raise ValueError(f"Pixel sizes {sizes} are no range.")
+        raise ValueError(f"Pixel sizes {sizes} are not a range.")
     if prior.radius is not None and not prior.radius > 0:
-        raise ValueError(f"The radius of the prior is {prior.radius:g}; it has to be positive.")
+        raise ValueError(f"The radius of the prior is {prior.radius:g}; it must be positive.")
 
 
 def _no_match(reason: Sentence) -> Localization:
@@ -197,16 +192,16 @@ def _result(  # noqa: PLR0913 - poses, what is known of the first, and what was 
     asked: tuple[float, float],
     is_held: bool,
 ) -> Localization:
-    """The verdict in map coordinates on poses, best first, of which the first has a ``pose_covariance``.
+    """Return the localization for poses, best first; the first pose has a ``pose_covariance``.
 
-    ``asked``: diagonal of the image on the ground, meters, and the risk that is allowed. ``is_held``: the first pose
-    is where the map ends, not where it fits best.
+    ``asked``: diagonal of the image on the ground in meters, and the maximum error probability. ``is_held``: the first
+    pose is at the map's edge, not where it matches best.
     """
     diagonal_m, allowed_risk = asked
     pose, *others = poses
     settings = pyramid.settings
     spread = covariance_on_map(pose, covariance)[:2, :2] if np.isfinite(covariance).all() else np.full((2, 2), np.inf)
-    # What the image itself leaves open: a map that is not exact makes no place doubtful.
+    # The accuracy of the image only: an inaccurate map makes no place doubtful.
     error_95 = position_error_95(spread, peaks.score, pyramid.frame.pixel_size, settings)
     status, reason = decide(peaks, allowed_risk, settings)
     exactness, looseness = decide_accuracy(error_95, diagonal_m, is_held, settings)

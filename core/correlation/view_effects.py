@@ -1,11 +1,8 @@
-"""What a lens that bends or a camera that is tilted does to a place that areas were compared at as if neither did.
+"""Effect of lens distortion and camera tilt on a place that was found by areas without them.
 
-See docs/explanation/method.md#position-error.
-
-Both displace what an image shows by amounts that grow outwards, so that the level
-pose that fits best lies beside the true one. How much the image shows of either is measured by the same Gauss–Newton
-system as the pose, with five more unknowns; how much there may be is the mixture of cameras that landmarks are judged
-by, too (``ErrorSettings.views``).
+See docs/explanation/method.md#how-exactly. Both displace the content of an image increasingly outwards, so that the
+best level pose is beside the true one. The same Gauss–Newton system as for the pose, with five more unknowns, measures
+them in the image. Their prior is the mixture of cameras that landmarks use, too (``ErrorSettings.views``).
 """
 
 from __future__ import annotations
@@ -21,39 +18,39 @@ from .class_pyramid import EvidenceLevel, MapPyramid
 from .refine import DAMPING, LEAST_KNOWN_MOVED, NOT_COMPARABLE, ScoredPose, axes, clustered_covariance, difference
 
 POSE, COUNT = 4, 9
-"""Numbers of a level pose (right, down, heading, ln pixel size; half a diagonal is the unit of the first two); and with
-the effects."""
+"""Parameters of a level pose (right, down, heading, ln pixel size; the unit of the first two is half a diagonal), and
+parameters with the effects."""
 
 STEPS = 3
-"""Gauss–Newton steps; after two a tilt of 10° is known to a twentieth."""
+"""Gauss–Newton steps; two determine a tilt of 10° to a twentieth."""
 
 WORSE = 0.02
-"""A step that lowers the score by more leads away."""
+"""A step that lowers the score by more is rejected."""
 
 LEAST = 1e-6
-"""Deviation of anything that is measured: a map compared with itself is not known better."""
+"""Least standard deviation of a measured parameter: even a map compared with itself is not more accurate."""
 
 SAMPLES = 7
-"""Places along an edge of an image, by which it is told what a displaced map looks like."""
+"""Places along an edge of an image that show the effect of a displaced map."""
 
 _UNITS = np.array([1.0, STRETCH_DEVIATION, STRETCH_DEVIATION, SLOPE_DEVIATION, SLOPE_DEVIATION])
-"""Of lens, stretch and slope of a tilt, two numbers each, in which views state their deviations."""
+"""Units of lens, stretch and slope of a tilt, two numbers each, for the standard deviations of views."""
 
 
 @dataclass(frozen=True)
 class ViewEffect:
-    """How a level pose is off, for all that is known.
+    """Error of a level pose.
 
     Attributes:
-        shift: (4,) mean, of image pixels right and down, heading in radians and ln pixel size.
-        covariance: (4, 4) that the cameras that may be add to that of the pose.
+        shift: (4,) mean, in image pixels right and down, heading in radians and ln pixel size.
+        covariance: (4, 4) that the possible cameras add to that of the pose.
     """
 
     shift: np.ndarray
     covariance: np.ndarray
 
     def correct(self, pose: ScoredPose) -> ScoredPose:
-        """The pose without the mean effect."""
+        """Return the pose without the mean effect."""
         x, y = axes(pose) @ self.shift[:2]
         heading = (pose.heading_deg + float(np.degrees(self.shift[2]))) % 360.0
         size = pose.pixel_size_m * float(np.exp(self.shift[3]))
@@ -63,17 +60,16 @@ class ViewEffect:
 def view_effect(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, factor: float, errors: SharedErrors
 ) -> ViewEffect | None:
-    """How a level pose is off, for all that the image shows of lens and tilt.
+    """Return the error of a level pose from the lens and tilt that the image shows.
 
     Args:
-        image: Its evidence at the pixels that covariances are taken at.
-        pose: The best level one.
-        factor: What standard deviations of the fit are multiplied with (``exactness.noise_factor``).
-        errors: What is known of the map, and the cameras that may be (``ErrorSettings.views``), the one that does
-            nothing first.
+        image: Its evidence at the pixels of covariances.
+        pose: The best level pose.
+        factor: Of the fit's standard deviations (``exactness.noise_factor``).
+        errors: Of the map, with the possible cameras (``ErrorSettings.views``); the first camera has no effect.
 
     Returns:
-        None where nothing tells all of the pose.
+        None if the image does not determine the whole pose.
     """
     system, views = _System(image, pyramid, pose), errors.settings.views
     of_map = system.of_map(errors)
@@ -103,11 +99,11 @@ def _deviations(view: tuple[float, float, float]) -> np.ndarray:
 
 
 def _mixture(measured: _SystemFit, deviations: np.ndarray, shares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Shift (4,) of the pose and its added covariance (4, 4), against a camera that does nothing.
+    """Return shift (4,) of the pose and its added covariance (4, 4), against a camera without effect.
 
     Args:
         measured: Pose and effects.
-        deviations: (K, 5) of the effects, of each camera that may be; the first one does nothing.
+        deviations: (K, 5) of the effects, for each possible camera; the first one has no effect.
         shares: (K,) of the cameras.
     """
     own, seen, to_pose = measured.covariance[POSE:, POSE:], measured.mean[POSE:], measured.to_pose
@@ -116,7 +112,7 @@ def _mixture(measured: _SystemFit, deviations: np.ndarray, shares: np.ndarray) -
     likely: list[float] = []
     for deviation, share in zip(deviations, shares):
         both = np.linalg.inv(own + np.diag(deviation**2))
-        # What is left of the effects that were measured, and of their covariance; the pose goes with them.
+        # Posterior of the measured effects and their covariance; the pose follows them.
         left = deviation**2 * (both @ seen)
         spread = np.diag(deviation**2) - np.diag(deviation**2) @ both @ np.diag(deviation**2)
         moved = measured.mean[:POSE] + to_pose @ (left - seen)
@@ -132,13 +128,13 @@ def _mixture(measured: _SystemFit, deviations: np.ndarray, shares: np.ndarray) -
 
 @dataclass(frozen=True)
 class _SystemFit:
-    """What a fit tells of pose and effects, in units of ``_System``.
+    """Fit of pose and effects, in units of ``_System``.
 
     Attributes:
-        score: Correlation where it was made.
+        score: Correlation at the assumed values.
         mean: (9,).
         covariance: (9, 9).
-        to_pose: (4, 5) how the pose moves with the effects.
+        to_pose: (4, 5) change of the pose with the effects.
     """
 
     score: float
@@ -148,7 +144,7 @@ class _SystemFit:
 
 
 class _System:
-    """The fit of an image to the map around a pose, lens and tilt among its unknowns."""
+    """The fit of an image to the map around a pose, with lens and tilt as unknowns."""
 
     def __init__(self, image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose) -> None:
         self._image, self._pyramid, self._pose = image, pyramid, pose
@@ -156,7 +152,7 @@ class _System:
         self.half = float(np.hypot(height * image.pixel[1], width * image.pixel[0])) / 2
         x = (np.arange(width) - (width - 1) / 2) * image.pixel[0] / self.half
         y = (np.arange(height) - (height - 1) / 2) * image.pixel[1] / self.half
-        # Complex numbers with the imaginary part down: as of image pixels.
+        # Complex numbers with the imaginary part down, like image pixels.
         self._points = u = x[None, :] + 1j * y[:, None]
         ones = np.ones_like(u)
         tilt = [u.conj(), 1j * u.conj(), -u * u.real, -u * u.imag]
@@ -164,7 +160,7 @@ class _System:
         self._seen = image.evidence - image.evidence.mean(axis=(0, 1))
 
     def of_map(self, errors: SharedErrors) -> np.ndarray:
-        """(9, 9) covariance of what a map that is displaced, neighbors alike, is taken for."""
+        """Return the (9, 9) covariance of the apparent effects of a displaced map with correlated neighbors."""
         height, width = self._points.shape
         rows, columns = (np.linspace(0, edge - 1, SAMPLES).round().astype(int) for edge in (height, width))
         sampled = np.ix_(rows, columns)
@@ -178,7 +174,7 @@ class _System:
         return (errors.map_accuracy / half_m) ** 2 * (across @ shared @ across.T + down @ shared @ down.T)
 
     def fit(self, assumed: np.ndarray, factor: float, of_map: np.ndarray) -> _SystemFit | None:
-        """What is measured where pose and effects are assumed (9,); None where nothing tells all of them."""
+        """Return the fit at assumed pose and effects (9,); None if the image does not determine all of them."""
         patch, share = self._patch(assumed)
         there = patch - patch.mean(axis=(0, 1))
         norm, energy = float((self._seen**2).sum()), float((there**2).sum())
@@ -209,7 +205,7 @@ class _System:
         return _SystemFit(score, assumed - inverse @ descent, covariance, to_pose)
 
     def _patch(self, known: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The map as the image would see it: evidence (h, w, C) and labeled share (h, w), float32."""
+        """Return the map as the image would show it: evidence (h, w, C) and labeled share (h, w), float32."""
         pose, image = self._pose, self._image
         seen = (self._points + np.tensordot(known, self._moves, 1)) * self.half
         to_map = axes(pose)

@@ -1,1 +1,1 @@
-"""How well a database localizes, by trials with known truth."""
+"""Measure how well a database localizes, by trials with known ground truth."""

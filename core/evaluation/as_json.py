@@ -1,4 +1,4 @@
-"""An evaluation as JSON: for scripts that compare databases, methods or versions. Same seed, same text."""
+"""An evaluation as JSON, for scripts that compare databases, methods or versions. The same seed gives the same text."""
 
 from __future__ import annotations
 
@@ -70,11 +70,11 @@ FIELDS = (
 def evaluation_json(
     trials: Sequence[Trial], methods: Sequence[str], settings: dict[str, Any], tried_windows: Rate
 ) -> str:
-    """An evaluation as text.
+    """Return an evaluation as JSON text.
 
     Args:
-        methods: The most important first, whose grid of noise it is.
-        tried_windows: Windows that images were taken around, of all.
+        methods: The most important one first; the grid of noise uses it.
+        tried_windows: Windows that images were taken around, of all windows.
     """
     content = {
         "format": FORMAT,
@@ -94,7 +94,7 @@ def evaluation_json(
 
 
 def values_of(trial: Trial, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
-    """One trial by the names of OUTPUT's columns; ``wording``: how its reason is said."""
+    """Return a trial by the names of OUTPUT's columns; ``wording`` converts its reason to text."""
     query = cast(WindowQuery, trial.query)
     view, known = query.view, record(trial.result, wording)
     return {

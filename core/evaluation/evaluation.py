@@ -1,7 +1,8 @@
-"""How well a database localizes: seeded queries with known truth, tried with one method or several.
+"""Evaluate a database: seeded queries with known ground truth, localized with one or more methods.
 
-Queries are cut from a label map around windows of the database, spoiled, and judged against where they were cut.
-A query is made from (seed, part, number) alone, so every method sees the same ones and any of them can be repeated.
+Queries are cut from a label map around windows of the database, get simulated errors, and are compared with the place
+of the cut. A query depends on (seed, part, number) only, so that every method gets the same ones and each can be
+repeated.
 """
 
 from __future__ import annotations
@@ -28,26 +29,26 @@ from .rates import Rate
 from .trial import Query, Trial, judge
 
 MAP, MIRRORED, NOISE, SCALING, ROTATION, OFFSET = PARTS = ("map", "mirrored", "noise", "scaling", "rotation", "offset")
-"""Parts of an evaluation: images of the map, mirrored ones that can't be right, the grid of noise, the paper's
-Tables 4 and 5, and windows moved step by step."""
+"""Parts of an evaluation: images of the map, mirrored images (which can't be right), the grid of noise, the paper's
+Tables 4 and 5, and windows shifted step by step."""
 
 SCALES = (2.0, 1.8, 1.5, 1.2, 1.0, 0.8, 0.75, 0.65, 0.6, 0.5)
 """View radius in windows, as in Table 4 of He & Wu 2025."""
 
 ROTATIONS_DEG = tuple(range(0, 360, 30))
-"""As in Table 5 of He & Wu 2025."""
+"""Rotations of Table 5 of He & Wu 2025."""
 
 OFFSETS = (0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5)
-"""Steps by which windows are moved, as shares of the stride."""
+"""Shifts of windows, as shares of the stride."""
 
 SHARED = ("background", "displaced", "shifted", "leaning", "lens", "tilt")
-"""Ranges of what landmarks of an image have in common, and of its background."""
+"""Ranges of errors that landmarks of an image have in common, and of its background."""
 
 CLEAN = dict.fromkeys(("offset", "missed", "invented", "misnamed", "ragged", "rotation", *SHARED), (0.0, 0.0))
-"""Ranges of a query that shows a window as it is, but for its scale."""
+"""Ranges of a query that shows a window without errors, except for its scale."""
 
 NOISE_LEVELS = (0.0, 20.0, 40.0, 60.0)
-"""Percent of landmarks missed, and of landmarks spurious, of the grid of noise."""
+"""Levels of the grid of noise: percent of missed landmarks, and of spurious ones."""
 
 TABLE_WINDOWS = 3
 """Windows that are scaled and turned for the two tables."""
@@ -55,25 +56,25 @@ TABLE_WINDOWS = 3
 
 @dataclass(frozen=True)
 class TrialRanges:
-    """What a trial draws its values from, each (smallest, largest); named as the parameters are.
+    """Ranges of a trial's values, each (smallest, largest), by the names of the parameters.
 
     Attributes:
-        scale: ground shown, as a multiple of a window's edge (uniform in its logarithm)
-        rotation: heading, degrees
-        offset: of the image's center from the nearest window's, as a share of the stride, the larger of both axes
-        missed: percent of the landmarks
-        invented: spurious landmarks, percent of those that are there
-        misnamed: percent of the landmarks that are mislabeled
-        ragged: boundary jitter, its standard deviation in map units
-        background: percent of the regions of other classes that are mislabeled
-        displaced: what map and ground differ by, neighbors alike: standard deviation along each axis, map units
-        shifted: how far each class of landmarks is shifted as a whole, map units
-        leaning: how far roofs lie from where they stand, percent of the distance from the image's center
-        lens: radial distortion in the corners, percent
-        tilt: of the camera, degrees
+        scale: Ground shown, as a multiple of a window's edge (uniform in its logarithm).
+        rotation: Heading, degrees.
+        offset: Of the image's center from the nearest window's, as a share of the stride, the larger of both axes.
+        missed: Missed landmarks, percent.
+        invented: Spurious landmarks, percent of the existing ones.
+        misnamed: Mislabeled landmarks, percent.
+        ragged: Boundary jitter, standard deviation in m.
+        background: Mislabeled regions of other classes, percent.
+        displaced: Displacement between map and ground that neighbors share: standard deviation along each axis, m.
+        shifted: Class offset of each class of landmarks, m.
+        leaning: Displacement of roofs, percent of the distance from the image's center.
+        lens: Radial distortion in the corners, percent.
+        tilt: Of the camera, degrees.
 
     Raises:
-        ParameterError: for values that can't be.
+        ParameterError: A value is impossible.
     """
 
     scale: tuple[float, float] = (0.8, 1.25)
@@ -99,8 +100,8 @@ class TrialRanges:
             least, most = limits.get(field.name, (0.0, 100.0))
             if not least <= low <= high <= most:
                 raise ParameterError(
-                    "{setting} goes from {low:g} to {high:g}; give two numbers from {least:g} to {most:g}, the "
-                    "smaller one first.",
+                    "{setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one "
+                    "first.",
                     setting=field.name,
                     low=low,
                     high=high,
@@ -111,13 +112,13 @@ class TrialRanges:
 
 @dataclass(frozen=True)
 class WindowQuery(Query):
-    """An image that lies around a window of the database.
+    """An image around a window of the database.
 
     Attributes:
-        landmarks: so many the database has in it
-        scale: ground shown, in edges of the window
-        offset: of the image's center from the window's, as a share of the stride, the larger of both axes
-        shifted: how far each class of landmarks is shifted, map units
+        landmarks: Number in the database's window.
+        scale: Ground shown, in edges of the window.
+        offset: Of the image's center from the window's, as a share of the stride, the larger of both axes.
+        shifted: Class offset of each class of landmarks, m.
     """
 
     window: str = ""
@@ -128,7 +129,7 @@ class WindowQuery(Query):
 
 
 class Evaluation:
-    """Plans queries (``trials``, ``noise_grid``, ``moves``, ``tables``) and tries them one by one (``run``)."""
+    """Plans queries (``trials``, ``noise_grid``, ``moves``, ``tables``) and localizes them one by one (``run``)."""
 
     def __init__(  # noqa: PLR0913 - what is tried, on which map, with which draws, and what counts as right
         self,
@@ -140,17 +141,17 @@ class Evaluation:
         minimum_references: int = 3,
         right_within: float | None = None,
     ) -> None:
-        """Chooses the windows that images are taken around.
+        """Select the windows that images are taken around.
 
         Args:
-            source: a label map in the database's CRS and classes, its pixels of any size
-            ranges: what queries draw their values from
-            seed: with the same one, everything is the same
-            minimum_references: landmarks that a window has to have for trials to lie around it
-            right_within: map units that a right position may be off; None for RIGHT_SHARE of the footprint
+            source: A label map in the database's CRS and classes, with pixels of any size.
+            ranges: Of the queries' values.
+            seed: The same one repeats everything.
+            minimum_references: Least landmarks of a window for trials.
+            right_within: Largest error of a right position, m; None for RIGHT_SHARE of the footprint.
 
         Raises:
-            ParameterError: when no window will do.
+            ParameterError: No window can be used.
         """
         self._database = database
         self._source = source
@@ -158,7 +159,7 @@ class Evaluation:
         self._seed = seed
         self._right_within = right_within
         self.localizer = Localizer(database)
-        # As of a network that states no bias.
+        # Like those of a network that states no class offset.
         self._biases = KnownBiases(class_spread=NETWORK_SPREAD if ranges.shifted[1] > 0 else 0.0)
         self._frame = frame.of_shape(source.shape_hw)
         self._edge = float(database.windows.sizes.min()) if len(database.windows) else 0.0
@@ -166,37 +167,37 @@ class Evaluation:
         self._windows = self._usable_windows(minimum_references)
         if not len(self._windows):
             raise ParameterError(
-                "No window of the database lies on the label map and has {minimum_references} landmarks or more; "
-                "choose the label map of the same ground, or a smaller number of landmarks.",
+                "No window of the database is on the label map and has at least {minimum_references} landmarks. Choose "
+                "a label map of the same ground, or a smaller number of landmarks.",
                 minimum_references=minimum_references,
             )
 
     @property
     def tried_windows(self) -> Rate:
-        """How many windows images are taken around, of all of their size: the ground that the rates are about."""
+        """Windows that images are taken around, of all of their size: the ground that the rates describe."""
         return Rate(len(self._windows), int(np.count_nonzero(self._database.windows.sizes == self._edge)))
 
     def trials(self, count: int, mirrored: int) -> Iterator[WindowQuery]:
-        """``count`` queries of the map, then ``mirrored`` mirrored ones."""
+        """Yield ``count`` queries of the map, then ``mirrored`` mirrored ones."""
         for part, wanted in ((MAP, count), (MIRRORED, mirrored)):
             for number in range(wanted):
                 yield self._draw(part, number)
 
     def noise_grid(self, count: int) -> Iterator[WindowQuery]:
-        """``count`` queries for each pair of NOISE_LEVELS, missed and spurious; the same places for every pair."""
+        """Yield ``count`` queries for each pair of NOISE_LEVELS, missed and spurious, at the same places."""
         for missed in NOISE_LEVELS:
             for invented in NOISE_LEVELS:
                 for number in range(count):
                     yield self._draw(NOISE, number, {"missed": (missed, missed), "invented": (invented, invented)})
 
     def moves(self, count: int) -> Iterator[WindowQuery]:
-        """``count`` windows moved by each of OFFSETS, without noise, neither scaled nor turned."""
+        """Yield ``count`` windows shifted by each of OFFSETS, without noise, scale or rotation."""
         for offset in OFFSETS:
             for number in range(count):
                 yield self._draw(OFFSET, number, {**CLEAN, "scale": (1, 1), "offset": (offset, offset)})
 
     def tables(self) -> Iterator[WindowQuery]:
-        """The paper's Tables 4 and 5: windows without noise, scaled and turned about their centers."""
+        """Yield the paper's Tables 4 and 5: windows without noise, scaled and turned about their centers."""
         for window in self._table_windows():
             for scale in SCALES:
                 yield self._draw(SCALING, 0, {**CLEAN, "scale": (scale, scale)}, window)
@@ -204,7 +205,7 @@ class Evaluation:
                 yield self._draw(ROTATION, 0, {**CLEAN, "scale": (1, 1), "rotation": (angle, angle)}, window)
 
     def image(self, query: WindowQuery) -> np.ndarray:
-        """(H, W) uint8 labels of a query, spoiled; the noise is drawn before the image is mirrored."""
+        """Return (H, W) uint8 labels of a query with errors; the errors are drawn before the image is mirrored."""
         rng = self._rng(query.kind, query.number, 1)
         noise = query.noise.in_pixels(query.view.pixel_size)
         donor = self._donor(query, rng) if noise.changes_landmarks else None
@@ -215,7 +216,7 @@ class Evaluation:
         return np.ascontiguousarray(labels[:, ::-1]) if query.view.is_mirrored else labels
 
     def run(self, query: WindowQuery, methods: Sequence[Method]) -> list[Trial]:
-        """The query tried with each of ``methods``, in their order."""
+        """Localize a query with each of ``methods``, in their order."""
         labels = self.image(query)
         found = [self.localizer.localize(labels, method, biases=self._biases) for method in methods]
         return [self._judge(query, method, one) for method, one in zip(methods, found)]
@@ -227,16 +228,16 @@ class Evaluation:
         )
 
     def _on_map(self, reach: float) -> np.ndarray:
-        """(N,) bool: windows around whose center a square of half edge ``reach`` lies on the label map."""
+        """Return (N,) bool: windows with a square of half edge ``reach`` around their center on the label map."""
         x, y = self._database.windows.centers.T
         left, bottom, right, top = self._frame.extent
-        # For a map whose pixels lie otherwise than the database's.
+        # For a map with another pixel grid than the database's.
         slack = self._frame.pixel_size
         inside = (x - reach >= left - slack) & (x + reach <= right + slack)
         return inside & (y - reach >= bottom - slack) & (y + reach <= top + slack)
 
     def _table_windows(self) -> np.ndarray:
-        """TABLE_WINDOWS of the usable ones; if possible with a vector and with room for the largest scale."""
+        """Return TABLE_WINDOWS of the usable windows; if possible with a vector and room for the largest scale."""
         described = self._windows[self._database.windows.described[self._windows]]
         roomy = described[self._on_map(self._edge / 2 * max(SCALES))[described]]
         chosen = next(found for found in (roomy, described, self._windows) if len(found))
@@ -247,7 +248,7 @@ class Evaluation:
         return np.random.default_rng([self._seed, PARTS.index(part), *numbers])
 
     def _draw(self, part: str, number: int, fixed: dict | None = None, window: int | None = None) -> WindowQuery:
-        """A query with values drawn from the ranges, those ``fixed`` from theirs; around ``window`` if given."""
+        """Return a query with values from the ranges, or from ``fixed`` ones; around ``window`` if given."""
         rng = self._rng(part, number, 0)
         ranges = {**vars(self._ranges), **(fixed or {})}
         window = int(rng.choice(self._windows) if window is None else window)
@@ -257,7 +258,7 @@ class Evaluation:
         missed, invented, misnamed, ragged = (
             float(rng.uniform(*ranges[name])) for name in ("missed", "invented", "misnamed", "ragged")
         )
-        # Drawn after all else, so that images are where they were before there was any of it.
+        # Drawn last, so that images are at the same places as without these errors.
         background, displaced, shifted, leaning, lens, tilt = (float(rng.uniform(*ranges[name])) for name in SHARED)
         noise = LabelNoise(missed / 100, invented / 100, misnamed / 100, ragged)
         noise = replace(noise, background=background / 100, displaced=displaced, leaning=leaning / 100)
@@ -284,7 +285,7 @@ class Evaluation:
         return View(float(x), float(y), heading_deg, pixel_size, size, size, is_mirrored=is_mirrored)
 
     def _donor(self, query: WindowQuery, rng: np.random.Generator) -> np.ndarray:
-        """Labels of another place at the query's scale, whose landmarks are the spurious ones."""
+        """Return labels of another place at the query's scale; its landmarks are the spurious ones."""
         x, y = self._database.windows.centers[rng.choice(self._windows)]
         return cut(self._source, self._frame, self._view(x, y, float(rng.uniform(0, 360)), query.scale))
 
@@ -293,13 +294,13 @@ class Evaluation:
         if result.position is None:
             return trial
         if result.method == Method.TOPOLOGY_VECTOR:
-            # It knows only windows, so it is right when it names the nearest one.
+            # It returns only windows, so it is right when it returns the nearest one.
             is_nearest = self._is_nearest(result.window_index, query.view.position)
             trial = replace(trial, is_right=query.can_be_right and trial.is_fix and is_nearest)
         return replace(trial, window=result.window or self._nearest_window(result.position))
 
     def _is_nearest(self, window: int | None, position: tuple[float, float]) -> bool:
-        """Whether no window of its size has its center nearer to ``position``."""
+        """Return whether no window of its size has its center nearer to ``position``."""
         windows = self._database.windows
         away = np.hypot(*(windows.centers - position).T)
         return bool(away[window] <= away[windows.sizes == windows.sizes[window]].min() + 1e-6 * self._edge)
@@ -310,7 +311,7 @@ class Evaluation:
 
 
 def _offset(limits: tuple[float, float], rng: np.random.Generator) -> np.ndarray:
-    """(2,) offset whose larger axis lies in ``limits``, uniform over that frame of a square."""
+    """Return a (2,) offset with its larger axis in ``limits``, uniform over that frame of a square."""
     reach = math.sqrt(rng.uniform(limits[0] ** 2, limits[1] ** 2))
     offset = np.array([reach * rng.choice([-1, 1]), rng.uniform(-reach, reach)])
     return offset[::-1] if rng.random() < 0.5 else offset

@@ -1,4 +1,4 @@
-"""An evaluation piece by piece: which images are tried with which methods, and what a worker needs to try one."""
+"""An evaluation in pieces: the images with their methods, and the data that a worker needs for one."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .evaluation import Evaluation, TrialRanges, WindowQuery
 
 GRID_CELLS = 16
 MOST_IN_A_CELL = 20
-"""A cell of the grid of noise has count / GRID_CELLS images, but 2 at least and so many at most; so has a step of the
+"""Images of a cell of the noise grid: count / GRID_CELLS, at least 2 and at most this number. So has a step of the
 offset."""
 
 Job = tuple[WindowQuery, list[Method]]
@@ -20,15 +20,15 @@ Job = tuple[WindowQuery, list[Method]]
 
 @dataclass(frozen=True)
 class EvaluationJob:
-    """What is the same for all trials; as of ``Evaluation``.
+    """Values that all trials share, as in ``Evaluation``.
 
     Attributes:
         database: Path of the reference database.
         labels: Path of the label map that images are cut from.
-        ranges: What images draw their values from.
-        seed: With the same one, everything is the same.
-        minimum_references: Landmarks that a window has to have for trials to lie around it.
-        right_within: Map units that a right position may be off; None for a share of the footprint.
+        ranges: Of the images' values.
+        seed: The same one repeats everything.
+        minimum_references: Least landmarks of a window for trials.
+        right_within: Largest error of a right position, m; None for a share of the footprint.
     """
 
     database: str
@@ -40,14 +40,14 @@ class EvaluationJob:
     right_within: float | None = None
 
     def evaluation(self, database: ReferenceDatabase, source: LabelSource) -> Evaluation:
-        """The evaluation that is asked for.
+        """Return the requested evaluation.
 
         Args:
             database: With its overview.
             source: The label map.
 
         Raises:
-            ParameterError: No window will do.
+            ParameterError: No window can be used.
         """
         return Evaluation(
             database, source, self.frame, self.ranges, self.seed, self.minimum_references, self.right_within
@@ -57,13 +57,13 @@ class EvaluationJob:
 def plan_trials(
     evaluation: Evaluation, methods: list[Method], count: int, mirrored_share: float, is_reported: bool
 ) -> list[Job]:
-    """What is tried with which methods.
+    """Return the queries with their methods.
 
     Args:
-        methods: The first is that of the grid of noise.
-        count: Images of the map and mirrored ones.
-        mirrored_share: Of them, 0…1; one at least is of the map.
-        is_reported: Whether tables and charts are made of it, which need more.
+        methods: The first one is that of the grid of noise.
+        count: Images of the map and mirrored ones together.
+        mirrored_share: Share of mirrored images, 0…1; at least one image is of the map.
+        is_reported: Whether to add the queries of tables and charts.
     """
     mirrored = min(round(count * mirrored_share), count - 1)
     jobs = [(query, methods) for query in evaluation.trials(count - mirrored, mirrored)]

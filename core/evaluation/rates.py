@@ -1,4 +1,4 @@
-"""Shares of trials with the interval that their number allows (Wilson 1927), also bin by bin."""
+"""Rates of trials with their confidence interval (Wilson 1927), also in bins."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Z_95 = 1.959964
 
 
 def wilson(successes: int, trials: int) -> tuple[float, float]:
-    """95 % interval of a rate, (low, high) in 0…1; (0, 1) without trials."""
+    """Return the 95 % interval of a rate, (low, high) in 0…1; (0, 1) without trials."""
     if trials == 0:
         return 0.0, 1.0
     rate, square = successes / trials, Z_95**2
@@ -42,13 +42,12 @@ class Rate:
 
 @dataclass(frozen=True)
 class RateAt:
-    """A rate of trials whose value lies in a bin.
+    """A rate of trials in a bin.
 
     Attributes:
-        at: mean of the values
-        low: the bin's beginning
-        high: its end
-        rate: of the trials in it
+        at: Mean of the values.
+        low: Begin of the bin.
+        high: End of the bin.
     """
 
     at: float
@@ -58,21 +57,18 @@ class RateAt:
 
 
 def rate_of(successes: Iterable[bool]) -> Rate:
-    """The rate of True among the trials."""
+    """Return the rate of True among the trials."""
     found = [bool(success) for success in successes]
     return Rate(sum(found), len(found))
 
 
 def binned(values: Sequence[float], successes: Sequence[bool], edges: Sequence[float]) -> list[RateAt]:
-    """One rate for each bin that has values.
+    """Return one rate for each bin with values, in the order of the bins.
 
     Args:
-        values: (n,) what the trials are sorted by
-        successes: (n,) whether each was one
-        edges: ends of the bins, rising; the last bin includes its end, and takes what lies beyond
-
-    Returns:
-        The rates, in the order of the bins.
+        values: (n,) that assign trials to bins.
+        successes: (n,) whether each trial succeeded.
+        edges: Of the bins, ascending; the last bin includes its end and values beyond it.
     """
     at, hits = np.asarray(values, float), np.asarray(successes, bool)
     numbers = np.clip(np.searchsorted(edges, at, side="right") - 1, 0, len(edges) - 2)

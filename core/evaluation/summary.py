@@ -1,4 +1,4 @@
-"""What the trials of an evaluation say: rates with intervals, errors, curves."""
+"""Summaries of an evaluation's trials: rates with intervals, errors, curves."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ IN_VIEW_BINS = (0, 3, 6, 10, 15, 20, 40, 80)
 
 @dataclass(frozen=True)
 class MethodSummary:
-    """One method over all trials. None where nothing is known.
+    """Results of one method over all trials. None if unknown.
 
     Attributes:
-        right: fixes at the right place, of the images of the map
-        wrong: fixes at a wrong place, of the same
-        false_accepts: fixes of mirrored images
-        median_error: 50th percentile of right fixes (CEP50), map units
-        error_95: 95th percentile of right fixes (CEP95), map units
-        heading_error_deg: median of right fixes
-        scale_error: median of right fixes, relative
-        covered: right fixes within their 95 % ellipse
-        statuses: number of images of the map a status
+        right: Fixes at the right place, of the images of the map.
+        wrong: Fixes at a wrong place, of the same images.
+        false_accepts: Fixes of mirrored images.
+        median_error: 50th percentile of right fixes (CEP50), m.
+        error_95: 95th percentile of right fixes (CEP95), m.
+        heading_error_deg: Median of right fixes.
+        scale_error: Median of right fixes, relative.
+        covered: Right fixes within their 95 % ellipse.
+        statuses: Images of the map by status.
     """
 
     method: str
@@ -53,12 +53,12 @@ class MethodSummary:
 
 
 def of_method(trials: Sequence[Trial], method: str, *kinds: str) -> list[Trial]:
-    """The trials of a method with some kinds of queries."""
+    """Return the trials of a method with some kinds of queries."""
     return [t for t in trials if t.method == method and t.query.kind in kinds]
 
 
 def summarize(trials: Sequence[Trial], method: str) -> MethodSummary:
-    """Sums up a method's trials, images of the map and mirrored ones."""
+    """Return the summary of a method's trials, with images of the map and mirrored ones."""
     tried = of_method(trials, method, MAP)
     right = [t for t in tried if t.is_right]
     return MethodSummary(
@@ -76,13 +76,13 @@ def summarize(trials: Sequence[Trial], method: str) -> MethodSummary:
 
 
 def covered(trials: Sequence[Trial]) -> Rate:
-    """Errors within the 95 % ellipse, or circle, among the trials that have one."""
+    """Return the rate of errors within the 95 % ellipse or circle, of the trials that have one."""
     return rate_of(t.radius_ratio <= 1 for t in trials if t.radius_ratio is not None)
 
 
 def held_shares(trials: Sequence[Trial]) -> tuple[Rate, ...]:
-    """Errors within their 50, 95 and 99 % ellipses, or circles, among the trials that have one."""
-    # The ellipse that holds a share reaches √(−2 ln(1 − share)) deviations.
+    """Return the rates of errors within their 50, 95 and 99 % ellipses or circles, of the trials that have one."""
+    # The ellipse of a share has a radius of √(−2 ln(1 − share)) standard deviations.
     at_95 = math.sqrt(-2 * math.log(0.05))
     ratios = [t.radius_ratio * at_95 for t in trials if t.radius_ratio is not None]
     return tuple(rate_of(r <= math.sqrt(-2 * math.log(1 - share)) for r in ratios) for share in HELD_SHARES)
@@ -90,16 +90,16 @@ def held_shares(trials: Sequence[Trial]) -> tuple[Rate, ...]:
 
 @dataclass(frozen=True)
 class RoadSummary:
-    """What a road says of its fixes, against the truth. None where nothing is known.
+    """Stated accuracy of the fixes of one method against the ground truth. None if unknown.
 
     Attributes:
-        road: method that gave them
-        right: fixes at the right place, of all fixes
-        told: mean confidence
-        calibration_error: mean difference of confidence and share of right ones, bin by bin
-        held: right fixes within their 50, 95 and 99 % ellipses
-        median_radius: stated 95 % radius of right fixes, map units
-        median_error: of right fixes, map units
+        road: Method of the fixes.
+        right: Fixes at the right place, of all fixes.
+        told: Mean confidence.
+        calibration_error: Mean difference of confidence and rate of right fixes, over bins.
+        held: Right fixes within their 50, 95 and 99 % ellipses.
+        median_radius: Stated 95 % radius of right fixes, m.
+        median_error: Of right fixes, m.
     """
 
     road: Method
@@ -112,7 +112,7 @@ class RoadSummary:
 
 
 def road_summaries(trials: Sequence[Trial]) -> list[RoadSummary]:
-    """A summary for each method that gave fixes, whatever method was asked for; images that can't be right count."""
+    """Return a summary for each method that gave fixes, whatever method was requested; mirrored images count."""
     by_road: dict[Method, list[Trial]] = {}
     for trial in trials:
         if trial.is_fix:
@@ -137,38 +137,38 @@ def _road(road: Method, fixes: Sequence[Trial]) -> RoadSummary:
 
 
 def percentile(values: Sequence[float | None], percent: float) -> float | None:
-    """Percentile of the values that are known; None when none is."""
+    """Return a percentile of the known values; None without any."""
     known = [value for value in values if value is not None]
     return float(np.percentile(known, percent)) if known else None
 
 
 def success_by_offset(trials: Sequence[Trial], method: str) -> list[RateAt]:
-    """Right fixes of windows that were moved by each of OFFSETS."""
+    """Return the rates of right fixes of windows shifted by each of OFFSETS."""
     moved = of_method(trials, method, OFFSET)
     offsets = [round(cast(WindowQuery, t.query).offset, 6) for t in moved]
     return binned(offsets, [t.is_right for t in moved], (*OFFSETS, np.inf))
 
 
 def success_by_landmarks(trials: Sequence[Trial], edges: Sequence[float] = LANDMARK_BINS) -> list[RateAt]:
-    """Right ones among the trials whose landmarks were counted, from each edge to the next, the last without end."""
+    """Return the rates of right fixes by number of landmarks, from each edge to the next, the last without end."""
     counted = [t for t in trials if t.landmarks is not None]
     return binned([t.landmarks or 0 for t in counted], [t.is_right for t in counted], (*edges, np.inf))
 
 
 def reliability(trials: Sequence[Trial], method: str) -> list[RateAt]:
-    """Share of right ones among the fixes of a confidence, mirrored images among them."""
+    """Return the rates of right fixes by confidence, mirrored images included."""
     fixes = [t for t in of_method(trials, method, MAP, MIRRORED) if t.is_fix]
     return calibration(np.array([t.result.confidence or 0.0 for t in fixes]), np.array([t.is_right for t in fixes]))
 
 
 def calibration(predicted: np.ndarray, right: np.ndarray) -> list[RateAt]:
-    """Right ones among images by their predicted success (n,) 0…1; NaN is left out."""
+    """Return the rates of right images by their predicted success (n,) 0…1; NaN is left out."""
     known = np.isfinite(predicted)
     return binned(predicted[known], np.asarray(right, bool)[known], CONFIDENCE_BINS)
 
 
 def brier_score(predicted: np.ndarray, right: np.ndarray) -> float | None:
-    """Mean squared difference of predicted success and what came of it (1 right, 0 not); None without predictions."""
+    """Return the mean squared difference of predicted and actual success (1 or 0); None without predictions."""
     known = np.isfinite(predicted)
     if not known.any():
         return None
@@ -176,14 +176,14 @@ def brier_score(predicted: np.ndarray, right: np.ndarray) -> float | None:
 
 
 def error_curve(trials: Sequence[Trial], method: str) -> tuple[np.ndarray, np.ndarray]:
-    """Errors of all fixes in order (n,), and the share of the map's images with a fix at most so far off (n,)."""
+    """Return the sorted errors of all fixes (n,), and the share of images with a fix of at most that error (n,)."""
     tried = of_method(trials, method, MAP)
     errors = np.sort([t.error for t in tried if t.is_fix])
     return errors, np.arange(1, len(errors) + 1) / max(len(tried), 1)
 
 
 def noise_rates(trials: Sequence[Trial]) -> list[list[Rate]]:
-    """Right fixes of the noise grid: a row for each level missed, a column for each level spurious."""
+    """Return the rates of right fixes of the noise grid: rows by level of missed, columns of spurious landmarks."""
     tried = [t for t in trials if t.query.kind == NOISE]
     levels = [level / 100 for level in NOISE_LEVELS]
     return [

@@ -1,7 +1,7 @@
-"""THE judged trial: a simulated image, what a localizer said of it, and how far that is from the truth.
+"""A judged trial: a simulated image, its localization, and the error against the ground truth.
 
-Evaluations, assessments and benchmarks all make ``Query`` objects, localize what their views show, and hand both to
-``judge``; what they count (``summary``, ``rates``) is counted over ``Trial`` objects alone.
+Evaluations, assessments and benchmarks make ``Query`` objects, localize the content of their views, and pass both to
+``judge``. All statistics (``summary``, ``rates``) are computed from ``Trial`` objects.
 
 Example:
     >>> query = Query(View(x, y, heading_deg=30.0, pixel_size=1.2))
@@ -23,22 +23,22 @@ from ..simulation.noise import LabelNoise
 from ..simulation.views import View
 
 RIGHT_SHARE = 0.02
-"""A position counts as right within this share of the footprint, unless told otherwise."""
+"""Default of the largest error of a right position, as a share of the footprint."""
 
 SMALLEST_AXIS = 1e-6
-"""Axes of an ellipse, map units, are taken to be at least so long."""
+"""Least length of an ellipse's axes, m."""
 
 
 @dataclass(frozen=True)
 class Query:
-    """One image to be localized, before it is made.
+    """One image to localize, before it is made.
 
     Attributes:
-        view: what it shows: the truth
-        kind: of images that are counted together; what the names are is up to who asks
-        number: in its kind
-        noise: how it is spoiled, lengths in map units
-        is_of_map: False for ground that the database doesn't have: any fix is wrong, as it is of a mirrored view
+        view: Its content, which is the ground truth.
+        kind: Name of images that are counted together; callers choose it.
+        number: In its kind.
+        noise: Simulated errors, lengths in m.
+        is_of_map: False for ground outside the database: any fix is wrong, as for a mirrored view.
     """
 
     view: View
@@ -49,24 +49,24 @@ class Query:
 
     @property
     def can_be_right(self) -> bool:
-        """Whether there is a right place at all."""
+        """Whether a right place exists."""
         return self.is_of_map and not self.view.is_mirrored
 
 
 @dataclass(frozen=True)
 class Trial:
-    """What came of a query with one method. Errors are None where the method tells nothing to compare.
+    """Result of a query with one method. Errors are None if the method gives nothing to compare.
 
     Attributes:
-        method: that was asked for
-        is_right: a fix at the right place
-        error: distance of the position from the true one, map units
-        heading_error_deg: the short way round
-        scale_error: of the pixel size, relative
-        radius_ratio: error in units of the 95 % ellipse, or circle, that was told, in its direction; at most 1 inside
-        window: that was matched, or lies nearest to the position found
-        landmarks: of the map, whole in view or in the window, before any noise; None where nobody counted
-        seconds: processor time of localizing; NaN where it wasn't taken
+        method: Requested method.
+        is_right: Whether it is a fix at the right place.
+        error: Distance of the position from the true one, m.
+        heading_error_deg: Smaller angle between both headings.
+        scale_error: Of the pixel size, relative.
+        radius_ratio: Error in units of the stated 95 % ellipse or circle in its direction; at most 1 inside.
+        window: Matched window, or the one nearest to the position.
+        landmarks: Landmarks of the map, whole in view or in the window, before any errors; None if not counted.
+        seconds: Processor time of localizing; NaN if not measured.
     """
 
     query: Query
@@ -88,12 +88,12 @@ class Trial:
 
     @property
     def is_fix(self) -> bool:
-        """Whether a position was told."""
+        """Whether the result has a position."""
         return self.result.is_fix
 
     @property
     def is_wrong(self) -> bool:
-        """Whether a wrong position was told."""
+        """Whether the result has a wrong position."""
         return self.is_fix and not self.is_right
 
     @property
@@ -110,14 +110,14 @@ def judge(  # noqa: PLR0913 - the last three are notes that a trial carries alon
     landmarks: int | None = None,
     seconds: float = math.nan,
 ) -> Trial:
-    """Compares a result with the truth.
+    """Compare a result with the ground truth.
 
     Args:
-        query: the image, whose view is the truth
-        method: that was asked for
-        right_within: map units that a right position may be off; None for RIGHT_SHARE of the footprint
-        landmarks: as ``Trial`` says
-        seconds: as ``Trial`` says
+        query: The image with its view.
+        method: Requested method.
+        right_within: Largest error of a right position, m; None for RIGHT_SHARE of the footprint.
+        landmarks: As in ``Trial``.
+        seconds: As in ``Trial``.
     """
     if result.position is None:
         return Trial(query, method, result, landmarks=landmarks, seconds=seconds)
@@ -150,8 +150,8 @@ def _radius_ratio(x: float, y: float, result: Localization) -> float | None:
 
 
 def ellipse_ratio(x: float, y: float, ellipse: Ellipse) -> float:
-    """Length of an error (x, y), map units, in units of the 95 % ellipse in its direction; at most 1 inside."""
+    """Return the length of an error (x, y) in units of the 95 % ellipse in its direction; at most 1 inside."""
     along = complex(x, y) * np.exp(-1j * np.radians(90 - ellipse.orientation_deg))
-    # Landmarks without any noise give an ellipse without extent.
+    # Landmarks without noise give an ellipse without extent.
     major, minor = max(ellipse.semi_major, SMALLEST_AXIS), max(ellipse.semi_minor, SMALLEST_AXIS)
     return float(np.hypot(along.real / major, along.imag / minor))

@@ -1,6 +1,7 @@
-"""How the camera was held when an image was taken, and when.
+"""Cameras of images: attitude, lens, height, heading and time.
 
-From a CSV, from the EXIF and XMP of a photo, from the log of its flight: the one place that says which counts first.
+Sources are a camera table (CSV), the EXIF and XMP data of photos, and the log of the flight. This module defines which
+source comes first.
 """
 
 from __future__ import annotations
@@ -23,21 +24,21 @@ COLUMNS = ("image", "roll", "pitch", *LENSES, "time", "height", "heading")
 
 
 def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
-    """The camera of each image.
+    """Return the camera of each image.
 
-    From the CSV where it says something, else from EXIF and XMP of the image or of the photo of its name beside it.
-    Times are all of the CSV when it has any, else of the photos: clocks differ.
+    Values of the CSV come first, then EXIF and XMP of the image or of the photo of the same name beside it. If the CSV
+    has any time, all times are from the CSV: clocks differ.
 
     Args:
-        table_path: The CSV; empty for none.
+        table_path: Path of the CSV; empty without one.
 
     Raises:
-        ParameterError: The CSV can't be used, or names none of the images.
+        ParameterError: The CSV can't be used or does not name any of the images.
     """
     rows = _read_table(table_path) if table_path else {}
     if table_path and not any(stem_of(path) in rows for path in paths):
         raise ParameterError(
-            "{path} names none of the images, for example {image}; its column image holds their file names.",
+            "{path} does not contain the images, for example {image}. Its column image must contain their file names.",
             path=table_path,
             image=os.path.basename(paths[0]),
         )
@@ -46,11 +47,11 @@ def read_cameras(paths: list[str], table_path: str) -> list[Camera]:
 
 
 def merge_camera(row: Camera, photo: Camera, is_timed: bool) -> Camera:
-    """A camera by its row of a table where that says something, else by its photo.
+    """Return a camera with the values of its table row, and the missing ones from its photo.
 
     Args:
-        photo: What EXIF and XMP tell.
-        is_timed: The time is that of the table.
+        photo: Camera from EXIF and XMP.
+        is_timed: Use the time of the table.
     """
     known = row if row.attitude else photo
     return Camera(
@@ -65,19 +66,19 @@ def merge_camera(row: Camera, photo: Camera, is_timed: bool) -> Camera:
     )
 
 
-def complete_camera(camera: Camera, told: Camera, with_attitude: bool) -> Camera:
-    """A camera with what a flight log tells and it doesn't.
+def complete_camera(camera: Camera, logged: Camera, with_attitude: bool) -> Camera:
+    """Return a camera with missing values from a flight log.
 
     Args:
-        camera: By table and photo.
-        told: By the log.
+        camera: From table and photo.
+        logged: From the log.
         with_attitude: Whether images are leveled.
     """
     return replace(
         camera,
-        attitude=camera.attitude or (told.attitude if with_attitude else None),
-        height=camera.height or told.height,
-        heading_deg=told.heading_deg if camera.heading_deg is None else camera.heading_deg,
+        attitude=camera.attitude or (logged.attitude if with_attitude else None),
+        height=camera.height or logged.height,
+        heading_deg=logged.heading_deg if camera.heading_deg is None else camera.heading_deg,
     )
 
 
@@ -85,10 +86,10 @@ def complete_camera(camera: Camera, told: Camera, with_attitude: bool) -> Camera
 
 
 def check_cameras(columns: Columns) -> None:
-    """Raises ParameterError for a header that is not that of a camera table."""
+    """Raise ParameterError unless the header is that of a camera table."""
     if "image" not in columns.names or not set(columns.names) & set(COLUMNS[1:]):
         raise ParameterError(
-            "{path} is no camera table: its header is “{first}”, but it needs the column image and some of {columns}.",
+            "{path} is not a camera table. Its header is “{first}”; it needs the column image and some of {columns}.",
             path=columns.path,
             first=columns.first,
             columns=COLUMNS[1:],
@@ -96,7 +97,7 @@ def check_cameras(columns: Columns) -> None:
 
 
 def _read_table(path: str) -> dict[str, Camera]:
-    """Rows of the CSV by the stem of their image's name; raises ParameterError naming the line."""
+    """Return the cameras of the CSV by image name without extension. Raises ParameterError with the line."""
     found: dict[str, Camera] = {}
     dated = set()
     for row in rows_of(path, check_cameras):
@@ -105,7 +106,7 @@ def _read_table(path: str) -> dict[str, Camera]:
         text = row.texts.get("time", "")
         dated |= {_is_date(text)} if text else set()
     if len(dated) > 1:
-        raise ParameterError("{path} has times in seconds and times with dates; use one of them throughout.", path=path)
+        raise ParameterError("{path} contains times in seconds and times with dates. Use one form for all.", path=path)
     return found
 
 
@@ -116,7 +117,7 @@ def row_camera(row: Row, source: str) -> Camera:
         source: Name of the file.
 
     Raises:
-        ParameterError: A cell can't be used; the error names the line.
+        ParameterError: A value can't be used; the error names the line.
     """
     texts, place = {name: row.texts.get(name, "") for name in COLUMNS}, row.place
     if bool(texts["roll"]) != bool(texts["pitch"]):
@@ -158,7 +159,7 @@ def _is_date(text: str) -> bool:
 
 
 def _seconds(text: str, place: Sentence) -> float:
-    """Of a number of seconds or a date and time as in ISO 8601, in UTC unless it says otherwise."""
+    """Return a number of seconds, or the seconds since 1970 of an ISO 8601 date and time (UTC without a zone)."""
     try:
         moment = datetime.fromisoformat(re.sub(r"Z$", "+00:00", text)) if _is_date(text) else None
         seconds = float(text) if moment is None else 0.0
@@ -166,7 +167,7 @@ def _seconds(text: str, place: Sentence) -> float:
         seconds = float("nan")
     if not math.isfinite(seconds):
         raise ParameterError(
-            "{place}: time is “{text}”; give seconds, or a date and time such as 2025-06-30T14:05:09.250.",
+            "{place}: time is “{text}”. Enter seconds, or a date and time such as 2025-06-30T14:05:09.250.",
             place=place,
             text=text,
         )

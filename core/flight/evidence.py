@@ -1,10 +1,8 @@
-"""What an image says of any place: its best places by itself, and its agreement with the map at an expected one.
+"""Evidence of one image: its best places on the whole map, and its agreement with the map at an expected place.
 
-See docs/explanation/method.md#flights.
-
-An image that is placed nowhere by itself still agrees better with the map where it is
-than at nearly all other places. How much better is told in deviations of what chance gives for just this image: of its
-agreement at random places of the map, moved to their optimum as an expected place is.
+See docs/explanation/method.md#flights. Even an image without a fix of its own agrees better with the map at its true
+place than at nearly all others. The agreement is measured in standard deviations of what chance gives for this image:
+its agreement at random places of the map, refined like the expected place.
 """
 
 from __future__ import annotations
@@ -30,25 +28,25 @@ from .settings import FlightSettings
 from .states import state_of
 
 STEPS = 2
-"""Gauss–Newton steps from an expected place: it is at most a pixel of the first look off."""
+"""Gauss–Newton steps from an expected place, which is at most one pixel of the first look off."""
 
 LEAST_SPREAD = 0.03
-"""Of an image's agreement at random places, in Fisher's z."""
+"""Least standard deviation of an image's agreement at random places, in Fisher's z."""
 
 SEED = 16
 
 
 @dataclass(frozen=True)
 class SeenImage:
-    """An image as hypotheses are compared with it: at the pixels of map correlation's first look.
+    """An image prepared for hypotheses: its evidence at the pixels of map correlation's first look.
 
     Attributes:
-        evidence: Of its labels; None where they tell nothing.
+        evidence: Of its labels; None if they contain too little information.
         edge_px: Root of its area, pixels.
-        chance: Mean and deviation of its agreement, in Fisher's z, at random places.
-        prior: What is known of it alone, with a range of pixel sizes.
+        chance: Mean and standard deviation of its agreement at random places, in Fisher's z.
+        prior: Of this image, with a range of pixel sizes.
         own_state: (4,) of its best place by itself; None without one.
-        own_odds: ln of the odds that this is right.
+        own_odds: ln of the odds that this place is right.
     """
 
     evidence: EvidenceLevel | None
@@ -62,12 +60,12 @@ class SeenImage:
 def prepare_image(
     labels_hw: np.ndarray, pyramid: MapPyramid, prior: Prior, own: Localization | None, settings: FlightSettings
 ) -> SeenImage:
-    """An image, reduced to what hypotheses are compared with.
+    """Return an image prepared for hypotheses.
 
     Args:
         labels_hw: (H, W) uint8 labels of the map's class table, 0 = unknown.
         prior: With a range of pixel sizes.
-        own: What was found for it alone.
+        own: Localization of the image by itself.
     """
     edge_px = float(np.sqrt(labels_hw.size))
     evidence = None
@@ -85,14 +83,14 @@ def prepare_image(
 
 
 def _own(own: Localization | None, origin: tuple[float, float]) -> tuple[np.ndarray | None, float]:
-    """State and log odds of the best place of an image alone."""
+    """Return state and ln odds of the best place of an image by itself."""
     if own is None or own.best is None or own.risk is None or own.best.heading_deg is None:
         return None, 0.0
     return state_of(own.best, origin), log_odds_of(own.risk)
 
 
 def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPose]:
-    """Poses on labeled ground of the map, the same ones every time."""
+    """Return poses on labeled ground of the map; the same ones every time."""
     rng = np.random.default_rng(SEED)
     level = pyramid.stored(pyramid.level_of(8 * pyramid.frame.pixel_size))
     if level is None or prior.pixel_size_range is None:
@@ -112,11 +110,11 @@ def random_poses(pyramid: MapPyramid, prior: Prior, count: int) -> list[ScoredPo
 
 
 def score_poses(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose]) -> list[ScoredPose]:
-    """Poses moved to where image and map agree best near by, with their scores.
+    """Return poses refined to the best agreement of image and map nearby, with their scores.
 
     Args:
         seen: An image with evidence.
-        poses: To start from.
+        poses: Start poses.
     """
     if seen.evidence is None:
         return list(poses)
@@ -124,11 +122,11 @@ def score_poses(seen: SeenImage, pyramid: MapPyramid, poses: Sequence[ScoredPose
 
 
 def best_poses(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -> list[ScoredPose]:
-    """The best places of an image by itself, refined at the pixels of the first look, best first.
+    """Return the best places of an image by itself, refined at the pixels of the first look, best first.
 
     Args:
-        count: At most.
-        apart: Least distance between two, share of the image's edge.
+        count: Most places.
+        apart: Least distance between two places, as a share of the image's edge.
     """
     if seen.evidence is None:
         return []
@@ -143,7 +141,7 @@ def best_poses(seen: SeenImage, pyramid: MapPyramid, count: int, apart: float) -
 
 
 def log_ratios(scores: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
-    """(n,) ln of the likelihood ratio of right places against others, of agreements (n,) at expected places."""
+    """Return ln of the likelihood ratio of right to wrong places, (n,), from agreements (n,) at expected places."""
     offset, slope, least, most = settings.evidence_curve
     mean, spread = seen.chance
     above = (np.arctanh(np.clip(scores, -0.9, 0.999)) - mean) / spread

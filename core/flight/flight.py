@@ -1,6 +1,6 @@
-"""A whole flight at once: the causal track, carried back to where it began, and smoothed.
+"""A whole flight: follow it image by image, extend each track back to its start, and smooth it.
 
-Told in docs/explanation/method.md#flights.
+See docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations
@@ -34,27 +34,27 @@ from .states import wrap_angle
 from .tracker import SIZE_RANGE, FlightTracker, Looked
 
 ROUNDS = 3
-"""In which images are looked at where all others expect them; the last one only weighs."""
+"""Rounds of smoothing. Each measures images again at the place that all others expect; the last only weights."""
 
 AGREES = 1.5
-"""An image that was measured within so many deviations of where all others expect it isn't looked at again."""
+"""An image measured within this many standard deviations of the place that all others expect is not measured again."""
 
 FIRST_DEVIATIONS = (0.25, 0.2, 0.1)
-"""Of a track's first image before anything is measured: share of its edge, radians, ln pixel size."""
+"""Standard deviations of a track's first image before any measurement: share of its edge, radians, ln pixel size."""
 
 
 def localize_flight(
     images: Sequence[FlightImage], links: Sequence[Link], localizer: Localizer, settings: FlightSettings = FLIGHT
 ) -> tuple[FlightPose, ...]:
-    """The joint answer for all images of a flight.
+    """Localize all images of a flight together.
 
     Args:
-        images: In order; each is asked for once or twice.
-        links: Between consecutive images, in any order; where one is missing the motion before is assumed to go on.
+        images: In order of capture.
+        links: Between consecutive images, in any order. A missing link is bridged by the motion before.
         localizer: Of a database with its overview.
 
     Raises:
-        ParameterError: A link is of images that the flight doesn't have.
+        ParameterError: A link names an image that the flight does not have.
         DatabaseError: The database was read without its overview.
     """
     solver = FlightSolver(localizer, settings)
@@ -65,7 +65,7 @@ def localize_flight(
 
 @dataclass
 class _Track:
-    """A track as the causal pass had it: its number, risk, first and last image, and the image it was found at."""
+    """A track of the causal pass: number, error probability, first and last image, and the image that started it."""
 
     number: int
     risk: float
@@ -75,33 +75,28 @@ class _Track:
 
 
 class FlightSolver:
-    """Localizes a flight step by step, so that whoever runs it can tell progress and stop.
+    """Localizes a flight step by step, so that a caller can show progress and cancel.
 
     Attributes:
-        poses: One for each image, in order; empty before the steps are done.
-        causal: What was known image by image, from those before alone, so far.
+        poses: One for each image, in order; empty until all steps are done.
+        causal: Poses from each image and the ones before only, as far as the steps are done.
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
-        """Prepares.
-
-        Args:
-            localizer: Of a database with its overview.
-        """
         self.localizer, self.settings = localizer, settings
         self.poses: tuple[FlightPose, ...] = ()
         self.causal: tuple[FlightPose, ...] = ()
         self._looked: list[Looked] = []
 
     def steps(self, images: Sequence[FlightImage], links: Sequence[Link]) -> Iterator[tuple[int, int]]:
-        """(images done, images) after each image.
+        """Yield (images done, all images) after each image.
 
         Args:
-            images: In order.
-            links: As of ``localize_flight``.
+            images: In order of capture.
+            links: As in ``localize_flight``.
 
         Raises:
-            ParameterError: A link is of images that the flight doesn't have.
+            ParameterError: A link names an image that the flight does not have.
             DatabaseError: The database was read without its overview.
         """
         known = links_by_image(links, len(images))
@@ -125,7 +120,7 @@ class FlightSolver:
         self.poses = tuple(poses)
 
     def _carry_back(self, images: Sequence[FlightImage], track: _Track, earliest: int) -> None:
-        """Follows a track from where it was found back to where it began, and measures the images there."""
+        """Follow a track back from the image that started it, and measure the images on the way."""
         settings, pyramid = self.settings, self.localizer.pyramid
         estimate = self._looked[track.found].estimate
         if estimate is None:
@@ -154,10 +149,10 @@ class FlightSolver:
             track.first = number
 
     def _smooth_track(self, images: Sequence[FlightImage], track: _Track, poses: list[FlightPose]) -> Iterator[None]:
-        """Puts the poses of a track into ``poses``; one step an image that is measured once more.
+        """Store the smoothed poses of a track in ``poses``; yields before each repeated measurement.
 
-        Images are looked at again where all others expect them, unless they were measured there: so one that was led
-        astray by what came before it alone is set right. Measurements that the others contradict are left out.
+        Images are measured again at the place that all others expect unless they were measured there. This corrects
+        images that the ones before had led astray. Measurements that contradict the others are dropped.
         """
         settings, numbers = self.settings, range(track.first, track.last + 1)
         looked = [self._looked[number] for number in numbers]
@@ -185,7 +180,7 @@ class FlightSolver:
     def _estimate_track(
         self, looked: list[Looked], measured: list[Measurement | None], image: FlightImage, drift: float
     ) -> tuple[list[Estimate], float]:
-        """Of each image of a track, with what all of them tell; the displacement's variance."""
+        """Return the smoothed estimate of each image of a track, and the variance of the shared displacement in m²."""
         settings = self.settings
         shared_m2 = shared_variance([one for one in measured if one is not None], settings)
         start = looked[0].estimate
@@ -207,7 +202,7 @@ class FlightSolver:
 
 
 def _with_measurement(pool: Pool, measured: Measurement) -> Pool:
-    """One hypothesis with a measurement."""
+    """Return one hypothesis updated with a measurement."""
     known = np.diag(pool.variances[0, [0, 0, 1, 2]])
     expected = Estimate(pool.states[0], known)
     gain = known @ np.linalg.inv(known + soften(measured, expected).covariance)

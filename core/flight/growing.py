@@ -1,4 +1,4 @@
-"""A table that another program appends to while images come: its rows, each once, when they are complete."""
+"""Read a table that another program appends to during a flight: each row once, when it is complete."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from .table import Check, Columns, Row
 
 
 class GrowingTable:
-    """Reads what came to a table since the last look; it holds no row.
+    """Reads the rows that a table got since the last call; it stores no row.
 
     Attributes:
-        restarts: How often it was shorter than before: then it was written anew and is read from its first line.
+        restarts: Number of times that the file was shorter than before, so that it is read from its first line again.
     """
 
     def __init__(self, path: str, check: Check) -> None:
-        """Reads nothing yet.
+        """Store the path; nothing is read yet.
 
         Args:
-            check: What its header must have.
+            check: Checks the header.
         """
         self.path, self._check, self.restarts = path, check, 0
         self._columns: Columns | None = None
@@ -30,18 +30,18 @@ class GrowingTable:
         self._is_within_line = False
 
     def new_rows(self, is_ended: bool = False) -> Iterator[Row | ParameterError]:
-        """Rows that came since the last look, and in the place of a line that is none what is wrong with it.
+        """Yield the new rows, and an error in place of each row that can't be used.
 
         Args:
-            is_ended: Nobody writes any more: a last line without its end counts.
+            is_ended: No program writes any more: a last line without its end counts.
 
         Raises:
-            ParameterError: The file can't be read, or its header is not that of such a table.
+            ParameterError: The file can't be read or has the wrong header.
         """
         try:
             state = os.stat(self.path)
             if not stat.S_ISREG(state.st_mode):
-                raise ParameterError("{path} is no file; choose a table or a log.", path=self.path)
+                raise ParameterError("{path} is not a file. Choose a table or a log.", path=self.path)
             if state.st_size < self._place:
                 self._columns, self._place, self._number, self._is_within_line = None, 0, 0, False
                 self.restarts += 1
@@ -51,7 +51,7 @@ class GrowingTable:
                     line = file.readline(limits.LINE_BYTES)
                     is_whole = line.endswith(b"\n") or len(line) == limits.LINE_BYTES
                     if not line or not (is_whole or is_ended):
-                        # What is half written is taken at the next look.
+                        # An incomplete line is read by the next call.
                         return
                     self._place += len(line)
                     yield from self._rows_of_line(line)
@@ -60,14 +60,14 @@ class GrowingTable:
             raise ParameterError("{path} can't be read: {reason}.", path=self.path, reason=reason_of(error)) from None
 
     def _rows_of_line(self, line: bytes) -> Iterator[Row | ParameterError]:
-        """One line as a row; nothing of the header and of an empty line."""
+        """Yield one line as a row; nothing for the header and for empty lines."""
         was_within, self._is_within_line = self._is_within_line, not line.endswith(b"\n")
         self._number += not was_within
         if was_within or len(line) == limits.LINE_BYTES:
-            # One that never ends is told once, not held.
+            # A line without end is reported once and not stored.
             if not was_within:
                 yield ParameterError(
-                    "{path} has a line of more than {most} characters; choose another file.",
+                    "{path} has a line of more than {most} characters. Choose another file.",
                     path=self.path,
                     most=limits.LINE_CHARACTERS,
                 )
@@ -75,7 +75,7 @@ class GrowingTable:
         try:
             text = line.decode("utf-8-sig" if self._columns is None else "utf-8").strip("\r\n")
         except UnicodeDecodeError:
-            yield ParameterError("{path} is not text in UTF-8; save it as CSV in UTF-8.", path=self.path)
+            yield ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=self.path)
             return
         if not text.strip():
             return

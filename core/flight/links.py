@@ -1,4 +1,4 @@
-"""Links of a flight, image by image: those between neighbors, and what links that leave out images tell of them."""
+"""Links between neighboring images of a flight, also from links that skip an image."""
 
 from __future__ import annotations
 
@@ -12,26 +12,28 @@ from ..errors import ParameterError
 from .motion import Link, LinkSource, as_rows
 
 HALVED = (0.1, 5.0, 0.03)
-"""Deviations of half of a motion over one image, where nothing else tells of that image: share of the distance,
-degrees, ln pixel size. A flight goes on more evenly than that between two places that are known."""
+"""Standard deviations of half a motion over one image without other information: share of the distance, degrees, ln
+pixel size. A flight is more even than that between two known places."""
 
 
 def links_by_image(links: Sequence[Link], count: int) -> dict[int, Link]:
-    """Links between consecutive images by the number of the second one.
+    """Return links between consecutive images by the number of the second one.
 
-    Where neighbors have none, one that leaves out an image tells it: as what is left of it after the link that is
-    known; by halves where neither is, as over a blurred image.
+    A missing link follows from a link that skips an image: as the rest after the known link, or as half of it if
+    neither is known, for example over a blurred image.
 
     Args:
         links: Of the flight, in any order.
 
     Raises:
-        ParameterError: A link is of images that the flight doesn't have.
+        ParameterError: A link names an image that the flight does not have.
     """
     for link in links:
         if link.second >= count:
             raise ParameterError(
-                "A link leads to image {second}, but the flight has {count} images.", second=link.second, count=count
+                "The motion leads to image {second}, but the flight has {count} images.",
+                second=link.second,
+                count=count,
             )
     known = {link.second: link for link in links if link.second == link.first + 1}
     for over in sorted((one for one in links if one.second == one.first + 2), key=lambda one: one.second):
@@ -44,17 +46,17 @@ def links_by_image(links: Sequence[Link], count: int) -> dict[int, Link]:
 
 
 def rest(over: Link, earlier: Link) -> Link:
-    """From an image to the next one, of a link over it and the one that leads to it.
+    """Return the second part of a link that skips an image.
 
     Args:
-        over: From the image before.
-        earlier: From the image before to this one; both in the same unit.
+        over: Link from the first image to the third one.
+        earlier: Link from the first image to the second one, in the same unit.
     """
     turn = earlier.turn
     ratio = cmath.exp(complex(0.0 if over.in_meters else earlier.log_scale, -turn))
     step = (over.step - earlier.step) / ratio
     noise = np.array(over.covariance) + np.array(earlier.covariance)
-    # What the earlier one's turn is wrong by swings the rest.
+    # An error of the earlier turn rotates the rest.
     axis = np.eye(4)
     cos, sin = np.cos(turn), np.sin(turn)
     axis[:2, :2] = np.array([[cos, sin], [-sin, cos]]) / abs(ratio)
@@ -71,7 +73,7 @@ def rest(over: Link, earlier: Link) -> Link:
 
 
 def halves(over: Link) -> tuple[Link, Link]:
-    """A link over an image as two alike, one after the other."""
+    """Return a link that skips an image as two equal links."""
     share, heading_deg, size = HALVED
     half = cmath.sqrt(over.ratio)
     unit = half / abs(half) if over.in_meters else half

@@ -1,4 +1,4 @@
-"""One image measured near where its flight expects it: by class areas, and by landmarks where they agree."""
+"""Measure one image at the place where its flight expects it, by class areas and landmarks."""
 
 from __future__ import annotations
 
@@ -21,43 +21,40 @@ from .settings import FlightSettings
 from .states import place_of, state_of, wrap_angle
 
 LOOSEST = 0.05
-"""Measurements whose deviation is more than this share of the image's edge on the ground are not used."""
+"""A measurement is not used if its standard deviation exceeds this share of the image's edge on the ground."""
 
 GATE = 4.0
-"""Measurements farther from what the flight expects than so many deviations are outvoted."""
+"""Measurements more standard deviations than this from the expected place are outvoted."""
 
 FINEST_EDGE = 256
-"""Pixels along an edge up to which an image is refined here: its neighbors tell the rest."""
+"""Most pixels along an edge for refinement; the neighbors of the image add the rest."""
 
 SHARED_PERCENTILE = 25
-"""Of a track's measurements, by their variance: what they share is not larger than what the better ones have."""
+"""Percentile of a track's measurements by variance: the shared part is not larger than that of the better ones."""
 
 SHARED_STEP = 0.4
-"""Of that, in its logarithm, from image to image."""
+"""Step of the logarithm of that percentile from image to image."""
 
 LEAST_SHARE = 0.02
-"""Places less likely than this are left out."""
+"""Places less probable than this are left out."""
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """Where one image says that it lies.
+    """A measured pose of one image.
 
     Attributes:
         state: (4,) meters east and north of the map's corner, heading in radians clockwise, ln pixel size.
-        covariance: (4, 4) of it, what it shares with its neighbors included.
-        is_own: It is the fix of the image alone.
-        score: Correlation of class areas; None of landmarks.
+        covariance: (4, 4) of it, including the part shared with its neighbors.
     """
 
     state: np.ndarray
     covariance: np.ndarray
-    is_own: bool = False
     score: float | None = None
 
 
 def full_covariance(known: PoseCovariance, pixel_size: float) -> np.ndarray | None:
-    """(4, 4) of map x and y, heading in radians, ln pixel size, the position's apart; None where it isn't known."""
+    """Return (4, 4) of map x and y, heading in radians and ln pixel size; None if the covariance is not known."""
     full = np.zeros((4, 4))
     full[:2, :2] = known.position
     full[2, 2] = np.radians(known.heading_deviation_deg) ** 2
@@ -66,23 +63,23 @@ def full_covariance(known: PoseCovariance, pixel_size: float) -> np.ndarray | No
 
 
 def own_measurement(own: Localization | None, pyramid: MapPyramid) -> Measurement | None:
-    """The fix of an image alone."""
+    """Return the fix of an image by itself as a measurement; None without a fix."""
     if own is None or own.place is None or own.covariance is None or own.place.heading_deg is None:
         return None
     full = full_covariance(own.covariance, own.place.oriented[1])
-    return None if full is None else Measurement(state_of(own.place, pyramid.frame.origin), full, is_own=True)
+    return None if full is None else Measurement(state_of(own.place, pyramid.frame.origin), full)
 
 
 def measure_by_areas(
     image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
-    """Moved to where class areas agree near an expected place; None where they don't, or where they can't tell where.
+    """Return the place nearby where class areas agree; None without agreement or with too large a covariance.
 
-    Where several places are about as likely their mean is told, with a covariance that reaches all of them.
+    For several places of similar probability, the result is their mean with a covariance that includes all of them.
 
     Args:
         state: (4,) expected.
-        covariance: (4, 4) of that.
+        covariance: (4, 4) of it.
     """
     pyramid = localizer.pyramid
     if not pyramid.space.channels:
@@ -109,7 +106,7 @@ def measure_by_areas(
 def _measured_at(
     image: EvidenceLevel, pyramid: MapPyramid, pose: ScoredPose, errors: SharedErrors, settings: FlightSettings
 ) -> Measurement | None:
-    """A place as exactly as class areas tell it; None where they don't tell all of the pose."""
+    """Return the measurement at a place; None if class areas do not determine the whole pose."""
     pose, spread = finest_pose(reduce_image(image, FINEST_EDGE), pyramid, pose)
     score = score_at(reduce_image(image, pyramid.settings.decision_edge), pyramid, pose, pyramid.quiet)
     if score < settings.least_score or not np.isfinite(spread).all():
@@ -125,16 +122,16 @@ def _measured_at(
 
 
 def deviation_factor(edge_m: float, settings: FlightSettings) -> float:
-    """What deviations of class areas' fits are multiplied with: of little ground, neighboring parts err alike."""
+    """Return the factor of class areas' standard deviations: on small ground, errors of neighbors correlate."""
     factor, enough_m, power = settings.measured_factor
     return factor * max(1.0, enough_m / edge_m) ** power
 
 
 def mixture(found: Sequence[tuple[Measurement, float]]) -> Measurement:
-    """One measurement of several that may be, with the shares that they are likely with.
+    """Return one measurement for several possible ones.
 
     Args:
-        found: At least one, each with its share; the first is the most likely one.
+        found: Measurements with their probabilities, at least one, the most probable one first.
     """
     first, total = found[0][0], sum(share for _, share in found)
     off = np.array([one.state - first.state for one, _ in found])
@@ -149,11 +146,11 @@ def mixture(found: Sequence[tuple[Measurement, float]]) -> Measurement:
 def measure_by_landmarks(
     image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray
 ) -> Measurement | None:
-    """The constellation's fix near an expected place; None where there is none.
+    """Return the fix of the constellation near an expected place; None without one.
 
     Args:
         state: (4,) expected.
-        covariance: (4, 4) of that.
+        covariance: (4, 4) of it.
     """
     deviations = np.sqrt(np.diag(covariance))
     size = float(np.exp(state[3]))
@@ -174,7 +171,7 @@ def measure_by_landmarks(
 
 
 def distance(measured: Measurement, state: np.ndarray, covariance: np.ndarray) -> float:
-    """How far a measurement is from what is expected, in deviations of both, per degree of freedom."""
+    """Return the distance of a measurement from the expected pose, in standard deviations per degree of freedom."""
     off = measured.state - state
     off[2] = wrap_angle(off[2])
     square = float(off @ np.linalg.solve(measured.covariance + covariance, off))
@@ -184,11 +181,11 @@ def distance(measured: Measurement, state: np.ndarray, covariance: np.ndarray) -
 def measure_near(
     image: FlightImage, localizer: Localizer, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> Measurement | None:
-    """What an image says itself at an expected place: its own fix, landmarks, or class areas; None where nothing.
+    """Return the measurement of an image at an expected place: its own fix, class areas or landmarks; None without one.
 
     Args:
         state: (4,) expected.
-        covariance: (4, 4) of that.
+        covariance: (4, 4) of it.
     """
     own = own_measurement(image.own, localizer.pyramid)
     if own is not None and distance(own, state, covariance) <= GATE:
@@ -201,17 +198,17 @@ def measure_near(
 
 
 def shared_variance(measured: list[Measurement], settings: FlightSettings) -> float:
-    """Of the displacement that neighboring measurements share, along an axis, map units²."""
+    """Return the variance of the displacement that neighboring measurements share, along an axis, m²."""
     variances = [float(np.trace(one.covariance[:2, :2])) / 2 for one in measured]
     return settings.shared_share * float(np.percentile(variances, SHARED_PERCENTILE)) if variances else 0.0
 
 
 def shared_after(shared_m2: float, measured: Measurement, settings: FlightSettings) -> float:
-    """``shared_variance`` image by image, without keeping them: a step towards the percentile with each of them.
+    """Return ``shared_variance`` updated with one more measurement, without the earlier ones: a step to the percentile.
 
     Args:
-        shared_m2: Until now; of no measurement 0.
-        measured: The next one.
+        shared_m2: Value before; 0 without measurements.
+        measured: The new measurement.
     """
     here = shared_variance([measured], settings)
     if shared_m2 <= 0:

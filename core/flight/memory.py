@@ -1,4 +1,4 @@
-"""What a tracker remembers of the last images, and how it is written down: numbers in arrays, no pickles."""
+"""The last images that a tracker keeps, and their storage as arrays of numbers (no pickles)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Past:
     """An earlier image of the window.
 
     Attributes:
-        link: To the next one.
+        link: To the next image.
         weight: Of its evidence.
     """
 
@@ -28,7 +28,7 @@ class Past:
     weight: float
 
     def mirrored(self) -> Past:
-        """Return it with left and right exchanged, without priors that can't be right then."""
+        """Return the image with left and right exchanged, without the priors that can't be right then."""
         evidence = None if self.seen.evidence is None else mirror_level(self.seen.evidence)
         prior = Prior(pixel_size_range=self.seen.prior.pixel_size_range)
         seen = SeenImage(evidence, self.seen.edge_px, self.seen.chance, prior)
@@ -36,11 +36,11 @@ class Past:
 
 
 NOWHERE = Link(0, 1, (0.0, 0.0), 0.0, 0.0, as_rows(np.eye(4)))
-"""Stands for the link of the latest image, which leads to none yet."""
+"""Placeholder for the link of the latest image."""
 
 
 def pack(past: Past) -> dict[str, np.ndarray]:
-    """An image of the window as arrays by name."""
+    """Return an image of the window as arrays by name."""
     seen, link = past.seen, past.link
     arrays = {
         "numbers": np.array([seen.edge_px, *seen.chance, seen.own_odds, past.weight]),
@@ -64,35 +64,35 @@ def pack(past: Past) -> dict[str, np.ndarray]:
 def checked_array(
     arrays: Mapping[str, np.ndarray], name: str, *shape: int | None, above: float = -limits.STATE_NUMBER
 ) -> np.ndarray:
-    """Return one of several arrays as float64, whatever type of number it has.
+    """Return one of several arrays as float64, whatever its type of number.
 
     Args:
         arrays: By name.
-        *shape: That it has; None for any length of an axis.
-        above: What all its numbers lie above.
+        *shape: Expected shape; None for an axis of any length.
+        above: Lower limit of the numbers, excluded.
 
     Raises:
-        KeyError: It is missing.
-        ValueError: It has another shape, or numbers that are none, too large or not above.
+        KeyError: The array is missing.
+        ValueError: It has another shape, or a number is not finite, too large or too small.
     """
     found = np.array(arrays[name])
     fits = found.ndim == len(shape) and all(wanted in (None, n) for wanted, n in zip(shape, found.shape))
     if not fits or found.dtype.kind not in "biuf" or not ((found > above) & (found <= limits.STATE_NUMBER)).all():
-        raise ValueError(f"{name} is none")
+        raise ValueError(f"{name} is invalid")
     return found.astype(np.float64)
 
 
 def unpack(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
-    """An image of the window.
+    """Return an image of the window from its arrays.
 
     Args:
         arrays: As of ``pack``.
-        channels: Of evidence.
+        channels: Channels of evidence.
 
     Raises:
         KeyError: An array is missing.
-        ParameterError: Its link is none.
-        ValueError: It is none.
+        ParameterError: The link is invalid.
+        ValueError: An array is invalid.
     """
     edge_px, mean, spread, own_odds, weight = checked_array(arrays, "numbers", 5).tolist()
     first, second, right, down, turn, log_scale, in_meters = checked_array(arrays, "link", 7).tolist()
@@ -110,7 +110,7 @@ def unpack(arrays: Mapping[str, np.ndarray], channels: int) -> Past:
     own = checked_array(arrays, "own", None)
     place = checked_array(arrays, "position", 3).tolist() if "position" in arrays else None
     if len(sizes) not in (0, 2) or len(own) not in (0, 4) or not (edge_px > 0 and spread > 0):
-        raise ValueError("an image is none")
+        raise ValueError("an image is invalid")
     prior = Prior(
         None if place is None else (place[0], place[1]),
         None if place is None else place[2],

@@ -1,13 +1,11 @@
-"""Relative motion between two images of a flight: a link, with what is unknown of it.
+"""Relative motion between two images of a flight: a link with its covariance.
 
-See docs/explanation/method.md#flights.
-
-A link takes pixels of the second image to pixels of the first, both from the image's
-center, right and down:
+See docs/explanation/method.md#flights. A link maps pixels of the second image to pixels of the first. Both count from
+the center of the image, right and down:
 
     first = translation + exp(log_scale) · R(turn) · second,   R(turn) = [[cos, −sin], [sin, cos]]
 
-so that the second image has the heading of the first plus ``turn`` (clockwise) and exp(log_scale) times its pixel size.
+The second image has the heading of the first plus ``turn`` (clockwise), and exp(log_scale) times its pixel size.
 """
 
 from __future__ import annotations
@@ -25,11 +23,11 @@ from ..errors import ParameterError
 from ..geometry.pose import turn_of
 
 Matrix = tuple[tuple[float, ...], ...]
-"""A small matrix, row by row: results that hold one can be compared."""
+"""A small matrix by rows. Tuples make results comparable."""
 
 
 class LinkSource(str, Enum):
-    """Where a link is from; each equals its key."""
+    """Source of a link; each member equals its key."""
 
     PIXELS = "pixels"
     ODOMETRY = "odometry"
@@ -41,24 +39,23 @@ class LinkSource(str, Enum):
 
 
 def as_rows(matrix: np.ndarray | Sequence[Sequence[float]]) -> Matrix:
-    """A matrix as tuples of floats."""
+    """Return a matrix as tuples of floats."""
     return tuple(tuple(float(value) for value in row) for row in matrix)
 
 
 @dataclass(frozen=True)
 class Link:
-    """How a later image lies in an earlier one.
+    """Motion from an earlier image to a later one.
 
     Attributes:
         first: Number of the earlier image in the flight, from 0.
         second: Number of the later one.
-        translation: Of the second image's center in the first, from that one's center: right, down. Pixels of the
-            first image; meters (map units) along the same axes where ``in_meters``.
-        turn: Heading of the second image less that of the first, radians clockwise.
-        log_scale: ln of the second image's pixel size over the first one's.
+        translation: Center of the second image relative to that of the first: right, down. In pixels of the first
+            image, or in meters along the same axes with ``in_meters``.
+        turn: Heading of the second image minus that of the first, radians clockwise.
+        log_scale: ln of the ratio of pixel sizes, second to first.
         covariance: (4, 4) of translation (2, its unit), turn (radians) and log_scale.
-        source: Where it is from.
-        in_meters: The translation is in map units: no pixel size has to be known.
+        in_meters: The translation is in meters, so that no pixel size is needed.
     """
 
     first: int
@@ -71,35 +68,30 @@ class Link:
     in_meters: bool = False
 
     def __post_init__(self) -> None:
-        """Checks what a table or another program may have got wrong.
+        """Check values that tables or other programs provide.
 
         Raises:
-            ParameterError: The images are not in order, a number is not finite or of no flight, or the covariance is
-                none.
+            ParameterError: The images are not in order, a number is not finite or too large, or the covariance is
+                invalid.
         """
         if not 0 <= self.first < self.second:
             raise ParameterError(
-                "A link leads from image {first} to image {second}; the second must come after the first.",
+                "The motion leads from image {first} to image {second}; the second must come after the first.",
                 first=self.first,
                 second=self.second,
             )
         numbers = np.array([*self.translation, self.turn, self.log_scale])
         known = np.array(self.covariance, np.float64)
-        if not np.isfinite(numbers).all() or abs(self.log_scale) > limits.LINK_LOG_SCALE:
+        is_finite = np.isfinite(numbers).all() and known.shape == (4, 4) and np.isfinite(known).all()
+        if not is_finite or abs(self.log_scale) > limits.LINK_LOG_SCALE:
             raise ParameterError(
-                "The motion from image {first} to image {second} has numbers that are none.",
-                first=self.first,
-                second=self.second,
-            )
-        if known.shape != (4, 4) or not np.isfinite(known).all():
-            raise ParameterError(
-                "The motion from image {first} to image {second} has numbers that are none.",
+                "The motion from image {first} to image {second} has numbers that are not finite or too large.",
                 first=self.first,
                 second=self.second,
             )
         if not np.allclose(known, known.T) or np.linalg.eigvalsh(known).min() < -1e-9 * max(np.trace(known), 1e-12):
             raise ParameterError(
-                "The deviations of the motion from image {first} to image {second} are none.",
+                "The covariance of the motion from image {first} to image {second} is invalid.",
                 first=self.first,
                 second=self.second,
             )
@@ -111,11 +103,11 @@ class Link:
 
     @property
     def ratio(self) -> complex:
-        """Turn of the second image's pose over that of the first: exp(log_scale − i turn)."""
+        """Complex ratio of the second image's pose to the first one's: exp(log_scale − i turn)."""
         return cmath.exp(complex(self.log_scale, -self.turn))
 
     def mirrored(self) -> Link:
-        """The same motion of mirrored images, left and right exchanged: it can't be right anywhere."""
+        """Return the motion of mirrored images (left and right exchanged), which can't be right anywhere."""
         sign = np.array([-1.0, 1.0, -1.0, 1.0])
         known = np.array(self.covariance) * np.outer(sign, sign)
         return Link(
@@ -130,12 +122,12 @@ class Link:
         )
 
     def after(self, center: complex, turn: complex) -> tuple[complex, complex]:
-        """Center and turn of the second image (``core/geometry/pose.py``) from those of the first."""
+        """Return center and turn of the second image (``core/geometry/pose.py``) from those of the first."""
         unit = turn / abs(turn) if self.in_meters else turn
         return center + unit * self.step, turn * self.ratio
 
     def before(self, center: complex, turn: complex) -> tuple[complex, complex]:
-        """Center and turn of the first image from those of the second."""
+        """Return center and turn of the first image from those of the second."""
         earlier = turn / self.ratio
         unit = earlier / abs(earlier) if self.in_meters else earlier
         return center - unit * self.step, earlier
@@ -156,21 +148,21 @@ class Link:
         sigma_map_heading_deg: float = 0.0,
         source: LinkSource = LinkSource.ODOMETRY,
     ) -> Link:
-        """From motion in meters.
+        """Return a link from a motion in meters.
 
         Args:
             first: Number of the earlier image.
             second: Number of the later one.
             dx_m: To the right of the first image; with ``heading_deg`` to the east. Meters.
-            dy_m: Towards its top; with ``heading_deg`` to the north. Meters.
-            dheading_deg: Heading of the second image less that of the first, clockwise.
+            dy_m: Towards the top of the first image; with ``heading_deg`` to the north. Meters.
+            dheading_deg: Heading of the second image minus that of the first, clockwise.
             sigma_m: Standard deviation of dx and dy, meters.
-            sigma_heading_deg: Of ``dheading_deg``.
-            log_scale: ln of the second pixel size over the first: of the heights over ground, 0 where unknown.
-            sigma_log_scale: Of that.
-            heading_deg: Of the first image's top, clockwise from grid north, where dx and dy are along the map's axes.
-            sigma_map_heading_deg: Of ``heading_deg``.
-            source: What tells it.
+            sigma_heading_deg: Standard deviation of ``dheading_deg``.
+            log_scale: ln of the ratio of pixel sizes, second to first, from the heights above ground; 0 if unknown.
+            sigma_log_scale: Standard deviation of ``log_scale``.
+            heading_deg: Heading of the first image, clockwise from grid north, if dx and dy are along the map's axes.
+            sigma_map_heading_deg: Standard deviation of ``heading_deg``.
+            source: Of the motion.
 
         Raises:
             ParameterError: As of the link.

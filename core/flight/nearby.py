@@ -1,10 +1,8 @@
-"""Places near an expected one where an image's class areas agree with the map, and how likely each of them is.
+"""Find all places near an expected one where class areas agree with the map, with their probabilities.
 
-See docs/explanation/method.md#flights.
-
-Where little is known of an image before it is looked at – after a missing link, at the
-start of a track –, more than one place near by may agree about as well. They are all looked for, as far as what is
-known reaches, and weighed: taking the nearest for certain is how a right track comes to tell wrong poses.
+See docs/explanation/method.md#flights. If the pose of an image is uncertain, as after a missing link or at the start of
+a track, several places nearby may agree about equally well. All of them are found and weighted. To accept the nearest
+place alone would give a right track wrong poses.
 """
 
 from __future__ import annotations
@@ -21,31 +19,31 @@ from .settings import FlightSettings
 from .states import as_poses, as_states, wrap_angle
 
 REACH = 2.5
-"""Deviations of what is expected that places are looked for in."""
+"""Radius of the search in standard deviations of the expected pose."""
 
 PULLED = (1 / 16, 0.25, 0.18)
-"""From so far a place draws a start to itself: share of the image's edge, radians, ln pixel size; a pixel of the first
-look, and the steps of its turns and sizes."""
+"""Distance from which refinement still converges to a place: share of the image's edge, radians, ln pixel size. They
+are a pixel of the first look and its steps of turns and sizes."""
 
 MOST_STARTS = 400
-"""Nearest ones; bounds the time where little is known."""
+"""Most start poses, the nearest ones first; limits the time if the pose is uncertain."""
 
 APART = 0.03
-"""Places nearer to each other than this share of the image's edge are one."""
+"""Places closer than this share of the image's edge count as one."""
 
 KEPT = ((16, 24, 2), (32, 12, 2), (64, 6, 4))
-"""Pixels along an edge, places that are kept, steps to each."""
+"""For each round: pixels along an edge, places kept, refinement steps."""
 
 
 def starts_around(state: np.ndarray, covariance: np.ndarray, edge: float) -> np.ndarray:
-    """(n, 4) states within ``REACH`` deviations of an expected one, so close that each place near by draws one of them.
+    """Return (n, 4) start states within ``REACH`` standard deviations, dense enough to converge to every place.
 
     Args:
         state: (4,) expected.
         covariance: (4, 4) of it.
         edge: Of the image on the ground, meters.
     """
-    # Along the axes of the ellipse: after a missing link it is long and narrow.
+    # Along the axes of the ellipse, which is long and narrow after a missing link.
     strengths, directions = np.linalg.eigh(covariance[:2, :2])
     deviations = np.sqrt(np.maximum([*strengths, covariance[2, 2], covariance[3, 3]], 0))
     pulled = np.array([PULLED[0] * edge, *PULLED])[[0, 0, 2, 3]]
@@ -62,16 +60,15 @@ def starts_around(state: np.ndarray, covariance: np.ndarray, edge: float) -> np.
 def places_near(
     image: EvidenceLevel, pyramid: MapPyramid, state: np.ndarray, covariance: np.ndarray, settings: FlightSettings
 ) -> list[tuple[ScoredPose, float]]:
-    """The places near an expected one where class areas agree, most likely first, each with its probability.
+    """Return places near an expected one where class areas agree, most probable first, with their probabilities.
 
     Args:
         image: Its evidence.
         state: (4,) expected.
-        covariance: (4, 4) of that.
+        covariance: (4, 4) of it.
 
     Returns:
-        Those among which one is likely to be the right one, their probabilities adding up to 1; none where nothing
-        agrees.
+        Poses with probabilities that sum to 1; empty if no place agrees.
     """
     edge = edge_m(image, float(np.exp(state[3])))
     poses = as_poses(starts_around(state, covariance, edge))
@@ -93,12 +90,12 @@ def places_near(
 
 
 def log_odds(poses: Sequence[ScoredPose], state: np.ndarray, known: np.ndarray, settings: FlightSettings) -> np.ndarray:
-    """(n,) ln of how likely poses are, up to what they share: by their agreement, and by how far they are off.
+    """Return (n,) ln likelihood of poses from agreement and distance, up to a common constant.
 
     Args:
         poses: With their scores.
         state: (4,) expected.
-        known: (4, 4) covariance of how far places are off that.
+        known: (4, 4) covariance of the distance from it.
     """
     off = as_states(poses) - state
     off[:, 2] = wrap_angle(off[:, 2])

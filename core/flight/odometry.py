@@ -1,7 +1,7 @@
-"""Motion from image to image as a table tells it: ``image,dx_m,dy_m,dheading_deg`` with spreads.
+"""Motion from image to image from a table: ``image,dx_m,dy_m,dheading_deg`` and optional standard deviations.
 
-A row tells how the camera moved since the image of the row before: ``dx_m`` to the right and ``dy_m`` towards the top
-of that earlier image, as it lay on the ground, and by how much the heading grew (clockwise). Format:
+A row contains the motion of the camera since the image of the row before: ``dx_m`` to the right and ``dy_m`` towards
+the top of that earlier image, on the ground, and the change of heading (clockwise). Format:
 docs/reference/file_formats.md#odometry-table.
 """
 
@@ -17,14 +17,14 @@ from .table import Columns, Row, image_of, rows_of, stem_of
 COLUMNS = ("image", "dx_m", "dy_m", "dheading_deg")
 
 FARTHEST_M = 1e6
-"""No two images of a table's rows that follow each other are farther apart."""
+"""Largest distance between the images of two consecutive rows."""
 
 SHARE, LEAST_M = 0.03, 0.5
-"""Spread of a step that the table tells none of: a share of its length, and so many meters at least."""
+"""Default standard deviation of a step: a share of its length, and at least this many meters."""
 
 HEADING_SPREAD_DEG = 1.0
 SCALE_SPREAD = 0.02
-"""Spreads of turn and scale that the table tells none of."""
+"""Default standard deviations of turn and scale."""
 
 
 @dataclass(frozen=True)
@@ -32,15 +32,15 @@ class OdometryRow:
     """A row of the table.
 
     Attributes:
-        image: Its name without folders and extension.
-        right_m: From the image of the row before, to the right of that one.
-        up_m: Towards its top.
-        turn_deg: By how much the heading grew, clockwise.
-        sigma_m: Standard deviation of each of both.
-        sigma_turn_deg: Of the turn.
-        scale: Pixel size over that of the row before.
-        sigma_scale: Of its logarithm.
-        is_break: Nothing is known of the motion since the row before.
+        image: Name without folders and extension.
+        right_m: Motion since the image of the row before, to the right of that image.
+        up_m: Motion towards the top of that image.
+        turn_deg: Change of heading, clockwise.
+        sigma_m: Standard deviation of ``right_m`` and ``up_m``.
+        sigma_turn_deg: Standard deviation of the turn.
+        scale: Ratio of pixel sizes, this row to the row before.
+        sigma_scale: Standard deviation of its logarithm.
+        is_break: The motion since the row before is unknown.
     """
 
     image: str
@@ -55,18 +55,15 @@ class OdometryRow:
 
 
 def check_odometry(columns: Columns) -> None:
-    """Raises ParameterError for a header that is not that of an odometry table."""
+    """Raise ParameterError unless the header is that of an odometry table."""
     columns.need(COLUMNS)
 
 
 def read_odometry(path: str) -> tuple[OdometryRow, ...]:
-    """The rows of an odometry table, in their order.
-
-    Args:
-        path: Of the CSV.
+    """Return the rows of an odometry table in their order.
 
     Raises:
-        ParameterError: It can't be used; the line is named.
+        ParameterError: The table can't be used; the error names the line.
     """
     steps: list[OdometryRow] = []
     named: set[str] = set()
@@ -77,17 +74,17 @@ def read_odometry(path: str) -> tuple[OdometryRow, ...]:
 
 
 def step_of(row: Row, is_first: bool) -> OdometryRow:
-    """A row's step.
+    """Return the motion of a row.
 
     Args:
-        is_first: Nothing comes before it.
+        is_first: No row comes before it.
 
     Raises:
-        ParameterError: It can't be used; the line is named.
+        ParameterError: A value can't be used; the error names the line.
     """
     stem = image_of(row)
     if is_first or not any(row.texts.get(name) for name in COLUMNS[1:]):
-        # Nothing comes before the first row; a row without numbers says that the motion is unknown.
+        # The first row has no row before it; a row without numbers means that the motion is unknown.
         return OdometryRow(stem, is_break=True)
     right, up = (row.within(name, -FARTHEST_M, FARTHEST_M) for name in ("dx_m", "dy_m"))
     usual = max(SHARE * math.hypot(right, up), LEAST_M)
@@ -104,12 +101,12 @@ def step_of(row: Row, is_first: bool) -> OdometryRow:
 
 
 def odometry_links(steps: Sequence[OdometryRow], names: Sequence[str]) -> list[Link]:
-    """Links between the images of a flight that a table tells the motion of.
+    """Return links between the images of a flight from the rows of a table.
 
-    Rows of images that the flight lacks are gone through: their steps are put together.
+    Motion over rows of other images is summed.
 
     Args:
-        names: Of the flight's images, in its order; folders and extensions don't matter.
+        names: Of the flight's images, in order; folders and extensions are ignored.
     """
     numbers = {stem_of(name): number for number, name in enumerate(names)}
     links: list[Link] = []
@@ -128,12 +125,12 @@ def odometry_links(steps: Sequence[OdometryRow], names: Sequence[str]) -> list[L
 
 
 def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
-    """Of the motion that several steps are together; told from the earlier image of the flight.
+    """Return the sum of several rows as one link from the earlier image of the flight.
 
     Args:
         before: Number of the image that the table names first.
-        after: Of the one that it names last; less than ``before`` where the table goes the other way than the flight.
-        steps: Of the rows after ``before`` up to ``after``, none of them a break.
+        after: Number of the image that the table names last; less than ``before`` if the table has the reverse order.
+        steps: Rows after ``before`` up to ``after``, without a break.
     """
     place, heading, log_scale = 0j, 0.0, 0.0
     places = []
@@ -141,9 +138,9 @@ def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
         places.append(place)
         place += complex(step.right_m, step.up_m) * _turned(heading)
         heading += step.turn_deg
-        # Of many rows the product itself would leave what numbers hold.
+        # The product of many scales would overflow.
         log_scale += math.log(step.scale)
-    # A heading that is off turns all that comes after it.
+    # An error of the heading rotates all later steps.
     swung = [
         abs(place - start) ** 2 * math.radians(step.sigma_turn_deg) ** 2 for step, start in zip(steps[:-1], places[1:])
     ]
@@ -151,7 +148,7 @@ def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
     sigma_turn = math.sqrt(sum(step.sigma_turn_deg**2 for step in steps))
     sigma_scale = math.sqrt(sum(step.sigma_scale**2 for step in steps))
     if after < before:
-        # The table goes the other way than the flight.
+        # The table has the reverse order of the flight.
         before, after = after, before
         sigma_m = math.hypot(sigma_m, abs(place) * math.radians(sigma_turn))
         place, heading, log_scale = -place / _turned(heading), -heading, -log_scale
@@ -170,5 +167,5 @@ def link_over(before: int, after: int, steps: Sequence[OdometryRow]) -> Link:
 
 
 def _turned(heading_deg: float) -> complex:
-    """The upward direction's turn, clockwise, for right + i up."""
+    """Return the complex direction of a heading, for right + i up."""
     return complex(math.cos(math.radians(heading_deg)), -math.sin(math.radians(heading_deg)))

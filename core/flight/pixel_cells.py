@@ -1,4 +1,4 @@
-"""Cells of the ground that two pictures share, each looked for in the other one by itself."""
+"""Cells of the ground that two pictures share; each cell of one picture is searched in the other."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ from .pixel_features import Features
 from .pixel_fit import Mapping
 
 CELL_PX, SEARCH_PX = 32, 6
-"""Working pixels: edge of the cells, and how far around the proposed place each is looked for."""
+"""Edge of the cells and reach of their search, in working pixels."""
 
 MOST_CELLS = 160
 LEAST_TEXTURE = 12.0
-"""Standard deviation, in gray levels, of a cell that can be found again."""
+"""Least standard deviation of a cell, in gray levels."""
 
 LEAST_LIKENESS = 0.55
-"""Correlation with which a cell counts as found."""
+"""Least correlation of a matched cell."""
 
 
 class SharedGround:
-    """The second picture laid over the first one by a mapping.
+    """The second picture resampled onto the first by a mapping.
 
     Attributes:
-        corners: (N, 2) int: first column and row in the first picture of the cells that both show, with texture.
+        corners: (N, 2) int: first column and row, in the first picture, of textured cells that both pictures show.
     """
 
     def __init__(self, first: Features, second: Features, mapping: Mapping) -> None:
-        """Lays it over.
+        """Resample the second picture.
 
         Args:
             first: Of the earlier image.
-            second: Of the later one.
+            second: Of the later image.
             mapping: From the second picture to the first.
         """
         self._first = first.picture_hw
@@ -48,7 +48,7 @@ class SharedGround:
         self.corners = self._textured(shared)
 
     def _forward(self, mapping: Mapping) -> np.ndarray:
-        """(3, 3) from pixels of the second picture to those of the first, as OpenCV counts them."""
+        """Return (3, 3) from pixels of the second picture to those of the first, in OpenCV's coordinates."""
         first, second = self._halves
         corners = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * second
         return cv2.getPerspectiveTransform(
@@ -56,7 +56,7 @@ class SharedGround:
         )
 
     def _textured(self, shared: np.ndarray) -> np.ndarray:
-        """Cells wholly in the overlap whose picture differs enough to be found again."""
+        """Return the cells inside the overlap with enough texture to match."""
         step = CELL_PX
         inside = float(shared.sum())
         while inside / step**2 > MOST_CELLS:
@@ -75,7 +75,7 @@ class SharedGround:
         return np.column_stack([x[textured], y[textured]])
 
     def match_cells(self) -> tuple[np.ndarray, np.ndarray]:
-        """(M, 2) places in the second picture and (M, 2) the same in the first, from the centers, of cells found."""
+        """Return matched places: (M, 2) in the second picture and (M, 2) in the first, from the pictures' centers."""
         moves = [self._move(int(x), int(y)) for x, y in self.corners]
         is_found = np.array([move is not None for move in moves], bool)
         shifts = np.array([move for move in moves if move is not None], np.float64).reshape(-1, 2)
@@ -85,7 +85,7 @@ class SharedGround:
         return ours - self._halves[1], middles - self._halves[0]
 
     def _move(self, x: int, y: int) -> tuple[float, float] | None:
-        """How far right and down of its proposed place a cell lies; None where it isn't found."""
+        """Return the shift (right, down) of a cell from its proposed place; None without a match."""
         cell = self._first[y : y + CELL_PX, x : x + CELL_PX]
         around = self._laid[y - SEARCH_PX : y + CELL_PX + SEARCH_PX, x - SEARCH_PX : x + CELL_PX + SEARCH_PX]
         likeness = cv2.matchTemplate(around, cell, cv2.TM_CCOEFF_NORMED)
@@ -99,17 +99,17 @@ class SharedGround:
 
 
 def _peak(before: float, at: float, after: float) -> float:
-    """Where a parabola through three values has its peak, from the middle one."""
+    """Return the peak of a parabola through three values, relative to the middle one."""
     bend = before - 2 * at + after
     return 0.5 * (before - after) / bend if bend < 0 else 0.0
 
 
 def _half_wh(features: Features) -> np.ndarray:
-    """(2,) from the first pixel's center to the picture's."""
+    """Return (2,) the offset from the center of the first pixel to the center of the picture."""
     return (np.array(features.picture_hw.shape[::-1], np.float64) - 1) / 2
 
 
 def _sums(values_hw: np.ndarray, x: np.ndarray, y: np.ndarray, edge: int) -> np.ndarray:
-    """(N,) sums over squares of an edge that begin at columns x and rows y."""
+    """Return (N,) sums over squares that begin at columns x and rows y."""
     total = cv2.integral(values_hw, sdepth=cv2.CV_64F)
     return total[y + edge, x + edge] - total[y, x + edge] - total[y + edge, x] + total[y, x]

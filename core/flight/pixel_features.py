@@ -1,7 +1,7 @@
-"""What can be recognized of an image in another one: its corners, described, and its picture of even contrast.
+"""Features that identify an image in another one: described corners and a picture of even contrast.
 
-Told in docs/explanation/method.md#relative-motion. An image is looked at in a smaller version whose longer edge has
-``WORKING_EDGE`` pixels at most: a link is exact to a part of a pixel of that, which is more than a flight needs.
+See docs/explanation/method.md#relative-motion. Images are reduced to a longer edge of at most ``WORKING_EDGE`` pixels.
+A link is accurate to a fraction of such a pixel, more than a flight needs.
 """
 
 from __future__ import annotations
@@ -16,48 +16,48 @@ from ..errors import ImageError
 from ..geometry.leveling import Leveling
 
 WORKING_EDGE = 800
-"""Pixels of the longer edge that an image is brought to, at most."""
+"""Longest edge of the reduced image, pixels."""
 
 CORNERS = 2000
-"""Corners that are described of an image, at most."""
+"""Most corners of an image."""
 
 CORNER_CONTRAST = 12
-"""Gray levels of 255 by which a corner differs from what lies around it, in the picture of even contrast."""
+"""Least difference of a corner from its surroundings, in gray levels of 255, in the picture of even contrast."""
 
 EVENED_OVER_PX = 12.0
-"""Standard deviation of the Gaussian that brightness and contrast are evened out over."""
+"""Standard deviation of the Gaussian that evens out brightness and contrast."""
 
 LEAST_CONTRAST = 6.0
-"""Gray levels: ground that differs by less stays flat, so that noise is not taken for texture."""
+"""Gray levels. Ground with less contrast stays flat, so that noise does not become texture."""
 
 EVEN_CONTRAST = 40.0
-"""Gray levels that one standard deviation becomes."""
+"""Gray levels of one standard deviation in the picture of even contrast."""
 
 LEAST_EDGE = 64
-"""Working pixels: smaller images have no corners that could be described."""
+"""Smallest edge of a picture for corners, working pixels."""
 
 LABEL_BLUR_PX = 1.5
-"""Boundaries of label images are softened by so much: those of two images differ by a pixel or two."""
+"""Blur of label images: their boundaries differ by a pixel or two between two images."""
 
 REACH_PX = 40.0
-"""Distances from the next boundary are told up to this one."""
+"""Largest distance from the next boundary in a drawn label image."""
 
 _LEVEL_RATIO = 1.2
-"""Between levels of ORB's pyramid, its default."""
+"""Ratio of neighboring levels of ORB's pyramid, its default."""
 
 _GOLDEN = 0.6180339887498949
 
 
 @dataclass(frozen=True)
 class Features:
-    """An image as others are compared with it.
+    """An image prepared for comparison with others.
 
     Attributes:
-        picture_hw: (h, w) uint8, evened out, of the working size.
+        picture_hw: (h, w) uint8, of even contrast, in working size.
         points: (N, 2) corners from the image's center, right and down, working pixels.
         descriptors: (N, 32) uint8 of ORB.
-        is_known_hw: (h, w) bool: where the image shows something; None everywhere.
-        scale: Pixels of the image that a working pixel has.
+        is_known_hw: (h, w) bool: pixels with data; None if all have data.
+        scale: Pixels of the image in a working pixel.
     """
 
     picture_hw: np.ndarray = field(repr=False)
@@ -68,19 +68,19 @@ class Features:
 
 
 def photo_features(photo: np.ndarray, has_data_hw: np.ndarray | None = None, width: int | None = None) -> Features:
-    """Features of a photo.
+    """Return the features of a photo.
 
     Args:
         photo: (H, W, 3) red, green and blue or (H, W) gray, uint8.
-        has_data_hw: (H, W) bool: where it has data; None everywhere.
-        width: Pixels across of the image in whose pixels links are told, of the same view; the photo's own if None.
+        has_data_hw: (H, W) bool: pixels with data; None for all.
+        width: Width, in pixels, of the image that defines the pixels of links; None for the photo itself.
 
     Raises:
-        ImageError: It is no photo of 8 bits.
+        ImageError: The array is not a photo of 8 bits.
     """
     if photo.dtype != np.uint8 or photo.ndim not in (2, 3) or not photo.size or photo.shape[2:] not in ((), (3,)):
         raise ImageError(
-            "This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.",
+            "This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.",
             shape=photo.shape,
             kind=photo.dtype,
         )
@@ -91,12 +91,12 @@ def photo_features(photo: np.ndarray, has_data_hw: np.ndarray | None = None, wid
 def features_of(
     level_hw: np.ndarray, photo: tuple[np.ndarray, np.ndarray | None] | None, way: Leveling | None
 ) -> Features:
-    """Features of a flight's image: of its photo where there is one, else of its labels.
+    """Return the features of a flight's image: of its photo if there is one, otherwise of its labels.
 
     Args:
         level_hw: (H', W') uint8 labels, leveled.
-        photo: (H, W, 3) pixels and (H, W) bool where there is data (None everywhere), as taken; None without a photo.
-        way: How the image is leveled; None as it is.
+        photo: (H, W, 3) pixels as taken, and (H, W) bool of pixels with data (None for all); None without a photo.
+        way: Leveling of the image; None without leveling.
     """
     if photo is None:
         return label_features(level_hw)
@@ -108,18 +108,18 @@ def features_of(
 
 
 def label_features(labels_hw: np.ndarray, width: int | None = None) -> Features:
-    """Features of a label image, by its boundaries.
+    """Return the features of a label image, from its boundaries.
 
     Args:
         labels_hw: (H, W) uint8, 0 = unknown.
-        width: As of ``photo_features``.
+        width: As in ``photo_features``.
 
     Raises:
-        ImageError: It is no label image.
+        ImageError: The array is not a label image.
     """
     if labels_hw.dtype != np.uint8 or labels_hw.ndim != 2 or not labels_hw.size:
         raise ImageError(
-            "This is no photo or label image of 8 bits: its pixels are {shape} of {kind}.",
+            "This is not a photo or label image of 8 bits: its pixels are {shape} of {kind}.",
             shape=labels_hw.shape,
             kind=labels_hw.dtype,
         )
@@ -149,7 +149,7 @@ def _features(gray_hw: np.ndarray, is_known_hw: np.ndarray | None, width: int | 
 
 
 def _corners(picture_hw: np.ndarray, is_known_hw: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-    """(N, 2) from the center and (N, 32) uint8: corners where the picture shows something, and how they look."""
+    """Return (N, 2) corners from the center and (N, 32) uint8 descriptors, where the picture has data."""
     found: Sequence[cv2.KeyPoint] = ()
     descriptors = None
     if min(picture_hw.shape) >= LEAST_EDGE:
@@ -160,12 +160,12 @@ def _corners(picture_hw: np.ndarray, is_known_hw: np.ndarray | None) -> tuple[np
         return np.zeros((0, 2)), np.zeros((0, 32), np.uint8)
     points = np.array([corner.pt for corner in found], np.float64).reshape(-1, 2)
     levels = _LEVEL_RATIO ** np.array([corner.octave for corner in found], np.float64)
-    # Of a coarser level ORB tells where the pixel's first corner lies, not its center.
+    # On coarser levels, ORB gives the first corner of the pixel, not its center.
     return points + 0.5 * (levels - 1)[:, None] - (np.array(picture_hw.shape[::-1]) - 1) / 2, descriptors
 
 
 def even_contrast(gray_hw: np.ndarray) -> np.ndarray:
-    """(H, W) uint8 of even brightness and contrast: what exposure, vignetting and haze change is gone.
+    """Return (H, W) uint8 with even brightness and contrast: without effects of exposure, vignetting and haze.
 
     Args:
         gray_hw: (H, W) uint8.

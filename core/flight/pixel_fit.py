@@ -1,7 +1,7 @@
-"""The mapping between two pictures that places found in both tell: a similarity, or a homography where tilt asks.
+"""Fit the mapping between two pictures to matched places: a similarity, or a homography for tilted images.
 
-What is unknown of it follows from what the places leave over. Neighbors err together – lenses, relief, a boundary that
-was drawn twice – so their errors are counted by blocks as well as one by one.
+The covariance follows from the residuals. Lenses, relief and boundaries cause errors that neighbors share, so residuals
+are also summed by blocks.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ Model = Callable[[np.ndarray, np.ndarray], np.ndarray]
 """(K,) parameters and (N, 2) points → (N, 2) points."""
 
 TILT_LENGTH_PX = 320.0
-"""The tilt's parameters are told for this distance from the center, so that all are of one order."""
+"""Distance from the center to which the tilt parameters refer, so that all parameters have a similar size."""
 
 LEAST_FOR_TILT = 24
 TILT_GAIN = 8.0
-"""A homography is taken from so many places on when the mean square that its four parameters more take away is so many
-times what is left."""
+"""A homography needs at least ``LEAST_FOR_TILT`` places, and its four extra parameters must reduce the mean square by
+this factor of what remains."""
 
 STARTS_WITHIN_PX = 4.0
 ROUNDS = 8
@@ -34,18 +34,18 @@ LEAST_SPREAD_PX = 0.1
 
 SPREAD_FACTOR = 1.0
 FLOOR = (0.15, 0.15, 0.0005, 0.0005)
-"""Standard deviations that no link is better than: working pixels right and down, radians, log scale."""
+"""Least standard deviations of a link: working pixels right and down, radians, log scale."""
 
 
 def similarity(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(N, 2): points turned and scaled, x + iy times the first two parameters, then moved by the other two."""
+    """Return (N, 2) points after rotation and scaling (x + iy times the first two parameters) and shift."""
     right, down, dx, dy = parameters
     x, y = points.T
     return np.column_stack([right * x - down * y + dx, down * x + right * y + dy])
 
 
 def homography(parameters: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """(N, 2): points seen in perspective; rows of two linear forms with their constants, then the tilt."""
+    """Return (N, 2) points in perspective: two linear forms with constants, divided by the depth."""
     a, b, dx, c, d, dy, right, down = parameters
     x, y = points.T
     depth = 1 + (right * x + down * y) / TILT_LENGTH_PX
@@ -59,7 +59,7 @@ class Fitted:
     Attributes:
         model: ``similarity`` or ``homography``.
         parameters: (K,) of it.
-        covariance: (K, K) of these.
+        covariance: (K, K) of the parameters.
         is_used: (N,) bool: places that agree with it.
     """
 
@@ -74,14 +74,14 @@ class Fitted:
         return partial(self.model, self.parameters)
 
     def pose(self) -> tuple[np.ndarray, np.ndarray]:
-        """The similarity about the second picture's center: (4,) right, down, turn, log scale, and its covariance."""
+        """Return (4,) right, down, turn and log scale about the second picture's center, and their covariance."""
         steps = _derivatives(lambda parameters: pose_of(partial(self.model, parameters)), self.parameters)
         known = steps @ self.covariance @ steps.T
         return pose_of(self.mapping), SPREAD_FACTOR**2 * known + np.diag(np.square(FLOOR))
 
 
 def pose_of(mapping: Mapping) -> np.ndarray:
-    """(4,): where the second picture's center lies, and turn and log scale there, as nearly as a similarity tells."""
+    """Return (4,): place of the second picture's center, and turn and log scale there (nearest similarity)."""
     center, left, right, up, down = mapping(np.array([[0.0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]]))
     across, along = (right - left) / 2, (down - up) / 2
     ratio = complex(across[0] + along[1], across[1] - along[0]) / 2
@@ -89,12 +89,12 @@ def pose_of(mapping: Mapping) -> np.ndarray:
 
 
 def fit_mapping(second: np.ndarray, first: np.ndarray, within: float) -> Fitted | None:
-    """The mapping that most places agree with; None where no similarity holds for four of them.
+    """Return the mapping that most places agree with; None if no similarity agrees with four of them.
 
     Args:
         second: (N, 2) places in the second picture.
-        first: (N, 2) the same ones in the first.
-        within: Pixels within which a place agrees.
+        first: (N, 2) the same places in the first one.
+        within: Largest residual of a place that agrees, pixels.
     """
     matrix, is_near = cv2.estimateAffinePartial2D(
         second, first, method=cv2.RANSAC, ransacReprojThreshold=STARTS_WITHIN_PX, maxIters=500, confidence=0.999
@@ -121,7 +121,7 @@ def fit_mapping(second: np.ndarray, first: np.ndarray, within: float) -> Fitted 
 
 
 def _is_tilted(level: float, tilted: float, count: int) -> bool:
-    """Whether a tilt's four parameters explain so much more of the sums of squares of places that they are no noise."""
+    """Return whether the four tilt parameters reduce the sum of squares more than noise would."""
     left = max(tilted / max(2 * count - 8, 1), LEAST_SPREAD_PX**2)
     return (level - tilted) / 4 > TILT_GAIN * left
 
@@ -129,7 +129,7 @@ def _is_tilted(level: float, tilted: float, count: int) -> bool:
 def _robust(
     model: Model, start: np.ndarray, second: np.ndarray, first: np.ndarray, within: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(K,) parameters by weighted least squares, places weighing less the farther they are off, and which agree."""
+    """Return (K,) parameters from weighted least squares (far places weigh less), and the places that agree."""
     found = start
     for _ in range(ROUNDS):
         rest = first - model(found, second)
@@ -148,14 +148,14 @@ def _robust(
 
 
 def _derivatives(function: Callable[[np.ndarray], np.ndarray], at: np.ndarray) -> np.ndarray:
-    """(M, K) of a function of (K,) parameters, by differences to both sides."""
+    """Return (M, K) derivatives of a function of (K,) parameters, by central differences."""
     step = 1e-5
     columns = [(function(at + move) - function(at - move)) / (2 * step) for move in step * np.eye(len(at))]
     return np.column_stack(columns)
 
 
 def _covariance(model: Model, found: np.ndarray, second: np.ndarray, first: np.ndarray) -> np.ndarray:
-    """(K, K) of the parameters: as of errors one by one, times what errors by blocks are larger."""
+    """Return (K, K) of the parameters: from single residuals, enlarged by the ratio that sums over blocks show."""
     rest = (first - model(found, second)).ravel()
     steps = _derivatives(lambda parameters: model(parameters, second).ravel(), found)
     freedom = max(len(rest) - len(found), 1)

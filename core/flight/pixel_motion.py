@@ -1,9 +1,7 @@
-"""Relative motion of two overlapping images from their pixels: a link with its covariance, or why there is none.
+"""Relative motion of two overlapping images from their pixels: a link with its covariance, or why there is no link.
 
-See docs/explanation/method.md#relative-motion.
-
-Corners that look alike propose a motion; what proves it is the ground: cells
-of the overlap, each looked for in the other image by itself. A motion counts when most of them agree with it.
+See docs/explanation/method.md#relative-motion. Matching corners propose a motion. Cells of the overlap, each searched
+in the other image, confirm it: most of them must agree.
 """
 
 from __future__ import annotations
@@ -22,44 +20,45 @@ from .pixel_features import Features
 from .pixel_fit import Fitted, Mapping, fit_mapping, similarity
 
 RATIO = 0.85
-"""A corner counts when its best likeness is nearer than this share of the second best."""
+"""Largest ratio of the best to the second-best descriptor distance."""
 
 PROPOSED_WITHIN_PX = 4.0
 PROPOSALS = 4000
 LEAST_CORNERS = 5
-"""Working pixels within which corners agree, how many pairs of them are tried, and how many must agree."""
+"""Tolerance of agreeing corners (working pixels), tried pairs of corners, and least number of agreeing corners."""
 
 MOST_SCALE = 2.0
-"""Of two images of one flight, one shows at most so many times as much ground as the other across its longer edge."""
+"""Largest ratio of ground size, across the longer edge, of two images of one flight."""
 
 LEAST_AGREEING = 7
 CHANCE = 0.03
 LEAST_EVIDENCE = 7.0
-"""At least so many cells must agree, and so many that by chance, if a cell agreed with a wrong motion with probability
-``CHANCE``, it would be so with one below exp(−evidence). Under low cameras trees and roofs leave few on the ground."""
+"""Least number of agreeing cells, and limit for chance: if a cell agreed with a wrong motion with probability
+``CHANCE``, as many would agree with probability below exp(−evidence). From low cameras, trees and roofs leave few cells
+on the ground."""
 
 AGREES_WITHIN_PX = 2.5
-"""Working pixels from the fitted motion."""
+"""Tolerance of agreeing cells, working pixels."""
 
 TILT_SPREAD = 0.0165
-"""Standard deviation of a tilt that nobody tells, to either side, over the focal length in edges: up to 2° in any
-direction under a view of 60°."""
+"""Standard deviation of an unknown tilt, to either side, divided by the focal length in edges: up to 2° in any
+direction for a field of view of 60°."""
 
 RELIEF_SHARES = (0.03, 0.075, 0.075)
-"""What comes on top, growing with the way, where no cell agrees; it falls with the square of the share that doesn't:
-trees, roofs and slopes move otherwise than the ground on which the cells agree."""
+"""Added uncertainty if no cell agrees, proportional to the distance. It decreases with the square of the share of cells
+that disagree: trees, roofs and slopes move differently from the ground."""
 
 ROUNDS = 2
-"""Cells are looked for by the proposed motion, and again by the one fitted to them."""
+"""Cells are searched by the proposed motion, then by the fitted one."""
 
 
 @dataclass(frozen=True)
 class Motion:
-    """What came of two images.
+    """Result for two images.
 
     Attributes:
-        link: The motion; None where none was found.
-        reason: Why none was found; None with a link.
+        link: The motion; None without one.
+        reason: Why there is no motion; None with a link.
     """
 
     link: Link | None
@@ -67,20 +66,18 @@ class Motion:
 
 
 def motion_between(first: Features, second: Features, numbers: tuple[int, int] = (0, 1)) -> Motion:
-    """How the second image lies in the first one.
+    """Return the motion from one image to another.
 
     Args:
         first: Of the earlier image.
-        second: Of the later one.
+        second: Of the later image.
         numbers: Of the two images in their flight.
     """
     if min(len(first.points), len(second.points)) < LEAST_CORNERS:
-        return Motion(None, Sentence("One of the two images shows nothing that could be found in the other one."))
+        return Motion(None, Sentence("One of the two images has too little texture to match it with the other."))
     proposed = _proposed(first, second)
     if proposed is None:
-        return Motion(
-            None, Sentence("Nothing in the two images tells a common motion; they may show different ground.")
-        )
+        return Motion(None, Sentence("No common motion matches the two images. They may show different ground."))
     mapping: Mapping = partial(similarity, proposed)
     motion = Motion(None)
     for _ in range(ROUNDS):
@@ -90,7 +87,7 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
         agreeing, cells = 0 if found is None else int(found.is_used.sum()), len(ground.corners)
         if found is None or agreeing < LEAST_AGREEING or evidence(agreeing, cells) < LEAST_EVIDENCE:
             reason = Sentence(
-                "Where the two images would overlap, only {agreeing} of {cells} pieces of ground look alike.",
+                "In the overlap of the two images, only {agreeing} of {cells} parts match.",
                 agreeing=agreeing,
                 cells=cells,
             )
@@ -101,11 +98,11 @@ def motion_between(first: Features, second: Features, numbers: tuple[int, int] =
 
 
 def evidence(agreeing: int, cells: int) -> float:
-    """How much speaks against chance: Chernoff's bound of the binomial tail, nats; 0 where chance would do.
+    """Return the evidence against chance: Chernoff's bound of the binomial tail, nats; 0 if chance suffices.
 
     Args:
         agreeing: Cells that agree.
-        cells: Cells that could, one or more.
+        cells: All cells, one or more.
     """
     share = agreeing / cells
     if share <= CHANCE:
@@ -115,7 +112,7 @@ def evidence(agreeing: int, cells: int) -> float:
 
 
 def _proposed(first: Features, second: Features) -> np.ndarray | None:
-    """(4,) parameters of the similarity that most corners which look alike agree with; None where too few do."""
+    """Return (4,) parameters of the similarity that most matching corners agree with; None if too few agree."""
     found = cv2.BFMatcher(cv2.NORM_HAMMING).knnMatch(second.descriptors, first.descriptors, k=2)
     pairs = [(best.queryIdx, best.trainIdx) for best, rival in found if best.distance < RATIO * rival.distance]
     if len(pairs) < LEAST_CORNERS:
@@ -136,7 +133,7 @@ def _proposed(first: Features, second: Features) -> np.ndarray | None:
 
 
 def _link(first: Features, second: Features, found: Fitted, share: float, numbers: tuple[int, int]) -> Link:
-    """The motion in pixels of the images, of which a share of the cells tells."""
+    """Return the motion in pixels of the images, from the share of cells that agree."""
     (right, down, turn, log_scale), covariance = found.pose()
     covariance = covariance + unmeasured_covariance(np.array([right, down]), max(first.picture_hw.shape), share)
     units = np.array([first.scale, first.scale, 1.0, 1.0])
@@ -151,7 +148,7 @@ def _link(first: Features, second: Features, found: Fitted, share: float, number
 
 
 def unmeasured_covariance(move: np.ndarray, edge: int, share: float) -> np.ndarray:
-    """(4, 4) of what two images alone do not tell: tilt of the first one, relief of the ground.
+    """Return (4, 4) of what two images can't show: tilt of the first image and relief of the ground.
 
     Args:
         move: (2,) right and down, working pixels.
@@ -159,10 +156,10 @@ def unmeasured_covariance(move: np.ndarray, edge: int, share: float) -> np.ndarr
         share: Of the cells that agree.
 
     Returns:
-        Of right, down (working pixels), turn and log scale.
+        Covariance of right, down (working pixels), turn and log scale.
 
-    A tilt along the way shortens or lengthens it by its square, and what lies there by one and a half times the way on
-    average over both directions; a tilt across the way shears, which turns by half of it.
+    Tilt along the motion changes its length with the square of the length, and the scale by one and a half times the
+    length on average. Tilt across the motion shears the image, which rotates it by half of that.
     """
     way = float(np.hypot(*move)) / edge
     along, across = np.array([*(move * way), 0.0, 1.5 * way]), np.array([0.0, 0.0, 0.5 * way, 0.0])

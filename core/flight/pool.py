@@ -1,6 +1,6 @@
-"""Hypotheses: where the latest image of a flight may lie, each with the evidence of the last images.
+"""Hypotheses for the pose of the latest image of a flight, each with the evidence of the last images.
 
-Told in docs/explanation/method.md#flights.
+See docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations
@@ -19,22 +19,22 @@ from .settings import FlightSettings
 from .states import as_poses, as_states, turns_of, wrap_angle
 
 OWN_MOST = 12.0
-"""Most log odds that an image's own best place counts: the flight can outvote it."""
+"""Largest ln odds of an image's own best place, so that the flight can outvote it."""
 
 SAME_HEADING_DEG = 20.0
-"""Hypotheses whose headings differ by more are different ones at the same place."""
+"""Hypotheses at one place with a larger difference of heading are different ones."""
 
 OWN_SHARE = 0.1
-"""A hypothesis within this share of an image's edge, and three of its deviations, is at the image's own place."""
+"""A hypothesis within this share of an image's edge, plus three standard deviations, is at the image's own place."""
 
 
 @dataclass(frozen=True)
 class Pool:
-    """n hypotheses about the latest image, W images of evidence.
+    """n hypotheses for the latest image, with evidence of W images.
 
     Attributes:
-        states: (n, 4) float64: meters east and north of the map's upper left corner, heading in radians clockwise,
-            ln pixel size.
+        states: (n, 4) float64: meters east and north of the map's upper left corner, heading in radians clockwise, ln
+            pixel size.
         variances: (n, 3) float64: of the position along an axis, m², heading, ln pixel size.
         evidence: (n, W) float64: weighted ln of the likelihood ratio of each image, the latest last.
     """
@@ -45,7 +45,7 @@ class Pool:
 
     @classmethod
     def empty(cls, window: int) -> Pool:
-        """A pool without hypotheses, over ``window`` images."""
+        """Return a pool without hypotheses for ``window`` images."""
         return cls(np.zeros((0, 4)), np.zeros((0, 3)), np.zeros((0, window)))
 
     def __len__(self) -> int:
@@ -53,20 +53,20 @@ class Pool:
 
     @property
     def totals(self) -> np.ndarray:
-        """(n,) evidence of all images of the window."""
+        """(n,) sum of the evidence of all images of the window."""
         return self.evidence.sum(axis=1)
 
     def select(self, which: np.ndarray) -> Pool:
-        """The hypotheses that ``which`` selects: (n,) bool or indices."""
+        """Return the hypotheses of a mask (n,) or of indices."""
         return Pool(self.states[which], self.variances[which], self.evidence[which])
 
     def append(self, other: Pool) -> Pool:
-        """The hypotheses of both pools, those of ``other`` last."""
+        """Return the hypotheses of this pool, then those of another one."""
         return Pool(*(np.concatenate(pair) for pair in zip(vars(self).values(), vars(other).values())))
 
 
 def move_states(states: np.ndarray, link: Link, back: bool = False) -> np.ndarray:
-    """(n, 4) states of the link's second image from those of the first; of the first from the second with ``back``."""
+    """Return (n, 4) states of the link's second image from those of the first; with ``back`` the reverse."""
     centers, turns = states[:, 0] + 1j * states[:, 1], turns_of(states)
     if back:
         turns = turns / link.ratio
@@ -77,7 +77,7 @@ def move_states(states: np.ndarray, link: Link, back: bool = False) -> np.ndarra
 
 
 def predict(pool: Pool, link: Link) -> Pool:
-    """The hypotheses about the next image, before it is looked at: less sure, with room for its evidence."""
+    """Return the hypotheses for the next image before any look at it, with larger variances and no evidence yet."""
     states, known = pool.states, np.array(link.covariance)
     unit = 1.0 if link.in_meters else np.exp(states[:, 3])
     length = np.abs(link.step) * unit
@@ -92,11 +92,11 @@ def predict(pool: Pool, link: Link) -> Pool:
 
 
 def update(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, settings: FlightSettings) -> Pool:
-    """The hypotheses after a look at the image: moved to where it agrees, with its evidence.
+    """Return the hypotheses after a look at the image: refined to where it agrees, with its evidence.
 
     Args:
-        pool: As predicted.
-        weight: Of its evidence, 0 to 1: the less new ground it shows, the less it says that is new.
+        pool: Predicted hypotheses.
+        weight: Of its evidence, 0 to 1: less new ground gives less new evidence.
     """
     if not len(pool):
         return pool
@@ -119,7 +119,7 @@ def update(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, sett
 
 
 def look_noise(seen: SeenImage, states: np.ndarray, deviations: tuple[float, float, float]) -> np.ndarray:
-    """(n, 3) variances of a place that the first look gives: deviations in its pixels, degrees, ln pixel size."""
+    """Return (n, 3) variances of a place from the first look; ``deviations``: its pixels, degrees, ln pixel size."""
     position, heading_deg, size = deviations
     pixel = 1.0 if seen.evidence is None else seen.evidence.pixel[0]
     noise = np.empty((len(states), 3))
@@ -129,7 +129,7 @@ def look_noise(seen: SeenImage, states: np.ndarray, deviations: tuple[float, flo
 
 
 def own_log_ratios(states: np.ndarray, variances: np.ndarray, seen: SeenImage, settings: FlightSettings) -> np.ndarray:
-    """(n,) evidence that the image's own best place adds to hypotheses at it; 0 to others and without one."""
+    """Return (n,) evidence that the image's own best place adds to hypotheses there; 0 for others and without one."""
     lead = own_lead(seen, settings)
     if seen.own_state is None or lead <= 0:
         return np.zeros(len(states))
@@ -138,19 +138,19 @@ def own_log_ratios(states: np.ndarray, variances: np.ndarray, seen: SeenImage, s
 
 
 def own_lead(seen: SeenImage, settings: FlightSettings) -> float:
-    """The lead that makes a flight as sure of a place as the image by itself is; not above 0 where that is not."""
+    """Return the lead that corresponds to the error probability of the image's own place; ≤ 0 without such a place."""
     offset, slope = settings.risk_curve
     return (min(seen.own_odds, OWN_MOST) - offset) / slope if seen.own_odds > 0 else 0.0
 
 
 def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
-    """Return the place of own fixes in a row that contradict a track, with their evidence against it; else none.
+    """Return the place of consecutive own fixes that contradict a track, with the evidence against the track.
 
-    Fixes count together while they name one place. What an image's class areas say for the track counts against them.
+    Fixes at one place add up. The class areas of an image that support the track count against them.
 
     Args:
-        track: The track, then the hypothesis of the pool at it, if there is one.
-        rival: The place until now, as predicted; empty without one.
+        track: The track, then the hypothesis of the pool at its place, if there is one.
+        rival: The place so far, predicted; empty without one.
         weight: Of its fix after another one at the same place; 0 without a fix.
     """
     support, evidence = float(track.evidence[-1, -1]), rival.evidence.copy()
@@ -162,7 +162,7 @@ def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings:
                 evidence, weight = np.zeros((1, settings.window)), 1.0
             evidence[0, -1] = weight * own_lead(seen, settings)
             rival = Pool(seen.own_state[None], np.zeros((1, 3)), evidence)
-            # Class areas that agree where the own fix is say nothing for the track.
+            # Class areas that agree at the own fix do not support the track.
             support = 0.0 if at_own[-1] else support
     evidence[:, -1] -= support
     found = replace(rival, evidence=evidence)
@@ -170,7 +170,7 @@ def rival_of(track: Pool, rival: Pool, seen: SeenImage, weight: float, settings:
 
 
 def new_pool(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settings: FlightSettings) -> Pool:
-    """Hypotheses at the best places of an image, with its evidence alone."""
+    """Return hypotheses at the best places of an image, with the evidence of this image only."""
     states = as_states(poses)
     variances = look_noise(seen, states, settings.search_noise)
     evidence = np.zeros((len(states), settings.window))
@@ -180,11 +180,11 @@ def new_pool(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settin
 
 
 def with_past(pool: Pool, past: Sequence[Past], pyramid: MapPyramid, settings: FlightSettings) -> Pool:
-    """New hypotheses with the evidence of the images before.
+    """Return new hypotheses with the evidence of the images before.
 
     Args:
-        pool: About the latest image.
-        past: Earlier images, the one before first.
+        pool: For the latest image.
+        past: Earlier images, the latest of them first.
     """
     evidence, states, variances = pool.evidence.copy(), pool.states, pool.variances
     for back, earlier in enumerate(past[: settings.window - 1], 2):
@@ -198,13 +198,13 @@ def with_past(pool: Pool, past: Sequence[Past], pyramid: MapPyramid, settings: F
 
 
 def prune(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
-    """The best hypotheses, best first, no two at the same place.
+    """Return the best hypotheses, best first, without two at the same place.
 
     Args:
-        pool: Any.
-        edge_m: Of the image on the ground.
-        count: At most.
-        apart: Least distance between two, share of the edge.
+        pool: Any hypotheses.
+        edge_m: Edge of the image on the ground.
+        count: Most hypotheses.
+        apart: Least distance of two hypotheses, as a share of the edge.
     """
     order = np.argsort(-pool.totals, kind="stable")
     kept: list[int] = []
@@ -217,7 +217,7 @@ def prune(pool: Pool, edge_m: float, count: int, apart: float) -> Pool:
 
 
 def same_place(states: np.ndarray, state: np.ndarray, reach_m: float | np.ndarray) -> np.ndarray:
-    """(n,) bool: which states are about the same as one."""
+    """Return (n,) bool: states at about the same place and heading as another one."""
     off = states - state
     near = np.hypot(off[:, 0], off[:, 1]) < reach_m
     return near & (np.abs(wrap_angle(off[:, 2])) < np.radians(SAME_HEADING_DEG))

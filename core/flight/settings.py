@@ -1,4 +1,4 @@
-"""What was chosen for flights, and may be chosen otherwise to calibrate them.
+"""Settings of flights, which calibration can change.
 
 In brackets: the data that a value was set on, and the trials that set it or used it, by their names in
 docs/reference/settings.md.
@@ -13,37 +13,35 @@ from ..localization import RISK
 
 @dataclass(frozen=True)
 class FlightSettings:
-    """Settings of the joint answer of a flight (docs/explanation/method.md#flights).
+    """Settings of the joint localization of a flight (docs/explanation/method.md#flights).
 
     Attributes:
-        allowed_risk: Error probability up to which a track is reported [what a navigator asks].
-        candidates: Best places of an image by itself that hypotheses start from [by hand, for the time; flights].
-        added: The same of later images, where others are held already [by hand, for the time; flights].
-        hypotheses: That are held at a time [by hand, for the time; flights].
-        window: Images whose evidence counts together: bounds memory, and lets a track that fails be lost [by hand;
+        allowed_risk: Maximum error probability of a reported track [what a navigator asks].
+        candidates: Best places of the first images by themselves, at which hypotheses begin [by hand, for the time;
             flights].
-        nulls: Random places that tell what chance gives for an image [by hand, for the time].
-        evidence_curve: What an image's agreement at an expected place is worth, ln of the likelihood ratio: offset,
-            slope a deviation of what chance gives, least, most [by hand; flights].
+        added: Best places of later images, while the pool has hypotheses already [by hand, for the time; flights].
+        hypotheses: Most hypotheses at a time [by hand, for the time; flights].
+        window: Images with joint evidence: limits memory, and lets a wrong track end [by hand; flights].
+        nulls: Random places that show what chance gives for an image [by hand, for the time].
+        evidence_curve: ln of the likelihood ratio of an image's agreement at an expected place: offset, slope per
+            standard deviation of chance, least, most [by hand; flights].
         risk_curve: ln of the odds that a track is right, from its lead over the strongest opponent: offset, slope [by
             hand; flights].
-        lost_evidence: A track whose last images' evidence falls below is lost [by hand; flights].
-        recent: Images that this counts [by hand; flights].
-        search_noise: Of a refined place of the first look: deviation in its pixels, degrees, ln pixel size [by hand;
-            flights].
-        start_noise: Of a track's first place before it is measured, in the same units: a hypothesis is known to a pixel
-            of the first look, however often that has looked [reasoning; flights].
-        map_length: Length over which errors of the map and of labels on it are shared along the track, meters [shared
-            errors].
-        shared_share: Share of a measurement's variance that its neighbors have alike [by hand; flights].
-        measured_factor: What deviations of class areas' fits are multiplied with – a single image's have room for one
-            that is not known to be near its place –, the edge on the ground in meters that this holds from, and the
-            power that they grow with below. Errors over deviations that are not multiplied, 95 %: 2.51 at 320 m, 1.79
-            at 450 m, 1.52 at 640 m; 2.45 would be right [flight measurements].
-        comparisons: Independent parts that an image's agreement is worth; it separates places near each other.
-            Likeliest: 83 at 320 m, 215 at 640 m, flat from 80 on [flight measurements].
-        least_score: An image that agrees less with the map where it is expected measures nothing there [flight
-            measurements].
+        lost_evidence: A track ends if the evidence of its last images is below this [by hand; flights].
+        recent: Number of these last images [by hand; flights].
+        search_noise: Standard deviations of a refined place of the first look: its pixels, degrees, ln pixel size [by
+            hand; flights].
+        start_noise: Standard deviations of a track's first place before it is measured, in the same units. A hypothesis
+            is known to one pixel of the first look after any number of looks [reasoning; flights].
+        map_length: Distance along the track over which errors of map and labels correlate, meters [shared errors].
+        shared_share: Share of a measurement's variance that its neighbors have in common [by hand; flights].
+        measured_factor: Factor of the standard deviations of class areas' fits (those of a single image include the
+            uncertainty of its place), the edge on the ground in meters from which it applies, and the power of its
+            growth below. Errors over unscaled standard deviations, 95 %: 2.51 at 320 m, 1.79 at 450 m, 1.52 at 640 m;
+            2.45 would be right [flight measurements].
+        comparisons: Number of independent parts in an image's agreement; it separates places near each other. Most
+            likely: 83 at 320 m, 215 at 640 m, flat from 80 on [flight measurements].
+        least_score: An image with less agreement at its expected place is not measured there [flight measurements].
     """
 
     allowed_risk: float = RISK
@@ -66,4 +64,4 @@ class FlightSettings:
 
 
 FLIGHT = FlightSettings()
-"""As calibrated: the default of every flight."""
+"""Calibrated settings: the default of every flight."""

@@ -1,11 +1,9 @@
-"""Poses of a track from its links and its measurements: a Kalman filter forth, Rauch, Tung and Striebel's back.
+"""Poses of a track from links and measurements: a Kalman filter forward, a Rauch–Tung–Striebel smoother backward.
 
-See docs/explanation/method.md#flights.
-
-Of each image eight numbers are estimated: its pose (meters east and north, heading in
-radians clockwise, ln pixel size); how far off map and labels are around it (east, north), which every measurement there
-shares and which fades along the way, so that many measurements don't promise what none of them knows; and by what
-share links are wrong all along the flight (along, across).
+See docs/explanation/method.md#flights. Each image has eight numbers. Four are its pose: meters east and north, heading
+in radians clockwise, ln pixel size. Two are the error of map and labels around it (east, north), which all measurements
+there share and which fades along the way, so that many measurements do not look too accurate. Two are the constant
+error of links along the flight (along, across).
 """
 
 from __future__ import annotations
@@ -21,26 +19,26 @@ from .settings import FlightSettings
 from .states import wrap_angle
 
 DRIFT = 0.01
-"""Deviation of a flight's constant errors of links: share of the distance along and, in radians, across."""
+"""Least standard deviation of the constant error of links: share of the distance along and, in radians, across."""
 
 SIZE = 8
 TAILS = 4.0
-"""Degrees of freedom of measurements' errors: 1 in 100 is as far off as 1 in 40,000 would be without tails."""
+"""Degrees of freedom of measurement errors: 1 in 100 is as large as 1 in 40,000 would be without tails."""
 
 MOST_DRIFT = 0.2
-"""Of a flight's links, as ``FlightSettings.drift``, however far they are off."""
+"""Largest standard deviation of the constant error of links."""
 
 _SEEN = np.eye(4, SIZE)
 _SEEN[:2, 4:6] = np.eye(2)
-"""What is measured: the pose, its position with the displacement."""
+"""Measurement matrix: the pose, its position with the shared displacement."""
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """Of one image.
+    """Estimate of one image.
 
     Attributes:
-        mean: (8,) as the module says.
+        mean: (8,) as in the module's description.
         covariance: (8, 8) of it.
     """
 
@@ -49,7 +47,7 @@ class Estimate:
 
     @property
     def state(self) -> np.ndarray:
-        """(4,) the pose."""
+        """(4,) of the pose."""
         return self.mean[:4]
 
     @property
@@ -59,17 +57,17 @@ class Estimate:
 
     @property
     def pose(self) -> tuple[np.ndarray, np.ndarray]:
-        """(4,) and (4, 4) of it."""
+        """State (4,) and covariance (4, 4) of the pose."""
         return self.state, self.pose_covariance
 
 
 @dataclass(frozen=True)
 class Step:
-    """From one image to the next.
+    """Step from one image to the next.
 
     Attributes:
         transition: (8, 8) of small deviations.
-        predicted: The next image's, before it is measured.
+        predicted: Estimate of the next image before its measurement.
     """
 
     transition: np.ndarray
@@ -77,23 +75,23 @@ class Step:
 
 
 def first_estimate(state: np.ndarray, deviations: np.ndarray, shared_m2: float, drift: float) -> Estimate:
-    """Of a track's first image.
+    """Return the estimate of a track's first image.
 
     Args:
-        state: (4,) about where it lies.
-        deviations: (4,) of that.
-        shared_m2: Variance of the displacement along an axis.
-        drift: Deviation of what is wrong with links all along, as ``drift_of`` tells it.
+        state: (4,) of its pose.
+        deviations: (4,) of the pose.
+        shared_m2: Variance of the shared displacement along an axis.
+        drift: Standard deviation of the constant error of links, from ``drift_of``.
     """
     variances = [*np.square(deviations), shared_m2, shared_m2, drift**2, drift**2]
     return Estimate(np.array([*state, 0.0, 0.0, 0.0, 0.0]), np.diag(variances))
 
 
 def drift_of(links: Iterable[Link]) -> float:
-    """Deviation of links' constant errors: half of the variance that they state may be the same all along.
+    """Return the standard deviation of links' constant error: half of their stated variance may be constant.
 
     Args:
-        links: Of the flight, as far as known; assumed ones tell nothing.
+        links: Known ones of the flight; assumed links are ignored.
     """
     shares = [
         np.sqrt(np.trace(np.array(link.covariance)[:2, :2]) / 4) / abs(link.step)
@@ -104,11 +102,11 @@ def drift_of(links: Iterable[Link]) -> float:
 
 
 def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSettings) -> Step:
-    """The next image as a link has it.
+    """Return the step to the next image over a link.
 
     Args:
-        before: Of the link's first image.
-        shared_m2: Variance of the displacement along an axis, map units².
+        before: Estimate of the link's first image.
+        shared_m2: Variance of the shared displacement along an axis, m².
     """
     x, y, heading, size, east, north, along, across = before.mean
     unit = np.exp((0.0 if link.in_meters else size) - 1j * heading)
@@ -126,7 +124,7 @@ def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSe
     transition[:2, 7] = aside.real, aside.imag
     transition[4, 4] = transition[5, 5] = kept
     noise = np.zeros((SIZE, SIZE))
-    # Right and down of the image, on the map.
+    # Right and down in the image, rotated to the map.
     turn = np.eye(4)
     turn[:2, :2] = np.array([[unit.real, unit.imag], [unit.imag, -unit.real]])
     noise[:4, :4] = turn @ np.array(link.covariance) @ turn.T
@@ -136,17 +134,17 @@ def step_over(before: Estimate, link: Link, shared_m2: float, settings: FlightSe
 
 
 def with_measurement(expected: Estimate, measured: Measurement, shared_m2: float) -> Estimate:
-    """The estimate after a measurement, of whose variance a part is the displacement's."""
+    """Return the estimate after a measurement; its variance includes that of the shared displacement."""
     noise = _own_noise(measured, shared_m2)
     gain = np.linalg.solve(_SEEN @ expected.covariance @ _SEEN.T + noise, _SEEN @ expected.covariance).T
-    # Joseph's form stays symmetric and positive.
+    # Joseph's form keeps the covariance symmetric and positive.
     left = np.eye(SIZE) - gain @ _SEEN
     covariance = left @ expected.covariance @ left.T + gain @ noise @ gain.T
     return Estimate(expected.mean + gain @ _off(expected, measured), covariance)
 
 
 def without_measurement(estimate: Estimate, measured: Measurement, shared_m2: float) -> Estimate:
-    """What all others tell of an image: its estimate, with its own measurement taken out again."""
+    """Return the estimate of an image from all others: its own measurement is removed again."""
     seen = np.linalg.solve(_own_noise(measured, shared_m2), _SEEN)
     covariance = np.linalg.inv(np.linalg.inv(estimate.covariance) - _SEEN.T @ seen)
     covariance = (covariance + covariance.T) / 2
@@ -154,9 +152,9 @@ def without_measurement(estimate: Estimate, measured: Measurement, shared_m2: fl
 
 
 def soften(measured: Measurement, expected: Estimate) -> Measurement:
-    """A measurement, the less exact the farther it is from what is expected: errors of labels have long tails.
+    """Return a measurement with a larger covariance the farther it is from the expected pose: label errors have tails.
 
-    By Student's t with ``TAILS`` degrees of freedom, as in iteratively reweighted least squares.
+    The weights are those of Student's t with ``TAILS`` degrees of freedom in iteratively reweighted least squares.
     """
     off = measured.state - expected.state
     off[2] = wrap_angle(off[2])
@@ -166,25 +164,25 @@ def soften(measured: Measurement, expected: Estimate) -> Measurement:
 
 
 def _own_noise(measured: Measurement, shared_m2: float) -> np.ndarray:
-    """(4, 4) of a measurement without what it shares with its neighbors."""
+    """Return (4, 4) covariance of a measurement without the part that its neighbors share."""
     noise = measured.covariance.copy()
     noise[:2, :2] -= min(shared_m2, 0.95 * float(np.linalg.eigvalsh(noise[:2, :2])[0])) * np.eye(2)
     return noise
 
 
 def _off(expected: Estimate, measured: Measurement) -> np.ndarray:
-    """(4,) of a measurement from what is expected."""
+    """Return (4,) difference of a measurement from the expected pose."""
     off = measured.state - _SEEN @ expected.mean
     off[2] = wrap_angle(off[2])
     return off
 
 
 def smooth(filtered: list[Estimate], steps: list[Step]) -> list[Estimate]:
-    """All images' estimates with what later ones tell.
+    """Return the estimates of all images with the information of later ones.
 
     Args:
-        filtered: (n,) with what was measured until then.
-        steps: (n − 1,) from each to the next.
+        filtered: (n,) estimates from earlier images.
+        steps: (n − 1,) from each image to the next.
     """
     found = [filtered[-1]]
     for before, step in zip(filtered[-2::-1], steps[::-1]):

@@ -1,4 +1,4 @@
-"""Tables of flights as text: lines with a header, of bounded size, each row with the place that is told of it."""
+"""Text tables of flights: lines with a header, of limited size; errors name the line."""
 
 from __future__ import annotations
 
@@ -17,40 +17,40 @@ from ..sentences import Sentence
 
 
 def text_of(path: str) -> str:
-    """The text of a file in UTF-8.
+    """Return the text of a file in UTF-8.
 
     Raises:
-        ParameterError: It can't be read, is no regular file, is too large or is no text.
+        ParameterError: The file can't be read, is not a regular file, is too large or is not text.
     """
     data = bytes_of(path, limits.TABLE_BYTES)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise ParameterError("{path} is not text in UTF-8; save it as CSV in UTF-8.", path=path) from None
+        raise ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=path) from None
 
 
 def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
-    """The bytes of a regular file that has at most ``most``.
+    """Return the bytes of a regular file.
 
     Args:
-        most: Bytes that it may have.
-        count: How many of its first ones; all if None.
+        most: Largest size of the file, bytes.
+        count: Number of bytes from the beginning; None for all.
 
     Raises:
-        ParameterError: It can't be read, is no regular file or is too large.
+        ParameterError: The file can't be read, is not a regular file or is too large.
     """
     try:
         state = os.stat(path)
         if not stat.S_ISREG(state.st_mode):
-            raise ParameterError("{path} is no file; choose a table or a log.", path=path)
+            raise ParameterError("{path} is not a file. Choose a table or a log.", path=path)
         if state.st_size > most:
             raise ParameterError(
-                "{path} is larger than {most_mb} MB, which no table or log that is read here is.",
+                "{path} is larger than {most_mb} MB, the largest size of tables and logs. Choose another file.",
                 path=path,
                 most_mb=most // 1_000_000,
             )
         with open(path, "rb") as file:
-            # No more than there is: a buffer of all that is asked for would be made first.
+            # Not more than the file has: Python allocates the full size first.
             return file.read(min(most if count is None else count, state.st_size))
     except (OSError, ValueError) as error:
         # ValueError: a path with a null character.
@@ -62,21 +62,21 @@ class Row:
     """A row of a table.
 
     Attributes:
-        texts: By the column's name, in small letters; empty where a row is short.
-        place: File and line, as told.
+        texts: Cells by column name in lower case; empty where the row is short.
+        place: File and line, for messages.
     """
 
     texts: dict[str, str]
     place: Sentence
 
     def number(self, name: str, default: float | None = None) -> float:
-        """A finite number.
+        """Return a finite number.
 
         Args:
-            default: Where the cell is empty or missing; None: that is an error.
+            default: Value of an empty or missing cell; None makes it an error.
 
         Raises:
-            ParameterError: It is none.
+            ParameterError: The cell is not a finite number.
         """
         text = self.texts.get(name, "")
         if not text and default is not None:
@@ -92,11 +92,11 @@ class Row:
         return value
 
     def within(self, name: str, least: float, most: float, default: float | None = None) -> float:
-        """A number of a range; raises ParameterError for any other."""
+        """Return a number from ``least`` to ``most``; raises ParameterError for any other."""
         value = self.number(name, default)
         if not least <= value <= most:
             raise ParameterError(
-                "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}.",
+                "{place}: {name} is {value:g}; it must be from {least:g} to {most:g}.",
                 place=self.place,
                 name=name,
                 value=value,
@@ -111,7 +111,7 @@ class Columns:
     """The header of a table.
 
     Attributes:
-        names: Of its columns, in small letters.
+        names: Of the columns, in lower case.
         separator: Between cells.
         first: The line itself.
     """
@@ -123,31 +123,31 @@ class Columns:
 
     @classmethod
     def of(cls, path: str, line: str) -> Columns:
-        """Reads a first line whose cells are separated by commas, semicolons or tabs."""
+        """Return the header of a first line with commas, semicolons or tabs between cells."""
         _require_length(path, line)
         first = line.strip()
         separator = max(",;\t", key=first.count)
         return cls(path, tuple(name.strip().strip('"').lower() for name in first.split(separator)), separator, first)
 
     def need(self, names: Sequence[str]) -> None:
-        """Raises ParameterError where a column is missing."""
+        """Raise ParameterError if a column is missing."""
         if not set(names) <= set(self.names):
             raise ParameterError(
-                "{path} begins with “{first}”, but its header needs the columns {columns}.",
+                "{path} begins with “{first}”; its header needs the columns {columns}.",
                 path=self.path,
                 first=self.first[:200],
                 columns=tuple(names),
             )
 
     def row(self, line: str, number: int) -> Row:
-        """A row from its line.
+        """Return a row from its line.
 
         Args:
-            line: Without its end.
+            line: Without line end.
             number: Of the line, from 1.
 
         Raises:
-            ParameterError: The line is none of a table.
+            ParameterError: The line is too long or not part of a table.
         """
         _require_length(self.path, line)
         place = Sentence("{source}, line {line}", source=self.path, line=number)
@@ -162,21 +162,21 @@ class Columns:
 def _require_length(path: str, line: str) -> None:
     if len(line) > limits.LINE_CHARACTERS:
         raise ParameterError(
-            "{path} has a line of more than {most} characters; choose another file.",
+            "{path} has a line of more than {most} characters. Choose another file.",
             path=path,
             most=limits.LINE_CHARACTERS,
         )
 
 
 Check = Callable[[Columns], None]
-"""Raises ParameterError for a header that is not that of a kind of tables."""
+"""Raises ParameterError for the header of another kind of table."""
 
 
 def rows_of(path: str, check: Check) -> Iterator[Row]:
-    """Rows of a CSV that is separated by commas, semicolons or tabs; empty lines are left out.
+    """Yield the rows of a CSV with commas, semicolons or tabs between cells; empty lines are skipped.
 
     Args:
-        check: What its header must have.
+        check: Checks the header.
 
     Raises:
         ParameterError: The file can't be used.
@@ -189,7 +189,7 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
 
 
 def stem_of(path: str) -> str:
-    """An image's name without folders, of any system, and extension."""
+    """Return an image's name without extension and folders of any system."""
     return os.path.splitext(re.split(r"[/\\]", path)[-1])[0]
 
 

@@ -1,6 +1,6 @@
-"""What a flight's log tells over time: heading, roll, pitch, height, velocity; asked for the moments of its images.
+"""Flight log over time: heading, roll, pitch, height and velocity, interpolated at the times of images.
 
-Positions of satellites are no part of it: SemRef is for flights that have none, or none to be trusted.
+Satellite positions are not used: SemRef is for flights without reliable ones.
 """
 
 from __future__ import annotations
@@ -17,38 +17,38 @@ from ..geometry.leveling import attitude_from_gimbal
 from .motion import Link, LinkSource
 
 FIELDS = ("heading", "roll", "pitch", "height", "east", "north")
-"""Degrees clockwise from north, degrees, degrees, meters above take-off, meters a second to the east and north."""
+"""Degrees clockwise from north, degrees, degrees, meters above take-off, meters per second to the east and north."""
 
 _ANGLES = 3
 _RANGES = ((-720.0, 720.0), (-180.0, 180.0), (-180.0, 180.0), (-500.0, 20_000.0), (-400.0, 400.0), (-400.0, 400.0))
-"""What an aircraft can be; anything else counts as not told."""
+"""Possible values of an aircraft; others count as missing."""
 
 MOST_GAP_S = 2.0
-"""Between two entries farther apart nothing is known."""
+"""Between entries with a larger gap, values are unknown."""
 
 ZONE_S = 900.0
-"""Clocks of cameras are in local time: off from a log's by a multiple of a quarter of an hour."""
+"""Camera clocks use local time: they differ from the log's clock by a multiple of a quarter of an hour."""
 
 SPEED_SPREAD_MS, SPEED_SHARE = 0.3, 0.03
-"""Standard deviation of a way that was integrated from velocities: meters for each second, and a share of the way."""
+"""Standard deviation of a distance integrated from velocities: meters per second, and a share of the distance."""
 
 HEADING_SPREAD_DEG, TURN_SPREAD_DEG = 5.0, 2.0
-"""Of a log's heading against the map's north, and of the difference of two of its headings."""
+"""Standard deviation of the log's heading against grid north, and of the difference of two of its headings."""
 
 LEAST_HEIGHT_M = 2.0
 
 
 @dataclass(frozen=True, eq=False)
 class Telemetry:
-    """A log's entries.
+    """Entries of a flight log.
 
     Attributes:
         times_s: (N,) ascending, seconds.
-        values: (N, 6) as FIELDS say; NaN where not told.
-        is_clock: Times are of a clock (seconds since 1970, UTC or the camera's zone), not since a start.
-        is_gimbal: Roll and pitch are those of the camera's gimbal, −90° looking down; else those of the aircraft.
-        images: Name of the image of each entry, without folder and extension; empty for entries of moments.
-        until_s: Of a log that grows: the moment, on its clock, that its writer may not have come to yet.
+        values: (N, 6) in the order of FIELDS; NaN if missing.
+        is_clock: Times are seconds since 1970 (UTC or the camera's zone), not since a start.
+        is_gimbal: Roll and pitch are those of the camera's gimbal, −90° looking down; otherwise those of the aircraft.
+        images: Image name of each entry, without folder and extension; empty for entries of times.
+        until_s: For a log that grows: the time, on its clock, that its writer may not have reached yet.
     """
 
     times_s: np.ndarray = field(repr=False)
@@ -59,7 +59,7 @@ class Telemetry:
     until_s: float = -math.inf
 
     def at(self, times_s: Sequence[float] | np.ndarray) -> np.ndarray:
-        """(M, 6) as FIELDS say at some moments; NaN where nothing near enough is told.
+        """Return (M, 6) in the order of FIELDS at some times; NaN where the log has no entry near enough.
 
         Args:
             times_s: (M,) seconds, on the log's clock.
@@ -75,14 +75,14 @@ class Telemetry:
         return found
 
     def way(self, start_s: float, end_s: float) -> complex | None:
-        """Meters to the east + i to the north between two moments; None where velocities are missing on the way.
+        """Return the motion between two times, meters to the east + i to the north; None if velocities are missing.
 
         Args:
             start_s: Seconds, on the log's clock.
             end_s: Later.
         """
-        is_told = np.isfinite(self.values[:, 4:]).all(axis=1)
-        inside = self.times_s[is_told & (self.times_s > start_s) & (self.times_s < end_s)]
+        is_known = np.isfinite(self.values[:, 4:]).all(axis=1)
+        inside = self.times_s[is_known & (self.times_s > start_s) & (self.times_s < end_s)]
         times = np.concatenate([[start_s], inside, [end_s]])
         speeds = self.at(times)[:, 4:] @ np.array([1.0, 1j])
         if not np.isfinite(speeds).all() or np.diff(times).max() > MOST_GAP_S:
@@ -90,10 +90,10 @@ class Telemetry:
         return complex(((speeds[1:] + speeds[:-1]) / 2 * np.diff(times)).sum())
 
     def zone(self, times_s: Sequence[float]) -> float:
-        """Seconds to add to times of a camera's clock to have the log's: the least quarters of hours that fit all.
+        """Return the seconds from a camera's clock to the log's: the fewest quarters of an hour that fit all images.
 
         Args:
-            times_s: Of the images; 0 is told where none fits.
+            times_s: Of the images. Without a fit, the result is 0.
         """
         if not self.is_clock or not len(times_s) or not len(self.times_s):
             return 0.0
@@ -112,7 +112,7 @@ def telemetry(
     is_gimbal: bool = False,
     images: Sequence[str] = (),
 ) -> Telemetry:
-    """A log's entries put in order, what no aircraft can be left out; arguments as of ``Telemetry``."""
+    """Return a log's entries in order, without impossible values; arguments as of ``Telemetry``."""
     times = np.asarray(times_s, np.float64).ravel()
     rows = np.array(values, np.float64).reshape(len(times), len(FIELDS))
     for column, (least, most) in enumerate(_RANGES):
@@ -124,11 +124,11 @@ def telemetry(
 
 
 def log_cameras(log: Telemetry, names: Sequence[str], times_s: Sequence[float | None]) -> list[Camera]:
-    """What a log tells of each image's camera: heading, height above take-off, of a gimbal its attitude.
+    """Return the camera of each image from a log: heading, height above take-off and, of a gimbal, the attitude.
 
     Args:
         names: Of the images, without folder and extension.
-        times_s: Of the images on their own clock; None where unknown.
+        times_s: Of the images on their own clock; None if unknown.
     """
     cameras = []
     for row in _rows(log, names, times_s):
@@ -138,7 +138,7 @@ def log_cameras(log: Telemetry, names: Sequence[str], times_s: Sequence[float | 
             try:
                 attitude = attitude_from_gimbal(roll, pitch)
             except ParameterError:
-                # Near the horizon: such an image can't be leveled.
+                # An image that looks near the horizon can't be leveled.
                 attitude = None
         cameras.append(
             Camera(
@@ -151,11 +151,11 @@ def log_cameras(log: Telemetry, names: Sequence[str], times_s: Sequence[float | 
 
 
 def log_links(log: Telemetry, names: Sequence[str], times_s: Sequence[float | None]) -> list[Link]:
-    """Links in meters between images that follow each other, from velocities and headings.
+    """Return links in meters between consecutive images, from velocities and headings.
 
     Args:
         names: Of the images, without folder and extension.
-        times_s: Of the images on their own clock, ascending; None where unknown.
+        times_s: Of the images on their own clock, ascending; None if unknown.
     """
     moments = _moments(log, names, times_s)
     rows = _rows(log, names, times_s)
@@ -186,7 +186,7 @@ def log_links(log: Telemetry, names: Sequence[str], times_s: Sequence[float | No
 
 
 def _moments(log: Telemetry, names: Sequence[str], times_s: Sequence[float | None]) -> list[float | None]:
-    """When each image was taken, on the log's clock."""
+    """Return the time of each image on the log's clock."""
     if log.images:
         by_name = dict(zip(log.images, log.times_s.tolist()))
         return [by_name.get(name) for name in names]
@@ -195,7 +195,7 @@ def _moments(log: Telemetry, names: Sequence[str], times_s: Sequence[float | Non
 
 
 def _rows(log: Telemetry, names: Sequence[str], times_s: Sequence[float | None]) -> np.ndarray:
-    """(M, 6) as FIELDS say for each image."""
+    """Return (M, 6) in the order of FIELDS for each image."""
     if log.images:
         by_name = {name: number for number, name in enumerate(log.images)}
         nothing = np.full(len(FIELDS), np.nan)
@@ -205,7 +205,7 @@ def _rows(log: Telemetry, names: Sequence[str], times_s: Sequence[float | None])
 
 
 def _between(wanted: np.ndarray, times: np.ndarray, values: np.ndarray, are_angles: bool) -> np.ndarray:
-    """(M,) values between entries; NaN outside, in gaps, and at no time."""
+    """Return (M,) interpolated values; NaN outside the log, in gaps and without a time."""
     steady = np.degrees(np.unwrap(np.radians(values))) if are_angles else values
     found = np.interp(wanted, times, steady)
     after = np.searchsorted(times, wanted)

@@ -1,6 +1,6 @@
-"""A flight image by image, causally: each gets its best estimate from all before it, in bounded memory and time.
+"""Follow a flight image by image: each fix uses all images before it, in bounded memory and time.
 
-Told in docs/explanation/method.md#flights.
+See docs/explanation/method.md#flights.
 """
 
 from __future__ import annotations
@@ -26,35 +26,36 @@ from .settings import FLIGHT, FlightSettings
 from .smoothing import SIZE, Estimate, drift_of, first_estimate, soften, step_over, with_measurement
 
 OVERLAP_SHARE = 0.35
-"""Least weight of an image that shows hardly new ground."""
+"""Least weight of an image with hardly any new ground."""
 
 APART = 0.25
-"""Tracks are different from this share of the image's edge on the ground on, as places of map correlation are."""
+"""Least distance of different tracks as a share of the image's edge on the ground, as of places in map correlation."""
 
 SEARCH_FIRST = 4
-"""So many images of a flight are searched on the whole map … Set by hand, for the time."""
+"""Number of first images that are searched on the whole map. Set by hand, for the time."""
 
 SEARCH_EVERY = (2, 5)
-"""… then one of so many before a track is held, and one of so many while one is. Set by hand, for the time."""
+"""Later, one of this many images is searched: before a track is followed, and while one is. Set by hand, for the
+time."""
 
 ASSUMED = (0.4, 20.0, 0.1)
-"""Deviations of a link that is assumed: share of the distance, degrees, ln pixel size."""
+"""Standard deviations of an assumed link: share of the distance, degrees, ln pixel size."""
 
 SIZE_RANGE = 1.15
-"""Ratio to either side in which a pixel size is searched around the known one."""
+"""Ratio, to either side, in which pixel sizes are searched around the known one."""
 
 STATE_VERSION = 2
 
 
 @dataclass(frozen=True)
 class Looked:
-    """What became of the latest image, for whoever smooths the flight later.
+    """Result for the latest image, for later smoothing.
 
     Attributes:
         estimate: Of its track; None without one, and while own fixes contest it.
-        measured: What it said itself at the place that the track expects; None where nothing.
-        link: That led to it, assumed ones included; None of the first and after a break.
-        is_new: A track was found with this image.
+        measured: Measurement at the place that the track expects; None without one.
+        link: To this image, assumed ones included; None for the first image and after a break.
+        is_new: A track began with this image.
     """
 
     estimate: Estimate | None = None
@@ -64,16 +65,16 @@ class Looked:
 
 
 class FlightTracker:
-    """Follows one flight. Same images and links, same answers.
+    """Follows one flight. The same images and links give the same result.
 
     Attributes:
-        looked: At the latest image.
+        looked: Result for the latest image.
         track: Number of the latest track, from 1; 0 before the first.
         risk: Error probability of the latest track as a whole; 1 before the first.
     """
 
     def __init__(self, localizer: Localizer, settings: FlightSettings = FLIGHT) -> None:
-        """Begins a flight.
+        """Begin a flight.
 
         Args:
             localizer: Of a database with its overview.
@@ -89,15 +90,12 @@ class FlightTracker:
         self._shared_m2 = 0.0
 
     def add(self, image: FlightImage, link: Link | None = None) -> FlightPose:
-        """The next image.
+        """Add the next image and return its pose, which is a fix only while a track is followed.
 
         Args:
-            image: Its labels, and what is known of it alone.
-            link: From the image before; None where nothing tells: then the motion before is assumed to go on, and
-                without one the flight begins anew.
-
-        Returns:
-            What is known of it now; a fix only while a track is held.
+            image: Its labels and priors.
+            link: From the image before. If None, the motion before continues; without any motion the flight begins
+                again.
         """
         self._number += 1
         prior = self._prior(image)
@@ -116,7 +114,7 @@ class FlightTracker:
         return self._report(image)
 
     def state(self) -> dict[str, np.ndarray]:
-        """All that the flight so far has left, as arrays by name, for ``from_state``; its size doesn't grow."""
+        """Return the state of the flight as arrays by name, for ``from_state``. Its size does not grow."""
         pools = {"pool": self._pool, "mirror": self._mirror, "rival": self._rival}
         arrays = {f"{name}_{field}": value for name, pool in pools.items() for field, value in vars(pool).items()}
         arrays["counts"] = np.array([STATE_VERSION, self._number, self.track, len(self._past)])
@@ -132,14 +130,14 @@ class FlightTracker:
     def from_state(
         cls, localizer: Localizer, state: Mapping[str, np.ndarray], settings: FlightSettings = FLIGHT
     ) -> FlightTracker:
-        """A tracker that goes on where another one was.
+        """Return a tracker that continues from a state.
 
         Args:
             localizer: Of the same database.
-            state: What ``state`` gave.
+            state: Result of ``state``.
 
         Raises:
-            ParameterError: The state is none, or another version's.
+            ParameterError: The state is invalid or of another version.
         """
         tracker = cls(localizer, settings)
         try:
@@ -147,7 +145,7 @@ class FlightTracker:
             version, tracker._number, tracker.track, count = (int(value) for value in counts)
             if version != STATE_VERSION:
                 raise ParameterError(
-                    "The saved state of the flight is of version {version}; this version reads {known}.",
+                    "The saved state of the flight has version {version}; this SemRef reads version {known}.",
                     version=version,
                     known=STATE_VERSION,
                 )
@@ -161,7 +159,7 @@ class FlightTracker:
                 tracker._held = Estimate(*held)
             if tracker._number >= 0:
                 if not 0 <= count < settings.window:
-                    raise ValueError("the window is another")
+                    raise ValueError("the window has another size")
                 channels = localizer.pyramid.space.channels
                 remembered = [_part(state, f"past{number}_") for number in range(count + 1)]
                 *tracker._past, tracker._latest = [unpack(arrays, channels) for arrays in remembered]
@@ -170,12 +168,12 @@ class FlightTracker:
         return tracker
 
     def _begin(self) -> None:
-        """Nothing is known of where the flight is."""
+        """Forget all poses."""
         self._pool = self._mirror = self._rival = Pool.empty(self.settings.window)
         self._past, self._held = [], None
 
     def _prior(self, image: FlightImage) -> Prior:
-        """What is known of the image, with a range of pixel sizes: the track's if there is none."""
+        """Return the prior of the image with a range of pixel sizes: its own, otherwise that of the track."""
         if image.prior.pixel_size_range is not None:
             return image.prior
         if self._held is not None:
@@ -185,7 +183,7 @@ class FlightTracker:
         return replace(image.prior, pixel_size_range=sizes)
 
     def _assumed_link(self) -> Link | None:
-        """The motion before goes on; None where there was none."""
+        """Return the motion before as a link; None without one."""
         latest = self._past[0].link if self._past else None
         if latest is None:
             return None
@@ -194,7 +192,7 @@ class FlightTracker:
         return replace(latest, turn=0.0, log_scale=0.0, covariance=as_rows(known), source=LinkSource.ASSUMED)
 
     def _weight(self, seen: SeenImage, link: Link | None) -> float:
-        """Of the image's evidence: the share of its ground that is new, and what it says anew of the rest."""
+        """Return the weight of the image's evidence: the share of new ground, with a minimum for the rest."""
         if link is None:
             return 1.0
         length = abs(link.step)
@@ -203,7 +201,7 @@ class FlightTracker:
         return float(np.clip(length / seen.edge_px, OVERLAP_SHARE, 1.0))
 
     def _look(self, seen: SeenImage, link: Link | None, weight: float) -> None:
-        """The hypotheses, and those of the mirrored flight while no track is held, with the image's evidence."""
+        """Update the hypotheses and, while no track is followed, those of the mirrored flight."""
         searching, held = SEARCH_EVERY
         every = searching if self._held is None else held
         is_searched = len(self._past) < SEARCH_FIRST or self._number % every == 0
@@ -215,9 +213,9 @@ class FlightTracker:
             self._mirror = self._update_pool(self._mirror, latest.mirrored(), flipped)
 
     def _update_pool(self, pool: Pool, latest: Past, past: list[Past] | None) -> Pool:
-        """Hypotheses after an image; new ones are looked for where ``past`` is told.
+        """Return the hypotheses after an image; with ``past``, new ones are searched.
 
-        ``latest``: the image, with the link that led to it.
+        ``latest``: the image, with the link that leads to it.
         """
         settings, pyramid, seen, weight = self.settings, self.localizer.pyramid, latest.seen, latest.weight
         if len(pool):
@@ -230,7 +228,7 @@ class FlightTracker:
         return prune(pool, self._edge_m(seen), settings.hypotheses, APART)
 
     def _at_own(self, seen: SeenImage, weight: float) -> Pool:
-        """A hypothesis at the image's own best place."""
+        """Return a hypothesis at the image's own best place."""
         if seen.own_state is None or seen.own_odds <= 0:
             return Pool.empty(self.settings.window)
         deviation = 0.01 * self._edge_m(seen)
@@ -240,11 +238,11 @@ class FlightTracker:
 
     @staticmethod
     def _edge_m(seen: SeenImage) -> float:
-        """About the image's edge on the ground."""
+        """Return the approximate edge of the image on the ground."""
         return seen.edge_px * float(np.exp(np.mean(np.log(seen.prior.pixel_size_range or (1.0, 1.0)))))
 
     def _follow(self, image: FlightImage, seen: SeenImage, link: Link | None) -> None:
-        """Holds the track, finds one, or loses it."""
+        """Continue the track, begin one, or end it."""
         settings, found, is_lost = self.settings, Looked(link=link), False
         if self._held is not None and link is not None:
             expected = step_over(self._held, link, self._shared_m2, settings).predicted
@@ -263,7 +261,7 @@ class FlightTracker:
                 self._look(seen, None, 1.0)
                 found, is_lost = Looked(link=link), False
             elif is_lost:
-                # The mirrored flight was not followed meanwhile: what is decided waits for it.
+                # The mirrored flight was not updated meanwhile: the next decision waits for it.
                 self._held, self._mirror = None, Pool.empty(settings.window)
                 found = Looked(link=link)
             elif risk > settings.allowed_risk:
@@ -277,7 +275,7 @@ class FlightTracker:
         self.looked = found
 
     def _rival_place(self, image: FlightImage, seen: SeenImage, link: Link, held: Estimate) -> Pool:
-        """The place of own fixes that contradict the track, see ``rival_of``."""
+        """Return the place of own fixes that contradict the track, see ``rival_of``."""
         is_fix = image.own is not None and image.own.is_fix
         variances = np.diag(held.pose_covariance)[None, [0, 2, 3]]
         track = Pool(held.state[None], variances, np.zeros((1, self.settings.window)))
@@ -286,14 +284,14 @@ class FlightTracker:
         return rival_of(track, predict(self._rival, link), seen, weight, self.settings)
 
     def _risk_now(self) -> float:
-        """Risk of the track that is held. Where own fixes contest it, the past counts no more than one of them."""
+        """Return the error probability of the track. Where own fixes contest it, the past counts at most as one fix."""
         if not len(self._rival):
             return self.risk
         odds = min(log_odds_of(self.risk), OWN_MOST)
         return max(self.risk, risk_of(odds - self.settings.risk_curve[1] * float(self._rival.totals[0])))
 
     def _best_risk(self) -> float:
-        """Risk of the best hypothesis, against the best other one and that of the mirrored flight."""
+        """Return the error probability of the best hypothesis against the second best and the mirrored flight."""
         if not len(self._pool):
             return 1.0
         totals = self._pool.totals
@@ -302,9 +300,9 @@ class FlightTracker:
         return risk_of(offset + slope * (float(totals[0]) - max(opponents)))
 
     def _start(self, image: FlightImage, seen: SeenImage) -> Looked:
-        """The first estimate of a track, at the best hypothesis."""
+        """Return the first estimate of a track, at the best hypothesis."""
         state, drift = self._pool.states[0], drift_of(past.link for past in self._past)
-        # A hypothesis is known to a pixel of the first look, however often that has looked.
+        # A hypothesis is known to one pixel of the first look, after any number of looks.
         deviations = np.sqrt(look_noise(seen, state[None], self.settings.start_noise)[0][[0, 0, 1, 2]])
         bare = first_estimate(state, deviations, 0.0, drift)
         measured = self._measure(image, bare)
@@ -318,7 +316,7 @@ class FlightTracker:
         return measure_near(image, self.localizer, expected.state, expected.pose_covariance, self.settings)
 
     def _here(self, seen: SeenImage) -> np.ndarray:
-        """The hypotheses at the track that is held, best first."""
+        """Return the hypotheses at the track, best first."""
         held = self._held
         if held is None:
             return np.array([], int)
@@ -326,7 +324,7 @@ class FlightTracker:
         return np.flatnonzero(same_place(self._pool.states, held.state, reach))
 
     def _is_lost(self, seen: SeenImage) -> bool:
-        """Whether the last images speak against the track held, or all of them for another one."""
+        """Return whether the last images contradict the track, or all images of the window support another place."""
         here = self._here(seen)
         if not len(here):
             return True
@@ -344,8 +342,8 @@ class FlightTracker:
         risk = self._best_risk() if held is None else self._risk_now()
         if held is None or risk > allowed:
             reason = Sentence(
-                "The flight so far does not tell where it is: the best track is wrong with a probability of "
-                "{risk:.2g}; at most {allowed:.2g} is allowed.",
+                "The images of the flight so far are not sufficient for a fix: error probability {risk:.2g}; at most "
+                "{allowed:.2g} is allowed.",
                 risk=risk,
                 allowed=allowed,
             )
@@ -355,18 +353,18 @@ class FlightTracker:
 
 
 def _part(state: Mapping[str, np.ndarray], prefix: str) -> dict[str, np.ndarray]:
-    """The arrays whose names begin so, by the rest of their names."""
+    """Return the arrays with a prefix, by the rest of their names."""
     return {name[len(prefix) :]: np.array(value) for name, value in state.items() if name.startswith(prefix)}
 
 
 def _require_sizes(states: np.ndarray) -> None:
-    """Raises ValueError for states (n, 4 or more) with a pixel size that no image has."""
+    """Raise ValueError for states (n, 4 or more) with an impossible pixel size."""
     if (np.abs(states[:, 3]) > limits.LINK_LOG_SCALE).any():
-        raise ValueError("a pixel size is none")
+        raise ValueError("a pixel size is invalid")
 
 
 def _saved_pool(state: Mapping[str, np.ndarray], name: str, settings: FlightSettings) -> Pool:
-    """Hypotheses of a saved state; raises KeyError or ValueError for what are none."""
+    """Return the hypotheses of a saved state; raises KeyError or ValueError for invalid ones."""
     states = checked_array(state, f"{name}_states", None, 4)
     _require_sizes(states)
     count = len(states)

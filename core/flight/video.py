@@ -1,7 +1,7 @@
-"""Frames of a video as images of a flight: ``python -m core.flight.video VIDEO FOLDER --every 2``.
+"""Store frames of a video as images of a flight: ``python -m core.flight.video VIDEO FOLDER --every 2``.
 
-Beside the images stands ``cameras.csv``, a camera table with the time of each in the video and, where DJI's subtitles
-of the video's name lie beside it, the gimbal's heading and attitude.
+The folder also gets ``cameras.csv``, a camera table with the time of each frame in the video. If DJI subtitles with the
+video's name are beside it, the table contains the gimbal's heading and attitude.
 """
 
 from __future__ import annotations
@@ -28,32 +28,32 @@ TABLE = "cameras.csv"
 LEAST_STEP_S, MOST_STEP_S = 0.02, 3600.0
 _QUALITY = 95
 _STARTS = ((4, b"ftyp"), (0, b"\x1a\x45\xdf\xa3"), (8, b"AVI "), (0, b"\x47"), (0, b"\0\0\1\xba"))
-"""How MP4 and QuickTime, Matroska, AVI, and MPEG streams begin; playlists and descriptions of streams would be followed
-to other computers, and are refused."""
+"""First bytes of MP4 and QuickTime, Matroska, AVI and MPEG files. Playlists and stream descriptions could lead to other
+computers and are refused."""
 
 
 def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None = None) -> Iterator[tuple[str, float]]:
-    """Writes a video's frames as JPEGs and, at the end, their camera table; gives each one's path and the share done.
+    """Write frames of a video as JPEGs, then their camera table; yield the path of each frame and the share done.
 
     Args:
-        folder: Where they go; made if need be. What lies there is never overwritten.
-        every_s: Seconds from one to the next.
+        folder: Target, created if missing. Existing files are never replaced.
+        every_s: Seconds between frames.
         log: Of the same flight, in the video's time.
 
     Raises:
-        ParameterError: The video can't be read, or an image or the table not be written.
+        ParameterError: The video can't be read, or a file can't be written.
     """
     table = os.path.join(folder, TABLE)
     if not LEAST_STEP_S <= every_s <= MOST_STEP_S:
         raise ParameterError(
-            "An image every {every:g} s can't be had of a video; choose {least:g} to {most:g} s.",
+            "The interval between frames is {every:g} s; it must be from {least:g} to {most:g} s.",
             every=every_s,
             least=LEAST_STEP_S,
             most=MOST_STEP_S,
         )
     capture = _open_video(video)
     if os.path.lexists(table):
-        raise ParameterError("{path} is there already; choose another folder.", path=table)
+        raise ParameterError("{path} exists already. Choose another folder.", path=table)
     stem = stem_of(video)
     count = capture.get(cv2.CAP_PROP_FRAME_COUNT)
     names: list[str] = []
@@ -61,7 +61,7 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     wanted, number = 0.0, 0
     try:
         while len(names) < limits.FRAMES and capture.grab():
-            # Before the first frame is taken the time is 0; from then on it is that of the frame taken last.
+            # The time is 0 before the first frame, and later that of the latest frame.
             time_s, number = capture.get(cv2.CAP_PROP_POS_MSEC) / 1000, number + 1
             if not math.isfinite(time_s) or time_s < wanted - 1e-6:
                 continue
@@ -77,19 +77,17 @@ def write_frames(video: str, folder: str, every_s: float, log: Telemetry | None 
     finally:
         capture.release()
     if not names:
-        raise ParameterError("{path} has no frames that can be read.", path=video)
+        raise ParameterError("{path} has no readable frames.", path=video)
     _write(table, _table(names, times, log).encode("utf-8"))
 
 
 def _open_video(video: str) -> cv2.VideoCapture:
-    no_video = ParameterError(
-        "{path} is no video that can be read; choose an MP4, MOV, MKV, AVI or MPEG file.", path=video
-    )
+    no_video = ParameterError("{path} is not a readable video. Choose an MP4, MOV, MKV, AVI or MPEG file.", path=video)
     start = bytes_of(video, 1 << 50, 16)
     if not any(start[at : at + len(mark)] == mark for at, mark in _STARTS):
         raise no_video
     path = os.path.abspath(video)
-    # OpenCV ends the whole program over a name with bytes that are no text.
+    # OpenCV ends the whole program for a name with bytes that are not text.
     if path.encode("utf-8", "replace").decode("utf-8") != path:
         raise no_video
     capture = cv2.VideoCapture(path)
@@ -99,12 +97,12 @@ def _open_video(video: str) -> cv2.VideoCapture:
 
 
 def _write(path: str, data: bytes) -> None:
-    """Writes a new file, whole or not at all; raises ParameterError where one lies, or it can't be."""
+    """Write a new file completely or not at all; raises ParameterError if it exists or can't be written."""
     try:
         os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
         file = open(path, "xb")  # noqa: SIM115  closed below
     except FileExistsError:
-        raise ParameterError("{path} is there already; choose another folder.", path=path) from None
+        raise ParameterError("{path} exists already. Choose another folder.", path=path) from None
     except OSError as error:
         raise ParameterError("{path} can't be written: {reason}.", path=path, reason=reason_of(error)) from None
     try:
@@ -117,7 +115,7 @@ def _write(path: str, data: bytes) -> None:
 
 
 def _table(names: list[str], times: list[float], log: Telemetry | None) -> str:
-    """The camera table's text. Heights above take-off are left out: the table's are above the ground seen."""
+    """Return the camera table. Heights above take-off are left out: the table's heights are above the ground."""
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(["image", "time", "heading", "roll", "pitch"])
@@ -133,23 +131,23 @@ def _table(names: list[str], times: list[float], log: Telemetry | None) -> str:
 
 
 def subtitles_of(video: str) -> str | None:
-    """Path of the subtitles beside a video; None where there are none."""
+    """Return the path of the subtitles beside a video; None without any."""
     stem = os.path.splitext(video)[0]
     return next((stem + ending for ending in (".SRT", ".srt") if os.path.isfile(stem + ending)), None)
 
 
 def _print_line(text: str, where: TextIO | None = None) -> None:
-    """Prints a line; a name's bytes that are no text are escaped."""
+    """Print a line; bytes of a name that are not text are escaped."""
     print(text.encode("utf-8", "backslashreplace").decode("utf-8"), file=where, flush=True)
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Runs the command; gives its exit code."""
-    parser = argparse.ArgumentParser("python -m core.flight.video", description="Writes a video's frames as images.")
+    """Run the command and return its exit code."""
+    parser = argparse.ArgumentParser("python -m core.flight.video", description="Write frames of a video as images.")
     parser.add_argument("video", metavar="VIDEO")
-    parser.add_argument("folder", metavar="FOLDER", help="where the images and cameras.csv go")
-    parser.add_argument("--every", type=float, default=2.0, metavar="S", help="seconds from image to image; default 2")
-    parser.add_argument("--log", help="flight log in the video's time; default: subtitles of its name beside it")
+    parser.add_argument("folder", metavar="FOLDER", help="target folder of the images and cameras.csv")
+    parser.add_argument("--every", type=float, default=2.0, metavar="S", help="seconds between frames (default: 2)")
+    parser.add_argument("--log", help="flight log in the video's time (default: the subtitles beside it with its name)")
     options = parser.parse_args(arguments)
     try:
         path = options.log or subtitles_of(options.video)

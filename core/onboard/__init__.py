@@ -1,1 +1,1 @@
-"""The onboard file and the command line of an aircraft's computer."""
+"""Localize on an aircraft: the onboard file, the command ``semref``, and its outputs."""

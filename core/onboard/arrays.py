@@ -1,7 +1,7 @@
-"""Arrays out of a zip that anybody may have written: numpy's ``.npz``, without pickles.
+"""Read arrays from an untrusted zip: numpy's ``.npz`` without pickles.
 
-Nothing is allocated that the file's size does not justify: sizes are checked in the zip's directory before anything is
-unpacked, shapes and types in the arrays' headers.
+No memory is allocated beyond what the file's size justifies. Sizes are checked in the zip's directory before unpacking,
+shapes and types in the arrays' headers.
 """
 
 from __future__ import annotations
@@ -19,51 +19,51 @@ from numpy.lib import format as npy_format
 from .. import limits
 
 UNREADABLE = (zipfile.BadZipFile, zlib.error, EOFError, OSError, RuntimeError, ValueError, struct.error)
-"""What reading a zip that is damaged or hostile may raise."""
+"""Errors of a damaged or malicious zip."""
 
 _DEFLATE_RATIO = 1032
-"""What deflate makes of one byte at most; a member that claims more is damaged or hostile."""
+"""Largest compression ratio of deflate; a member with a larger one is damaged or malicious."""
 
 
 def require_honest(info: zipfile.ZipInfo, most: int) -> None:
-    """Raises BadZipFile for a member that can't be what it claims, or claims more than ``most`` bytes."""
+    """Raise BadZipFile for a member with an impossible size or more than ``most`` bytes."""
     if info.flag_bits & 1 or info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        raise zipfile.BadZipFile(f"{info.filename} is encrypted or packed in an unknown way")
+        raise zipfile.BadZipFile(f"{info.filename} is encrypted or compressed in an unknown way")
     if info.file_size > most or info.file_size > _DEFLATE_RATIO * info.compress_size + 64:
-        raise zipfile.BadZipFile(f"{info.filename} claims {info.file_size} bytes, more than it can have")
+        raise zipfile.BadZipFile(f"{info.filename} states {info.file_size} bytes, more than possible")
 
 
 def npy_header(name: str, start: bytes) -> tuple[tuple[int, ...], np.dtype, bool, int]:
-    """(shape, type, whether it goes down columns first, first byte of the data) of a .npy file.
+    """Return (shape, type, whether columns come first, first byte of the data) of a .npy file.
 
     Args:
         start: Its first ``limits.NPY_HEADER_BYTES``, or all of it.
 
     Raises:
-        BadZipFile: It is no plain array.
+        BadZipFile: The file is not a plain array.
     """
     file = io.BytesIO(start)
     try:
         version = npy_format.read_magic(file)
         shape, is_fortran, dtype = npy_format.read_array_header_1_0(file)
-    # numpy evaluates the header as a Python literal: what it stumbles over there depends on its version.
+    # numpy evaluates the header as a Python literal: the errors depend on its version.
     except Exception:
-        raise zipfile.BadZipFile(f"{name} is no plain array") from None
+        raise zipfile.BadZipFile(f"{name} is not a plain array") from None
     if version != (1, 0) or dtype.hasobject or min(shape, default=0) < 0:
-        raise zipfile.BadZipFile(f"{name} is no plain array")
+        raise zipfile.BadZipFile(f"{name} is not a plain array")
     return shape, dtype, is_fortran, file.tell()
 
 
 def number_arrays(source: str | BinaryIO, most: int) -> dict[str, np.ndarray]:
-    """The arrays of numbers in a ``.npz`` by name.
+    """Return the arrays of numbers in a ``.npz`` by name.
 
     Args:
         source: Path of the file, or the opened file.
-        most: Bytes that all of them may have.
+        most: Largest size of all arrays together, bytes.
 
     Raises:
         OSError: The file can't be read.
-        Exception: One of ``UNREADABLE``; it is no such file.
+        Exception: One of ``UNREADABLE``: the file is not a valid ``.npz``.
     """
     found = {}
     with zipfile.ZipFile(source) as archive:
@@ -75,6 +75,6 @@ def number_arrays(source: str | BinaryIO, most: int) -> dict[str, np.ndarray]:
             data = archive.read(info)
             shape, dtype, is_fortran, first = npy_header(name, data[: limits.NPY_HEADER_BYTES])
             if dtype.kind not in "biuf" or first + math.prod(shape) * dtype.itemsize != len(data):
-                raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
+                raise zipfile.BadZipFile(f"{name} has another size than its shape {shape}")
             found[name] = np.frombuffer(data, dtype, offset=first).reshape(shape, order="F" if is_fortran else "C")
     return found

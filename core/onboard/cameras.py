@@ -1,4 +1,4 @@
-"""The cameras of images on board: by a table, by their photos, by a flight's log, as in QGIS."""
+"""Cameras of images on board: from a table, photos and a flight log, as in QGIS."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from .tables import TableOfImages
 
 @dataclass
 class Cameras:
-    """Tells each image's camera.
+    """Provides the camera of each image.
 
     Attributes:
         table: The camera table; None without one.
-        log: The flight's log; None without one, or where it grows.
-        growing: The flight's log that is written while it flies; None without one.
-        first_s: Time of the first image on the cameras' clock, by which the log's is found; None before it.
+        log: The flight log; None without one, or if it grows.
+        growing: A flight log that grows during the flight; None without one.
+        first_s: Time of the first image on the cameras' clock, which determines the log's time zone; None before it.
     """
 
     table: TableOfImages[Camera] | None = None
@@ -36,7 +36,7 @@ class Cameras:
     first_s: float | None = None
 
     def of(self, path: str) -> Camera:
-        """The camera of an image."""
+        """Return the camera of an image."""
         name, photo = stem_of(path), photo_camera(path)
         row = None if self.table is None else self.table.of(name)
         camera = photo if row is None else merge_camera(row, photo, row.time_s is not None)
@@ -44,11 +44,11 @@ class Cameras:
         log = self._log(moment[1])
         if log is None:
             return camera
-        told = log_cameras(log, *self._asked([moment]))[-1]
-        return complete_camera(camera, told, with_attitude=True)
+        logged = log_cameras(log, *self._asked([moment]))[-1]
+        return complete_camera(camera, logged, with_attitude=True)
 
     def time_s(self, path: str, camera: Camera) -> float | None:
-        """When an image was taken: as its camera tells, else when it was written; None where nobody can tell."""
+        """Return the time of capture: from the camera, otherwise the file's time of change; None if unknown."""
         if camera.time_s is not None:
             return camera.time_s
         try:
@@ -57,7 +57,7 @@ class Cameras:
             return None
 
     def link(self, before: tuple[str, float | None], now: tuple[str, float | None]) -> Link | None:
-        """Between two images, each by its name without extension and its time; None where the log doesn't tell it."""
+        """Return the motion between two images, each a name without extension and a time; None if the log lacks it."""
         log = self._log(now[1])
         if log is None:
             return None
@@ -68,23 +68,23 @@ class Cameras:
         return self.log if self.growing is None else self.growing.until(time_s)
 
     def _asked(self, images: list[tuple[str, float | None]]) -> tuple[list[str], list[float | None]]:
-        """Names and times, the flight's first one before them: a zone is that of the whole flight."""
+        """Return names and times after those of the flight's first image: the time zone is that of the whole flight."""
         if self.first_s is None:
             self.first_s = images[0][1]
         return ["", *(name for name, _ in images)], [self.first_s, *(time_s for _, time_s in images)]
 
 
 def open_cameras(table: str | None, log: str | None, is_ended: bool, is_strict: bool) -> Cameras:
-    """Cameras by what a command line names.
+    """Return the cameras of the command line's table and log.
 
     Args:
-        table: Path of a camera table; None for none.
-        log: Path of a flight's log; None for none.
-        is_ended: Nobody writes table and log any more.
-        is_strict: What can't be used is refused; else it is told in the log and done without.
+        table: Path of a camera table; None without one.
+        log: Path of a flight log; None without one.
+        is_ended: No program writes to table and log any more.
+        is_strict: Refuse unusable files. Otherwise log the problem and continue without them.
 
     Raises:
-        ParameterError: Something can't be used.
+        ParameterError: A file can't be used.
     """
     cameras = Cameras()
     try:

@@ -1,4 +1,4 @@
-"""What the command ``semref`` does: tell what an onboard file holds, localize images, watch a folder for new ones."""
+"""The command ``semref``: show an onboard file, localize images, watch a folder for new images."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from .flight import FlightFinder
 from .format import OnboardDatabase
 from .image_records import ERROR, ImageFinder, label_reader
 from .log import json_line, log_event, start_log
-from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_place
+from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_address
 from .read import read_onboard
 from .sinks import check_sink
 from .state_file import StateFile
@@ -38,13 +38,13 @@ from .tables import open_odometry
 from .watch import watch
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
-"""Exit codes; argparse ends with 2 by itself."""
+"""Exit codes; argparse itself ends with 2."""
 
 INTERRUPTED = 130
-"""As of any program that was ended by Ctrl+C."""
+"""Exit code of programs that Ctrl+C ended."""
 
 FARTHEST = 1e9
-"""Map coordinates and radii beyond are no place on Earth, in any unit of a map."""
+"""Largest map coordinate and radius; no map on Earth has larger ones in any unit."""
 
 _EXIT_CODES = f"""exit codes:
   {ALL_FIXED}  every image has a fix (watch: it was ended by Ctrl+C)
@@ -134,13 +134,13 @@ def _place(check: Callable[[str], object]) -> Callable[[str], str]:
 
 
 def _write(text: str) -> None:
-    """Writes a line to stdout; a name's bytes that are no text are escaped. Raises ParameterError when it can't."""
+    """Write a line to stdout, with escapes for bytes that are not text; raises ParameterError if that fails."""
     encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
     try:
         print(text.encode(encoding, "backslashreplace").decode(encoding), flush=True)
     except OSError as error:
         raise ParameterError(
-            "{where} can't be written: {reason}; choose another place.", where="stdout", reason=reason_of(error)
+            "{where} can't be written: {reason}. Choose another output.", where="stdout", reason=reason_of(error)
         ) from None
 
 
@@ -217,7 +217,7 @@ def _add_watch(watch: argparse.ArgumentParser) -> None:
     watch.add_argument("--gga", type=place, metavar="WHERE", help=f"NMEA GGA sentences: {where}")
     where = "udp:PORT of this computer, udp:HOST:PORT, or serial:DEVICE[:BAUD]"
     text = f"positions for an autopilot (needs pymavlink): {where}"
-    watch.add_argument("--mavlink", type=_place(check_place), metavar="WHERE", help=text)
+    watch.add_argument("--mavlink", type=_place(check_address), metavar="WHERE", help=text)
     text = f"MAVLink message of a position (default: {MESSAGES[0]})"
     watch.add_argument("--mavlink-as", choices=MESSAGES, default=MESSAGES[0], help=text)
     number, text = _number(1, limits.SYSTEMS, int), "system number of the aircraft (default: 1)"
@@ -253,7 +253,7 @@ def _info(options: argparse.Namespace) -> int:
 
 
 def description(onboard: OnboardDatabase) -> dict[str, Any]:
-    """What an onboard file holds, in a few lines."""
+    """Return the contents of an onboard file in a few lines."""
     database, parameters = onboard.database, onboard.database.parameters
     overview = database.overview
     return {
@@ -300,21 +300,22 @@ def _localize(options: argparse.Namespace) -> int:
 
 
 def exit_code(statuses: set[str]) -> int:
-    """Of records with these statuses."""
+    """Return the exit code for the statuses of records."""
     if ERROR in statuses:
         return REFUSED
     return ALL_FIXED if statuses <= {Status.FIX.key} else SOME_WITHOUT_FIX
 
 
 def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase) -> ImageFinder:
-    """How the options ask to localize; everything that can be refused is refused here."""
+    """Return how to localize according to the options; everything that can be refused is refused here."""
     cv2.setNumThreads(options.threads)
     method = next(method for method in Method if _option(method) == options.method)
     localizer = Localizer(onboard.database, replace(LOCALIZER, allowed_risk=options.risk), options.sun)
     localizer.check(method)
     if method == Method.MAP_CORRELATION and not localizer.has_overview:
         raise DatabaseError(
-            "{database} has no overview, which map correlation searches; export it with one.", database=options.database
+            "{database} has no overview, which map correlation needs. Export it with the overview.",
+            database=options.database,
         )
     prior = Prior(tuple(options.near[:2]), options.near[2]) if options.near else Prior()
     read_labels = label_reader(options.model, options.threads, onboard.database.class_table, options.device)
@@ -326,19 +327,19 @@ def _image_finder(options: argparse.Namespace, onboard: OnboardDatabase) -> Imag
         exported=_date(onboard),
         signature=onboard.signature.value,
     )
-    # Watching may come before the end of writing; a restart in the air must not end for a table.
+    # During a watch, tables may still grow; a restart during the flight must not fail because of a table.
     is_ended = getattr(options, "once", True)
     cameras = open_cameras(options.cameras, options.flight_log, is_ended, not _is_restart(options))
     return ImageFinder(onboard, Pipeline(localizer, Search(method, prior), read_labels), cameras)
 
 
 def _is_restart(options: argparse.Namespace) -> bool:
-    """Whether a flight goes on from a state."""
+    """Return whether a flight continues from a state."""
     return os.path.exists(getattr(options, "state", None) or "")
 
 
 def _line(found: dict[str, Any]) -> str:
-    """A record for people."""
+    """Return a record as a line of text."""
     if found.get("x") is None:
         return f"{found['image']}: {found['status']}. {found['reason']}"
     units = (
@@ -346,7 +347,7 @@ def _line(found: dict[str, Any]) -> str:
         ("latitude", "latitude {:.7f}"),
         ("heading", "heading {:.1f}°"),
         ("pixel_size", "pixel size {:.3g} m"),
-        ("error_95", "within {:.2f} m (95 %)"),
+        ("error_95", "95 % radius {:.2f} m"),
         ("window", "window {}"),
         ("distance", "distance {:.4f}"),
     )
@@ -363,7 +364,9 @@ def _line(found: dict[str, Any]) -> str:
 
 def _watch(options: argparse.Namespace) -> int:
     if not os.path.isdir(options.folder):
-        raise ParameterError("There is no folder {folder}; create it or watch another one.", folder=options.folder)
+        raise ParameterError(
+            "The folder {folder} does not exist. Create it or watch another one.", folder=options.folder
+        )
     onboard = read_onboard(options.database, key_file=options.require_signature)
     is_restart = _is_restart(options)
     find: ImageFinder = _image_finder(options, onboard)
@@ -371,7 +374,7 @@ def _watch(options: argparse.Namespace) -> int:
     if options.flight:
         if not find.pipeline.localizer.has_overview:
             raise DatabaseError(
-                "{database} has no overview, by which tracks are told apart; export it with one.",
+                "{database} has no overview, which flights need. Export it with the overview.",
                 database=options.database,
             )
         settings = replace(FLIGHT, allowed_risk=options.risk)
@@ -381,7 +384,7 @@ def _watch(options: argparse.Namespace) -> int:
         after = find.start()
     if (options.gga or options.mavlink) and onboard.lon_lat is None:
         raise DatabaseError(
-            "{database} can't tell longitude and latitude, which GGA sentences and MAVLink need.",
+            "{database} contains no longitude and latitude, which GGA sentences and MAVLink need.",
             database=options.database,
         )
     statuses, lost = watch(
@@ -391,9 +394,9 @@ def _watch(options: argparse.Namespace) -> int:
 
 
 def _mavlink_sink(options: argparse.Namespace, onboard: OnboardDatabase) -> MavlinkSink | None:
-    """The autopilot that is to be told; None without one."""
+    """Return the output to an autopilot; None without one."""
     if not options.mavlink or onboard.lon_lat is None:
         return None
     origin = tuple(options.mavlink_origin) if options.mavlink_origin else None
-    told = MavlinkOptions(options.mavlink, options.mavlink_as, options.mavlink_system, origin, options.camera_yaw)
-    return MavlinkSink(told, onboard.lon_lat)
+    sent = MavlinkOptions(options.mavlink, options.mavlink_as, options.mavlink_system, origin, options.camera_yaw)
+    return MavlinkSink(sent, onboard.lon_lat)

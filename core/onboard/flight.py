@@ -36,7 +36,7 @@ from .tables import OdometryTable
 FORMAT, VERSION = "semref flight state", 2
 
 Taken = tuple[int, str]
-"""(time of change in ns, name) of an image: images are taken in this order."""
+"""(time of change in ns, name) of an image; images are localized in this order."""
 
 
 @dataclass
@@ -44,7 +44,7 @@ class FlightFinder(ImageFinder):
     """Localizes the images of one flight in order; each fix uses all images up to it.
 
     Attributes:
-        state: File that stores the flight; None for none.
+        state: File that stores the flight; None without one.
         settings: Of the flight.
         odometry: Table of the motion from image to image; None without one.
         tracker: Follows the flight; begins with the first image.
@@ -66,7 +66,7 @@ class FlightFinder(ImageFinder):
     is_stored: bool = True
 
     def start(self) -> Taken | None:
-        """Continue the flight of the state file or begin one. Return the latest image of the state; None for none.
+        """Continue the flight of the state file or begin one. Return the latest image of the state; None without one.
 
         A file that can't be used is logged and ignored: it must not keep an aircraft on the ground.
         """

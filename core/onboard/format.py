@@ -1,6 +1,6 @@
-"""THE onboard file's format: a reference database as one small ``.npz`` (docs/reference/file_formats.md).
+"""Format of the onboard file: a reference database as one small ``.npz`` (docs/reference/file_formats.md).
 
-A zip of arrays in numpy's own format, none of them pickled, for a computer without QGIS.
+It is a zip of arrays in numpy's own format, without pickles, for a computer without QGIS.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ KINDS = {
     "references_touches_edge": ("|u1", 1),
     "overview_labels": ("|u1", 2),
 }
-"""Type and number of axes of every member; overview and signature may be missing."""
+"""Type and number of axes of every member; overview and signature are optional."""
 
 NOT_ON_BOARD = "block_hashes"
-"""The build parameter that only updating a database needs."""
+"""Build parameter that only database updates need."""
 
 
 class SignatureStatus(str, Enum):
-    """What is known of an onboard file's signature, in words."""
+    """Status of an onboard file's signature, as text."""
 
     NONE = "not signed"
     NOT_CHECKED = "signed, not checked: no key was given"
@@ -57,12 +57,15 @@ class SignatureStatus(str, Enum):
 
 @dataclass(frozen=True)
 class OnboardDatabase:
-    """What an onboard file holds: the database, how its map coordinates become degrees, and what rounding cost.
+    """Contents of an onboard file: the database, its map coordinates as degrees, and its rounding errors.
 
-    lon_lat: None where the file can't tell longitude and latitude; position_error: largest of a landmark's
-    x and y, map units; area_error: largest of its area, a share of it; vector_error: largest of an element of a
-    topology vector (its class ranks are exact); content_hash: SHA-256 of the file's arrays; size_bytes: the file's;
-    exported: when it was written, None in files of versions that did not record it; signature: whether it has one.
+    Attributes:
+        lon_lat: None if the file does not contain longitude and latitude.
+        position_error: Largest error of a landmark's x and y, m.
+        area_error: Largest error of a landmark's area, as a share.
+        vector_error: Largest error of an element of a topology vector; its class ranks are exact.
+        content_hash: SHA-256 of the file's arrays.
+        exported: Date of the export; None in files of versions without it.
     """
 
     database: ReferenceDatabase
@@ -77,7 +80,7 @@ class OnboardDatabase:
 
 
 def export_date(text: object) -> datetime:
-    """Return the moment of an ISO 8601 text with its zone; raises ValueError for anything else."""
+    """Return the time of an ISO 8601 text with time zone; raises ValueError for anything else."""
     moment = datetime.fromisoformat(checked(text, str, "exported"))
     if moment.utcoffset() is None:
         raise ValueError(f"exported is {text}, without a time zone")
@@ -85,7 +88,7 @@ def export_date(text: object) -> datetime:
 
 
 def is_onboard_file(path: str) -> bool:
-    """Whether a file, damaged or not, is one of ours by the names of its members."""
+    """Return whether a file, damaged or not, has the members of an onboard file."""
     if not zipfile.is_zipfile(path):
         return False
     try:
@@ -96,7 +99,7 @@ def is_onboard_file(path: str) -> bool:
 
 
 def digest(files: Mapping[str, bytes]) -> bytes:
-    """SHA-256 of all .npy files but the hash's and the signature's, in order of their names."""
+    """Return SHA-256 of all .npy files except hash and signature, in the order of their names."""
     found = hashlib.sha256()
     for name in sorted(files):
         if name not in (HASH, SIGNATURE):

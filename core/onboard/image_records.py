@@ -1,4 +1,4 @@
-"""What is said of one image after the other: read, localized, as a record with its time, place and reason."""
+"""Records of images on board: read an image, localize it, and return time, place and reason."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from .format import OnboardDatabase
 from .log import log_event
 
 ERROR = "error"
-"""Status of an image that could not be read, as in the plugin."""
+"""Status of an image that can't be read, as in the plugin."""
 
 
 def label_reader(model_path: str | None, threads: int, table: ClassTable, device: str = AUTO) -> LabelReader:
-    """Read label images as they are, and photos by a network.
+    """Return a reader of label images, or of photos with a network.
 
     Args:
         model_path: Of the network; None for label images.
-        device: That it is run on.
+        device: Device of the network.
 
     Raises:
         SemRefError: The network can't be used.
@@ -45,7 +45,7 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
             return SeenLabels(read_label_image(path, table))
 
         return read
-    # onnxruntime is needed for photos only.
+    # Only photos need onnxruntime.
     from ..segmentation.model import SegmentationModel
     from ..segmentation.photo_labels import PhotoReader
 
@@ -58,11 +58,11 @@ def label_reader(model_path: str | None, threads: int, table: ClassTable, device
 
 @dataclass
 class ImageFinder:
-    """How images are localized.
+    """Localizes images one by one.
 
     Attributes:
-        pipeline: Of the onboard database; by its method each image is looked at by itself.
-        cameras: Path → camera.
+        pipeline: With the onboard database and the method.
+        cameras: Cameras of the images.
     """
 
     onboard: OnboardDatabase
@@ -70,16 +70,16 @@ class ImageFinder:
     cameras: Cameras = field(default_factory=Cameras)
 
     def camera_of(self, path: str) -> Camera:
-        """What is known of an image's camera; the published method takes images as they are."""
+        """Return the camera of an image, without leveling for the published method."""
         camera = self.cameras.of(path)
         return camera.without_leveling() if self.pipeline.search.method == Method.TOPOLOGY_VECTOR else camera
 
     def localize(self, path: str) -> dict[str, Any]:
-        """A record's columns for an image by itself. Raises SemRefError."""
+        """Return the columns of the record of an image. Raises SemRefError."""
         return self.as_record(self.pipeline.run(path, self.camera_of(path)).localization)
 
     def as_record(self, result: Localization) -> dict[str, Any]:
-        """A result as a record, with longitude and latitude where they are known."""
+        """Return a result as a record, with longitude and latitude if they are known."""
         found = record(result)
         if result.position is not None and self.onboard.lon_lat is not None:
             longitudes, latitudes = self.onboard.lon_lat(np.array([result.position]))
@@ -87,7 +87,7 @@ class ImageFinder:
         return found
 
     def __call__(self, path: str) -> dict[str, Any]:
-        """What is said of an image: whatever is wrong with it, it stops no other."""
+        """Return the record of an image; an error of one image does not affect others."""
         started = time.perf_counter()
         found: dict[str, Any] = {"image": path, "time": None}
         try:
@@ -96,7 +96,7 @@ class ImageFinder:
         except SemRefError as error:
             found.update(status=ERROR, reason=str(error))
         except Exception as error:
-            # A fault of the program stops no other either; the log tells it with its traceback.
+            # A program error does not stop other images either; the log contains its traceback.
             log_event(logging.ERROR, "fault", traceback=True, image=path)
             found.update(status=ERROR, reason=f"{type(error).__name__}: {error}")
         level = logging.WARNING if found["status"] == ERROR else logging.INFO
@@ -106,13 +106,13 @@ class ImageFinder:
 
 
 def time_of(path: str) -> datetime:
-    """When an image was written, which a camera does when it was taken.
+    """Return the time at which an image was written, which cameras do at capture.
 
     Raises:
-        ParameterError: Nobody can tell.
+        ParameterError: The time is unknown.
     """
     try:
         return datetime.fromtimestamp(os.stat(path).st_mtime, timezone.utc)
     except (OSError, OverflowError, ValueError) as error:
-        # A file system may hold years that no calendar has.
+        # A file system may contain years that no calendar has.
         raise ParameterError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None

@@ -1,4 +1,4 @@
-"""A ground station's log that is written while the aircraft flies: what it tells up to the moment of an image."""
+"""A ground station's log that grows during the flight: its entries up to the time of an image."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from .tables import LOOK_EVERY_S, ROW_WITHIN_S
 
 _PIECE_BYTES = 4 << 20
 _HEAD_BYTES = 1024
-"""Some packets, whatever their kind."""
+"""Enough for some packets of any kind."""
 
 
 class GrowingLog:
-    """Reads what came to a ``.tlog`` since the last look; how much it holds does not grow with the log."""
+    """Reads what was added to a ``.tlog`` since the last call; its memory does not grow with the log."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -34,36 +34,36 @@ class GrowingLog:
         self._telemetry = self._reader.telemetry()
 
     def until(self, time_s: float | None) -> Telemetry:
-        """What it tells, waited for while the log keeps up with images.
+        """Return the entries so far; waits for them as long as the log keeps up with the images.
 
         Args:
-            time_s: Of an image, on the camera's clock; None where unknown.
+            time_s: Of an image, on the camera's clock; None if unknown.
         """
         end = time.monotonic() + (ROW_WITHIN_S if self._keeps_up and time_s is not None else 0.0)
         while True:
             self._look()
             now = time.time()
-            told = replace(self._telemetry, until_s=now)
-            self._keeps_up = time_s is None or self._reaches(told, time_s + told.zone([time_s]))
+            found = replace(self._telemetry, until_s=now)
+            self._keeps_up = time_s is None or self._reaches(found, time_s + found.zone([time_s]))
             if self._keeps_up or time.monotonic() >= end:
-                return told
+                return found
             time.sleep(LOOK_EVERY_S)
 
     @staticmethod
-    def _reaches(told: Telemetry, moment_s: float) -> bool:
-        """Whether nothing that is still to come tells of a moment."""
-        last = told.times_s[-1] if len(told.times_s) else -math.inf
-        return last >= moment_s or moment_s - last > MOST_GAP_S and told.until_s - moment_s > MOST_GAP_S
+    def _reaches(found: Telemetry, moment_s: float) -> bool:
+        """Return whether later entries can't affect a time any more."""
+        last = found.times_s[-1] if len(found.times_s) else -math.inf
+        return last >= moment_s or moment_s - last > MOST_GAP_S and found.until_s - moment_s > MOST_GAP_S
 
     def _look(self) -> None:
-        """Takes what was written since; what can't be read is told in the log once."""
+        """Read new entries; an unreadable file is logged once."""
         try:
             is_new = False
             status = os.stat(self.path)
             if not stat.S_ISREG(status.st_mode):
                 raise OSError(errno.ESPIPE, os.strerror(errno.ESPIPE))
             if status.st_size < self._place:
-                # Written anew.
+                # The file was written again.
                 self._reader, self._place, is_new = TlogReader(), 0, True
             with open(self.path, "rb", opener=open_at_once) as file:
                 while True:
@@ -84,5 +84,5 @@ class GrowingLog:
 
 
 def is_growing_log(path: str) -> bool:
-    """Whether a file is a log that can be read while it grows; raises ParameterError where it can't be read."""
+    """Return whether a file is a log that can be read while it grows; raises ParameterError if it can't be read."""
     return is_tlog(bytes_of(path, limits.LOG_BYTES, _HEAD_BYTES))

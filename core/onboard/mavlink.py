@@ -1,8 +1,8 @@
-"""Positions for an autopilot: MAVLink 2 over UDP or a serial line, by pymavlink, which only this file needs.
+"""Positions for an autopilot: MAVLink 2 over UDP or a serial line, with pymavlink, which only this file needs.
 
-Autopilots reckon in meters north and east of an origin. It is the middle of the map unless it is stated, so that it
-is the same after a restart; an autopilot that has none takes the one that is sent. What an image can't tell – height,
-roll, pitch – is 0 with a deviation of ``UNKNOWN``. Described in docs/how-to/on_board.md#send-positions-to-an-autopilot.
+Autopilots use meters north and east of an origin. Without an option it is the center of the map, so that it is the same
+after a restart; an autopilot without an origin takes the one sent. Height, roll and pitch, which an image can't
+provide, are 0 with a standard deviation of ``UNKNOWN``. See docs/how-to/on_board.md.
 """
 
 from __future__ import annotations
@@ -22,32 +22,32 @@ from ..geometry.lon_lat import LonLatPolynomial, local_axes, meters_from
 from .sinks import LOOPBACK, Sink
 
 MESSAGES = ("odometry", "vision", "external")
-"""What a position may be sent as: ODOMETRY, VISION_POSITION_ESTIMATE, MAV_CMD_EXTERNAL_POSITION_ESTIMATE."""
+"""Messages of a position: ODOMETRY, VISION_POSITION_ESTIMATE, MAV_CMD_EXTERNAL_POSITION_ESTIMATE."""
 
 UDP, SERIAL = "udp:", "serial:"
 BAUD = 115_200
-"""Of a serial line, unless told."""
+"""Default rate of a serial line."""
 
 UNKNOWN = 100.0
-"""Standard deviation of what is not known: meters of height, radians of roll and pitch."""
+"""Standard deviation of unknown values: meters of height, radians of roll and pitch."""
 
 HEARTBEAT_S = 1.0
-"""How often a component says that it is there, as MAVLink wants it."""
+"""Seconds between heartbeats, as MAVLink requires."""
 
 WRAP_S = 200.0
-"""The time of a command wraps around: the 32 bits of its field then resolve 15 µs."""
+"""Period of a command's time: its 32 bits then resolve 15 µs."""
 
 
 @dataclass(frozen=True)
 class MavlinkOptions:
-    """How positions are sent.
+    """How to send positions.
 
     Attributes:
         where: ``udp:PORT`` of this computer, ``udp:HOST:PORT``, ``serial:DEVICE`` or ``serial:DEVICE:BAUD``.
         message: One of ``MESSAGES``.
-        system: Number of the aircraft.
-        origin: (latitude, longitude) in degrees of the autopilot's own origin; None where it takes the map's middle.
-        camera_yaw_deg: Where the image's top points to, clockwise from the aircraft's nose.
+        system: System number of the aircraft.
+        origin: (latitude, longitude) in degrees of the autopilot's own origin; None to use the center of the map.
+        camera_yaw_deg: Direction of the image's top, clockwise from the aircraft's nose.
     """
 
     where: str
@@ -76,16 +76,16 @@ class _Udp:
 
 
 class MavlinkSink(Sink):
-    """Takes records of images; those without a position are a sign of life alone.
+    """Sends records of images. A record without a position becomes a heartbeat only.
 
-    So are those without a heading, which only commands can do without.
+    So does a record without a heading, unless positions are sent as commands.
     """
 
     def __init__(self, options: MavlinkOptions, lon_lat: LonLatPolynomial) -> None:
-        """Opens the line.
+        """Open the line.
 
         Raises:
-            ParameterError: The place is none, can't be opened, or a package is missing.
+            ParameterError: The address is invalid, can't be opened, or a package is missing.
         """
         super().__init__(options.where)
         self._options, self._lon_lat = options, lon_lat
@@ -93,28 +93,28 @@ class MavlinkSink(Sink):
         self._line = _open_line(options.where)
         component = self._dialect.MAV_COMP_ID_VISUAL_INERTIAL_ODOMETRY
         self._mavlink = self._dialect.MAVLink(self._line, srcSystem=options.system, srcComponent=component)
-        self._heard = -math.inf
+        self._heartbeat_s = -math.inf
         if options.origin is None:
             longitudes, latitudes = lon_lat(np.array([lon_lat.center]))
-            self._origin, self._is_told = (float(latitudes[0]), float(longitudes[0])), False
+            self._origin, self._has_origin = (float(latitudes[0]), float(longitudes[0])), False
         else:
-            self._origin, self._is_told = options.origin, True
+            self._origin, self._has_origin = options.origin, True
 
     def send_found(self, found: dict[str, Any]) -> None:
-        """Sends what was found for an image, by the columns of its record."""
+        """Send the record of an image."""
         self.attempt(lambda: self._send(found))
 
     def close(self) -> None:
-        """Lets go of the line."""
+        """Close the line."""
         self._line.close()
 
     def _send(self, found: dict[str, Any]) -> None:
         now = time.monotonic()
-        if now - self._heard >= HEARTBEAT_S:
+        if now - self._heartbeat_s >= HEARTBEAT_S:
             dialect = self._dialect
             kind, pilot = dialect.MAV_TYPE_ONBOARD_CONTROLLER, dialect.MAV_AUTOPILOT_INVALID
             self._mavlink.heartbeat_send(kind, pilot, 0, 0, dialect.MAV_STATE_ACTIVE)
-            self._heard = now
+            self._heartbeat_s = now
         is_external = self._options.message == "external"
         if found.get("longitude") is None or (found.get("heading") is None and not is_external):
             return
@@ -123,11 +123,11 @@ class MavlinkSink(Sink):
         if is_external:
             self._send_external(place, taken)
             return
-        if not self._is_told:
+        if not self._has_origin:
             latitude, longitude = self._origin
             where = round(latitude * 1e7), round(longitude * 1e7)
             self._mavlink.set_gps_global_origin_send(self._options.system, *where, 0, _microseconds(taken))
-            self._is_told = True
+            self._has_origin = True
         (self._send_odometry if self._options.message == "odometry" else self._send_vision)(place, taken)
 
     def _send_odometry(self, place: _VehiclePose, taken: datetime) -> None:
@@ -156,7 +156,7 @@ class MavlinkSink(Sink):
     def _send_external(self, place: _VehiclePose, taken: datetime) -> None:
         dialect = self._dialect
         now = datetime.now(timezone.utc)
-        # An image of another day was not worked on since then: its clock is not this computer's.
+        # An older image has another clock than this computer.
         age = (now - taken).total_seconds()
         worked = age if 0 <= age < WRAP_S else 0.0
         self._mavlink.command_int_send(
@@ -172,7 +172,7 @@ class MavlinkSink(Sink):
 
 @dataclass(frozen=True)
 class _VehiclePose:
-    """A position as autopilots have it.
+    """A position in the form of autopilots.
 
     Attributes:
         latitude: Degrees.
@@ -180,10 +180,10 @@ class _VehiclePose:
         north: Meters from the origin.
         east: Meters from the origin.
         yaw: Of the aircraft's nose, radians clockwise from true north, −π to π.
-        covariance: 21 numbers: the upper right of (north, east, down, roll, pitch, yaw), row by row.
-        deviation: Standard deviation along the axis where it is largest, meters; NaN where unknown.
-        resets: Changes when what comes next does not continue what came before: the number of the track, 0 to 255.
-        quality: 1 to 100 %, 0 where unknown.
+        covariance: 21 numbers: upper right triangle of (north, east, down, roll, pitch, yaw), row by row.
+        deviation: Largest standard deviation along an axis, meters; NaN if unknown.
+        resets: Number of the track, 0 to 255; a change means that a position does not continue the ones before.
+        quality: 1 to 100 %, 0 if unknown.
     """
 
     latitude: float
@@ -200,7 +200,7 @@ class _VehiclePose:
 def _vehicle_pose(
     found: dict[str, Any], lon_lat: LonLatPolynomial, origin: tuple[float, float], camera_yaw_deg: float
 ) -> _VehiclePose:
-    """A record with a position, from the map's grid to true north and meters on the ellipsoid."""
+    """Return a record's position, converted from the map's grid to true north and meters on the ellipsoid."""
     latitude, longitude = found["latitude"], found["longitude"]
     north, east = meters_from(origin, (latitude, longitude))
     axes = local_axes(lon_lat, (found["x"], found["y"]))
@@ -210,7 +210,7 @@ def _vehicle_pose(
     if found.get("sigma_east") is not None:
         sigma_x, sigma_y, together = found["sigma_east"], found["sigma_north"], found["correlation"]
         on_map = np.array([[sigma_x**2, together * sigma_x * sigma_y], [together * sigma_x * sigma_y, sigma_y**2]])
-        # As rows of (east, north).
+        # Rows (east, north).
         true = axes.T @ on_map @ axes
         deviation = math.sqrt(float(np.linalg.eigvalsh(true)[-1]))
         turn = math.radians(found["sigma_heading"]) if found.get("sigma_heading") is not None else UNKNOWN
@@ -232,38 +232,38 @@ def _vehicle_pose(
 
 
 def _microseconds(moment: datetime) -> int:
-    # A file of before 1970 has no time that MAVLink could tell.
+    # MAVLink has no times before 1970.
     return max(0, round(moment.timestamp() * 1e6))
 
 
-def check_place(where: str) -> None:
-    """Raises ParameterError for what is no place that messages can go to."""
+def check_address(where: str) -> None:
+    """Raise ParameterError for an invalid MAVLink address."""
     _split(where)
 
 
 def _split(where: str) -> tuple[str, str, int]:
-    """(kind, host or device, port or rate) of a place. Raises ParameterError."""
+    """Return (kind, host or device, port or rate) of an address. Raises ParameterError."""
     kind = next((kind for kind in (UDP, SERIAL) if where.startswith(kind)), "")
     first, _, last = where[len(kind) :].rpartition(":")
-    if kind == UDP and last.isdecimal() and len(last) <= 5 and 0 < int(last) < 65_536:
-        try:
-            first.encode("idna")
-        except UnicodeError:
-            # What can't be the name of a host is no error of the system when it is sent to.
-            raise ParameterError(
-                "“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or "
-                "serial:DEVICE:BAUD.",
-                where=where,
-            ) from None
+    if kind == UDP and last.isdecimal() and len(last) <= 5 and 0 < int(last) < 65_536 and _is_host(first):
         return kind, first or LOOPBACK, int(last)
     if kind == SERIAL and first and last.isdecimal() and 0 < len(last) <= 8:
         return kind, first, int(last)
     if kind == SERIAL and last and not last.isdecimal():
         return kind, where[len(kind) :], BAUD
     raise ParameterError(
-        "“{where}” is no place for MAVLink; write udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.",
+        "“{where}” is not a MAVLink address. Enter udp:PORT, udp:HOST:PORT, serial:DEVICE or serial:DEVICE:BAUD.",
         where=where,
     )
+
+
+def _is_host(name: str) -> bool:
+    """Return whether a text can be a host name; sending to any other would raise UnicodeError."""
+    try:
+        name.encode("idna")
+    except UnicodeError:
+        return False
+    return True
 
 
 def _open_line(where: str) -> _Line:
@@ -275,24 +275,24 @@ def _open_line(where: str) -> _Line:
             from serial import Serial
         except ImportError:
             raise ParameterError(
-                "{option} needs the Python package {package}; install it: pip install {package}.",
+                "{option} needs the Python package {package}. Install it: pip install {package}.",
                 package="pyserial",
                 option="--mavlink serial:",
             ) from None
         return Serial(name, number, write_timeout=1)
     except (OSError, ValueError) as error:
         raise ParameterError(
-            "{where} can't be written: {reason}; choose another place.", where=where, reason=reason_of(error)
+            "{where} can't be written: {reason}. Choose another output.", where=where, reason=reason_of(error)
         ) from None
 
 
 def _dialect() -> Any:  # noqa: ANN401 - a module without types
-    """The messages of pymavlink. Raises ParameterError when it is missing."""
+    """Return pymavlink's messages. Raises ParameterError if pymavlink is missing."""
     try:
         from pymavlink.dialects.v20 import ardupilotmega
     except ImportError:
         raise ParameterError(
-            "{option} needs the Python package {package}; install it: pip install {package}.",
+            "{option} needs the Python package {package}. Install it: pip install {package}.",
             package="pymavlink",
             option="--mavlink",
         ) from None

@@ -1,7 +1,7 @@
-"""Reading an onboard file, whoever wrote it.
+"""Read an onboard file from an untrusted source.
 
-A reader never executes what a file holds and never allocates more than its size justifies: sizes are checked in the
-zip's directory, shapes and types in the arrays' headers, before anything is unpacked.
+The reader never executes content and never allocates more memory than the file's size justifies. It checks sizes in the
+zip's directory, and shapes and types in the arrays' headers, before unpacking.
 """
 
 from __future__ import annotations
@@ -40,26 +40,26 @@ from .format import (
 from .signature import is_signed_with, read_key
 
 _ALWAYS_ALLOWED_BYTES, _BYTES_A_FILE_BYTE = 1 << 26, 200
-"""All members together may take so much memory, and so much more for each byte of the file."""
+"""Memory that all members together may need, and more for each byte of the file."""
 
 
 def read_onboard(path: str, with_overview: bool = True, key_file: str | None = None) -> OnboardDatabase:
-    """Reads an onboard file.
+    """Read an onboard file.
 
-    Its database has what localization needs; vectors, positions and areas are as exact as the result says.
+    Its database is complete for localization; the result contains the accuracy of vectors, positions and areas.
 
     Args:
-        with_overview: Whether map correlation needs the overview.
-        key_file: The key that the file must be signed with; without one signatures are not looked at.
+        with_overview: Read the overview, which map correlation needs.
+        key_file: Key of the required signature; None to ignore signatures.
 
     Raises:
-        DatabaseError: The file is missing, foreign, damaged, too new or too large, or not signed with the key.
+        DatabaseError: The file is missing, of another kind, damaged, too new, too large, or not signed with the key.
         ParameterError: The key can't be used.
     """
     key = read_key(key_file) if key_file else None
     if not os.path.isfile(path):
         raise DatabaseError(
-            "There is no file {path}; export one with “Export for onboard use” or choose another.", path=path
+            "The file {path} does not exist. Export one with “Export for onboard use” or choose another.", path=path
         )
     try:
         with zipfile.ZipFile(path) as archive:
@@ -71,7 +71,7 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
     try:
         members = {name: _array(name, data) for name, data in files.items()}
         if members[HASH].tobytes() != digest(files):
-            raise ValueError("its content hash is another")
+            raise ValueError("its content hash is wrong")
         if key is not None:
             _require_signature(files, members, key, path, key_file)
         header = read_json(members[HEADER].tobytes().decode("utf-8"), limits.HEADER_BYTES)
@@ -87,15 +87,17 @@ def read_onboard(path: str, with_overview: bool = True, key_file: str | None = N
 def _require_signature(
     files: Mapping[str, bytes], members: Mapping[str, np.ndarray], key: bytes, path: str, key_file: str | None
 ) -> None:
-    """Raises DatabaseError unless the file is signed with the key."""
+    """Raise DatabaseError unless the file is signed with the key."""
     if SIGNATURE not in members:
         raise DatabaseError(
-            "{path} is not signed; export it with the key {key}, or leave the key out.", path=path, key=key_file
+            "{path} is not signed. Export it with the key {key}, or do not require a signature.",
+            path=path,
+            key=key_file,
         )
     if not is_signed_with(files, members[SIGNATURE].tobytes(), key):
         raise DatabaseError(
-            "{path} was not signed with the key {key}, or was changed since; fetch it again from where it was "
-            "exported.",
+            "{path} was not signed with the key {key}, or was changed since. Copy it again from the computer that "
+            "exported it.",
             path=path,
             key=key_file,
         )
@@ -105,41 +107,41 @@ def _damaged(path: str, reason: BaseException) -> DatabaseError:
     text = str(reason).rstrip(".")
     if isinstance(reason, KeyError):
         return DatabaseError(
-            "{path} is damaged, cut short or no onboard file of SemRef ({name} is missing); fetch another copy or "
-            "export it again.",
+            "{path} is damaged, incomplete or not an onboard file of SemRef ({name} is missing). Copy or export it "
+            "again.",
             path=path,
             name=text,
         )
     return DatabaseError(
-        "{path} is damaged, cut short or no onboard file of SemRef ({reason}); fetch another copy or export it again.",
+        "{path} is damaged, incomplete or not an onboard file of SemRef ({reason}). Copy or export it again.",
         path=path,
         reason=text,
     )
 
 
 def _unpack(archive: zipfile.ZipFile, path: str) -> dict[str, bytes]:
-    """The .npy files by name, each unpacked only when its stated size is one it may have."""
+    """Return the .npy files by name; each is unpacked only if its size is allowed."""
     found: dict[str, bytes] = {}
     infos = {info.filename: info for info in archive.infolist()}
     names = {f"{name}.npy" for name in KINDS}
     if f"{HASH}.npy" not in infos or f"{HEADER}.npy" not in infos:
         raise DatabaseError(
-            "{path} is no onboard file of SemRef; choose one made by “Export for onboard use”.", path=path
+            "{path} is not an onboard file of SemRef. Choose one made by “Export for onboard use”.", path=path
         )
     if len(archive.infolist()) != len(infos) or not set(infos) <= names:
-        raise zipfile.BadZipFile("it holds something that does not belong there")
+        raise zipfile.BadZipFile("it contains an unknown member")
     total = sum(info.file_size for info in infos.values())
     if total > _ALWAYS_ALLOWED_BYTES + _BYTES_A_FILE_BYTE * os.path.getsize(path):
-        raise zipfile.BadZipFile(f"it claims {total} bytes, more than a file of its size may hold")
+        raise zipfile.BadZipFile(f"it states {total} bytes, more than a file of its size may contain")
     for filename, info in infos.items():
         name = filename[: -len(".npy")]
         require_honest(info, _largest_bytes(name))
         with archive.open(info) as file:
-            # The header first: what it says must be the size that the directory states, before the rest is unpacked.
+            # Before the rest is unpacked, the size in the header must be that in the directory.
             start = file.read(min(info.file_size, limits.NPY_HEADER_BYTES))
             shape, first = _kind_header(name, start)
             if first + math.prod(shape) * _item_bytes(name) != info.file_size:
-                raise zipfile.BadZipFile(f"{name} has not the size that its shape {shape} says")
+                raise zipfile.BadZipFile(f"{name} has another size than its shape {shape}")
             found[name] = start + file.read(info.file_size - len(start))
         if len(found[name]) != info.file_size:
             raise zipfile.BadZipFile(f"{name} ends early")
@@ -160,15 +162,15 @@ def _item_bytes(name: str) -> int:
 
 
 def _kind_header(name: str, start: bytes) -> tuple[tuple[int, ...], int]:
-    """(shape, first byte of the data) of a .npy file.
+    """Return (shape, first byte of the data) of a .npy file.
 
     Raises:
-        zipfile.BadZipFile: It is no array such as its name promises.
+        zipfile.BadZipFile: The array is not of the kind that its name requires.
     """
     shape, dtype, is_fortran, first = npy_header(name, start)
     kind, axes = KINDS[name]
     if is_fortran:
-        raise zipfile.BadZipFile(f"{name} is no plain array of whole numbers")
+        raise zipfile.BadZipFile(f"{name} is not a plain array of whole numbers")
     if dtype.str != kind or len(shape) != axes:
         raise zipfile.BadZipFile(f"{name} has the type {dtype.str} and the shape {shape}")
     return shape, first
@@ -187,8 +189,8 @@ def _check_version(header: Mapping[str, Any], path: str) -> None:
         raise ValueError(f"its version is {version}")
     if version > ONBOARD_VERSION:
         raise DatabaseError(
-            "{path} has onboard format version {version}, newer than this SemRef reads ({known}); update SemRef's "
-            "core folder on this computer.",
+            "{path} has onboard format version {version}; this SemRef reads versions up to {known}. Update SemRef on "
+            "this computer.",
             path=path,
             version=version,
             known=ONBOARD_VERSION,
@@ -199,7 +201,7 @@ def _onboard(members: Mapping[str, np.ndarray], header: dict, path: str, with_ov
     parameters = build_parameters(header["parameters"], path)
     table = class_table_from_csv(header["class_table"], "its class table")
     if table.digest() != parameters.class_table_hash:
-        raise ValueError("its class table is not the one that its hash names")
+        raise ValueError("its class table does not match its hash")
     overview = _overview(members, parameters) if with_overview else None
     if tuple(header["reference_classes"]) != table.require_references().reference_values:
         raise ValueError("its reference_classes are not those of its class table")
@@ -230,10 +232,10 @@ def _windows(members: Mapping[str, np.ndarray], header: dict, parameters: BuildP
     if steps.shape[1] != 3 * parameters.references_per_vector:
         raise ValueError(f"windows_vectors has {steps.shape[1]} columns")
     if len(levels) and not 1 <= levels.min() <= levels.max() <= len(sizes_px):
-        raise ValueError("windows_levels has levels that are not there")
+        raise ValueError("windows_levels has unknown levels")
     ranks = steps[:, 2 * parameters.references_per_vector :]
     if ranks.max(initial=0) > class_count:
-        raise ValueError("windows_vectors has class ranks that are not there")
+        raise ValueError("windows_vectors has unknown class ranks")
     sizes = np.array(sizes_px)[levels.astype(np.intp) - 1] * parameters.pixel_size
     vectors = np.empty(steps.shape, np.float32)
     for n, most in enumerate((VECTOR_STEPS, VECTOR_STEPS, class_count)):
@@ -247,7 +249,7 @@ def _windows(members: Mapping[str, np.ndarray], header: dict, parameters: BuildP
         parameters.frame.to_map(first_pixels + np.rint(sizes / parameters.pixel_size)[:, None] / 2),
         counts.astype(np.int64),
         vectors,
-        # A vector has a rank for each of its objects, so one without ranks is none.
+        # Each object of a vector has a rank: a row without ranks is not a vector.
         described=ranks.any(axis=1),
     )
 
@@ -293,12 +295,12 @@ def _lon_lat(values: dict | None, extent: tuple[float, float, float, float]) -> 
     wanted = {"center": 2, "half_size": 2, "longitude": term_count(degree), "latitude": term_count(degree)}
     numbers = {name: tuple(number(value, name) for value in values[name]) for name in wanted}
     if any(len(numbers[name]) != count for name, count in wanted.items()) or 0 in numbers["half_size"]:
-        raise ValueError("lon_lat has not the numbers of its degree")
+        raise ValueError("lon_lat has a wrong number of coefficients for its degree")
     (x, y), (half_width, half_height) = numbers["center"], numbers["half_size"]
     error_m = number(values["error_m"], "error_m", -1)
     found = LonLatPolynomial(
         degree, (x, y), (half_width, half_height), numbers["longitude"], numbers["latitude"], error_m
     )
     if not found.is_on_earth(extent):
-        raise ValueError("lon_lat leads off the Earth")
+        raise ValueError("lon_lat gives positions that are not on Earth")
     return found

@@ -1,4 +1,4 @@
-"""Signing an onboard file with a key that its makers and its aircraft share: HMAC-SHA256."""
+"""Sign an onboard file with a key that its makers and its aircraft share: HMAC-SHA256."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from ..errors import ParameterError, reason_of
 from .format import HASH, SIGNATURE
 
 SHORTEST_KEY, LONGEST_KEY = 16, 4096
-"""Bytes of a key file; 32 random ones are as many as SHA-256 makes use of."""
+"""Bytes of a key file; SHA-256 uses at most 32 random ones."""
 
 _PURPOSE = b"semref onboard signature 1\0"
-"""Keeps a signature from being one of something else that is signed with the same key."""
+"""Separates these signatures from others with the same key."""
 
 
 def read_key(path: str) -> bytes:
-    """The bytes of a key file, whatever they are.
+    """Return the bytes of a key file.
 
     Raises:
-        ParameterError: It can't be read, or is too short or too long for a key.
+        ParameterError: The file can't be read, or is too short or too long for a key.
     """
     try:
         with open(path, "rb") as file:
@@ -29,7 +29,7 @@ def read_key(path: str) -> bytes:
         raise ParameterError("The key {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
     if not SHORTEST_KEY <= len(key) <= LONGEST_KEY:
         raise ParameterError(
-            "The key {path} has {size} bytes; a key has {least} to {most} random ones.",
+            "The key {path} has {size} bytes; a key needs {least} to {most} random bytes.",
             path=path,
             size=len(key),
             least=SHORTEST_KEY,
@@ -39,7 +39,7 @@ def read_key(path: str) -> bytes:
 
 
 def signature(files: Mapping[str, bytes], key: bytes) -> bytes:
-    """HMAC-SHA256 of all .npy files but hash and signature: name, length and content of each, in order of their names.
+    """Return HMAC-SHA256 of all .npy files except hash and signature: name, length and content, in order of names.
 
     Args:
         files: .npy files by name.
@@ -54,5 +54,5 @@ def signature(files: Mapping[str, bytes], key: bytes) -> bytes:
 
 
 def is_signed_with(files: Mapping[str, bytes], stated: bytes, key: bytes) -> bool:
-    """Whether ``stated`` is the signature of the files with this key, found in constant time."""
+    """Return whether ``stated`` is the signature of the files with this key, in constant time."""
     return hmac.compare_digest(signature(files, key), stated)

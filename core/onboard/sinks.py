@@ -1,7 +1,7 @@
-"""Where ``semref watch`` sends its lines: stdout, a file, a UDP port of this computer.
+"""Outputs of ``semref watch``: stdout, a file, or a UDP port of this computer.
 
-What can't take a line – a full disk, a closed pipe – says so in the log and is tried again with the next line. It
-stops neither the other sink nor the watching.
+If an output can't take a line, because a disk is full or a pipe is closed, the log reports it and the next line is
+tried again. Neither the other outputs nor the watching stop.
 """
 
 from __future__ import annotations
@@ -21,24 +21,24 @@ _UDP = "udp:"
 
 
 class Sink:
-    """Takes lines; an error of the system in taking one is told once, until a line is taken again.
+    """Takes lines; a system error is logged once until a line succeeds again.
 
     Attributes:
-        lost: How many lines it could not take.
+        lost: Number of lines that could not be written.
     """
 
     def __init__(self, where: str) -> None:
-        """Opens nothing yet; ``where`` is what the user called it."""
+        """Store the address; nothing is opened yet."""
         self.where = where
         self.lost = 0
         self._fails = False
 
     def send(self, line: str) -> None:
-        """Sends one line with its end; one that can't be sent is lost, counted and told."""
+        """Send one line with its end; a failed line is lost, counted and logged."""
         self.attempt(lambda: self._take(line))
 
     def attempt(self, send: Callable[[], None]) -> None:
-        """Calls what sends; what it can't send is lost, counted and told."""
+        """Call a function that sends; a failure is counted and logged."""
         try:
             send()
         except OSError as error:
@@ -55,7 +55,7 @@ class Sink:
         """Close the connection, if the sink has one."""
 
     def _take(self, line: str) -> None:
-        """Sends nothing."""
+        """Send nothing."""
 
 
 class _StandardOutput(Sink):
@@ -68,11 +68,11 @@ class _File(Sink):
     def __init__(self, where: str) -> None:
         super().__init__(where)
         try:
-            # Without a buffer: what a full disk did not take must not come later, out of order.
+            # Without a buffer: a line that a full disk refused must not be written later, out of order.
             self._file = open(where, "ab", buffering=0)  # noqa: SIM115  closed by close
         except (OSError, ValueError) as error:
             raise ParameterError(
-                "{where} can't be written: {reason}; choose another place.", where=where, reason=reason_of(error)
+                "{where} can't be written: {reason}. Choose another output.", where=where, reason=reason_of(error)
             ) from None
         self._before = b"\n" if _ends_within_a_line(where) else b""
 
@@ -84,7 +84,7 @@ class _File(Sink):
             while written < len(data):
                 written += self._file.write(data[written:]) or 0
         except OSError:
-            # No half line stays, unless another process wrote behind it.
+            # Remove a partial line, unless another process has written after it.
             if written and os.fstat(self._file.fileno()).st_size == before + written:
                 os.ftruncate(self._file.fileno(), before)
             raise
@@ -95,7 +95,7 @@ class _File(Sink):
 
 
 def _ends_within_a_line(where: str) -> bool:
-    """Whether a file has a last line without its end: power was cut while it was written."""
+    """Return whether the last line of a file has no end, because power was cut during writing."""
     if not os.path.isfile(where) or not os.path.getsize(where):
         return False
     try:
@@ -103,7 +103,7 @@ def _ends_within_a_line(where: str) -> bool:
             file.seek(-1, os.SEEK_END)
             return file.read(1) != b"\n"
     except OSError:
-        # It may be written to, and not read.
+        # The file may be writable but not readable.
         return False
 
 
@@ -121,10 +121,10 @@ class _UdpPort(Sink):
 
 
 def open_sink(where: str | None) -> Sink:
-    """The sink of a place: None for nowhere, ``-`` for stdout, ``udp:PORT``, else a file that is appended to.
+    """Return the sink of an address: None for no output, ``-`` for stdout, ``udp:PORT``, otherwise a file to append to.
 
     Raises:
-        ParameterError: The file can't be written, or the port is none.
+        ParameterError: The file can't be written, or the port is invalid.
     """
     if where is None:
         return Sink("nowhere")
@@ -144,6 +144,6 @@ def _udp_port(where: str) -> int:
     text = where[len(_UDP) :]
     if not text.isdecimal() or len(text) > 5 or not 0 < int(text) < 65_536:
         raise ParameterError(
-            "“{where}” is no UDP port of this computer; write udp:PORT, with PORT from 1 to 65535.", where=where
+            "“{where}” is not a UDP port of this computer. Enter udp:PORT, with PORT from 1 to 65535.", where=where
         )
     return int(text)

@@ -1,7 +1,7 @@
-"""The file that keeps a flight: authenticated as a whole before any of it is read, and replaced as a whole.
+"""The file that stores a flight: authenticated as a whole before reading, and replaced as a whole.
 
-It is numpy's ``.npz`` without pickles and, behind it, 32 bytes: HMAC-SHA256 of a purpose and of all bytes before. The
-key is that of the onboard file (``--require-signature``), otherwise a secret of this user on this machine.
+It is numpy's ``.npz`` without pickles, followed by 32 bytes: HMAC-SHA256 of a purpose and of all bytes before. The key
+is that of the onboard file (``--require-signature``), otherwise a secret of this user on this machine.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .arrays import UNREADABLE, number_arrays
 from .signature import read_key
 
 _PURPOSE = b"semref flight state 2\0"
-"""Keeps the code from being one of something else that is made with the same key."""
+"""Separates these codes from others with the same key."""
 
 _CODE_BYTES = hashlib.sha256().digest_size
 
@@ -35,7 +35,7 @@ _ZIP, _FIRST_NAME = b"PK\x03\x04", b"header.npy"
 
 
 def _looks_like_a_state(path: str) -> bool:
-    """Whether a file begins as states do, or is empty as after a power failure. Any other file belongs to the user."""
+    """Return whether a file begins as states do, or is empty as after a power failure. Others belong to the user."""
     with contextlib.suppress(OSError), open(path, "rb", opener=open_at_once) as file:
         first = file.read(_FIRST_BYTES)
         return not first.strip(b"\0") or first.startswith(_ZIP) and _FIRST_NAME in first
@@ -44,7 +44,7 @@ def _looks_like_a_state(path: str) -> bool:
 
 @dataclass(frozen=True)
 class StateFile:
-    """The place of a state, and the key that authenticates it.
+    """Path of a state, and the key that authenticates it.
 
     Attributes:
         key: Of ``read_key``, or the user's secret.
@@ -61,32 +61,32 @@ class StateFile:
             key_file: Key of the onboard file; None for the user's secret.
 
         Raises:
-            ParameterError: The key can't be used, or no state can be at the path.
+            ParameterError: The key can't be used, or the path can't store a state.
         """
         folder = os.path.dirname(path) or "."
         if not os.path.isdir(folder):
             raise ParameterError(
-                "The folder {folder} of --state {path} does not exist; create it or choose another one.",
+                "The folder {folder} of --state {path} does not exist. Create it or choose another one.",
                 path=path,
                 folder=folder,
             )
         # Replacing a device or a pipe would remove it.
         if os.path.exists(path) and not os.path.isfile(path):
-            raise ParameterError("--state {path} is not a regular file; choose another name.", path=path)
+            raise ParameterError("--state {path} is not a regular file. Choose another name.", path=path)
         if os.path.exists(path) and not _looks_like_a_state(path):
             raise ParameterError(
-                "--state {path} is a file of another kind, which would be replaced; choose another name.", path=path
+                "--state {path} is a file of another kind and would be replaced. Choose another name.", path=path
             )
         key = read_key(key_file) if key_file else user_secret()
         if key is None:
             raise ParameterError(
-                "There is no private folder for the secret that --state is authenticated with; set up a home folder "
-                "for this user, or add --require-signature."
+                "This user has no private folder for the secret that authenticates --state. Create a home folder for "
+                "the user, or add --require-signature."
             )
         return cls(path, key)
 
     def write(self, arrays: dict[str, np.ndarray]) -> None:
-        """Replace the state at once; raises OSError where it can't be written, and leaves the one before.
+        """Replace the state atomically; raises OSError if it can't be written, and keeps the old one.
 
         Args:
             arrays: Numbers by name.
@@ -102,7 +102,7 @@ class StateFile:
                 os.fsync(file.fileno())
             os.replace(made, self.path)
         except OSError:
-            # A full disk must not be filled with half a state.
+            # A partial state must not use up a full disk.
             with contextlib.suppress(OSError):
                 os.unlink(made)
             raise
@@ -112,7 +112,7 @@ class StateFile:
 
         Raises:
             OSError: The file can't be read.
-            ParameterError: It was not written with the key, was changed since, or is no state.
+            ParameterError: The file has another key, was changed, or is not a state.
         """
         with open(self.path, "rb", opener=open_at_once) as file:
             status = os.fstat(file.fileno())
@@ -122,8 +122,8 @@ class StateFile:
         data, code = data[:-_CODE_BYTES], data[-_CODE_BYTES:]
         if not hmac.compare_digest(self.code(data), code):
             raise ParameterError(
-                "{path} was not written with the key of this flight (--require-signature, otherwise the secret of "
-                "this user), or was changed since.",
+                "{path} has another key than this flight (that of --require-signature, otherwise the secret of this "
+                "user), or was changed since.",
                 path=self.path,
             )
         try:
@@ -132,8 +132,10 @@ class StateFile:
             raise self.not_ours() from error
 
     def not_ours(self) -> ParameterError:
-        """The error for content that is no state."""
-        return ParameterError("{path} is no state of a flight that this SemRef wrote, or is damaged.", path=self.path)
+        """Return the error for content that is not a state."""
+        return ParameterError(
+            "{path} is not the state of a flight of this SemRef version, or is damaged.", path=self.path
+        )
 
     def code(self, data: bytes) -> bytes:
         """Return the code that authenticates the bytes of a state.

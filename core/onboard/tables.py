@@ -1,6 +1,6 @@
-"""Tables that tell of images, odometry and cameras, read while they grow: what they tell of an image when it comes.
+"""Odometry and camera tables that grow during the flight: the values of an image when it arrives.
 
-Whatever is wrong with a line, the flight goes on: it is told in the log and left out.
+A line with an error is logged and skipped; the flight continues.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from ..flight.table import Check, Row, image_of
 from .log import log_event
 
 ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05
-"""A row may be written so much later than its image, while it is looked for every so often."""
+"""Largest delay of a row after its image, and the time between two looks for it."""
 
 Told = TypeVar("Told")
 
 
 class TableOfImages(Generic[Told]):
-    """What a growing table tells of images, by their names without folders and extensions."""
+    """Values of a growing table by image name without folders and extension."""
 
     def __init__(self, path: str, check: Check, read: Callable[[Row, bool], Told], is_ended: bool) -> None:
-        """Reads nothing yet.
+        """Store the path; nothing is read yet.
 
         Args:
-            check: What its header must have.
-            read: What a row tells; whether nothing that is known comes before it.
-            is_ended: Nobody writes any more.
+            check: Checks the header.
+            read: Converts a row; its second argument is whether no known row comes before.
+            is_ended: No program writes any more.
         """
         self._table, self._read, self._is_ended = GrowingTable(path, check), read, is_ended
         self._rows: list[Told] = []
@@ -43,16 +43,16 @@ class TableOfImages(Generic[Told]):
         self._keeps_up, self._fails = True, False
 
     def check(self) -> None:
-        """Reads what is there; raises ParameterError for the first thing that is wrong with it."""
+        """Read the current rows; raises ParameterError for the first error."""
         self._look(is_strict=True)
 
     def of(self, image: str) -> Told | None:
-        """What it tells of an image, waited for while the table keeps up with images; None where it tells nothing."""
+        """Return the value of an image; waits while the table keeps up with the images. None without one."""
         number = self._number_of(image)
         return None if number is None else self._rows[number - self._first]
 
     def between(self, first: str, last: str) -> list[Told] | None:
-        """What it tells from the row after one image to that of a later one; None where it lacks one of both."""
+        """Return the values from the row after one image to that of a later one; None if either is missing."""
         end, start = self._number_of(last), self._numbers.get(first)
         if start is None or end is None or end <= start:
             return None
@@ -95,7 +95,7 @@ class TableOfImages(Generic[Told]):
             if is_strict:
                 raise
             log_event(logging.ERROR, "table_line_left_out", reason=str(error))
-            # What comes next starts from a place that nobody knows.
+            # The motion of the next row begins at an unknown place.
             self._is_cut = True
             return
         self._is_cut = False
@@ -111,36 +111,36 @@ class TableOfImages(Generic[Told]):
 
 
 class OdometryTable:
-    """Motion from image to image as a growing table tells it."""
+    """Motion from image to image in a growing table."""
 
     def __init__(self, path: str, is_ended: bool) -> None:
-        """Reads nothing yet.
+        """Store the path; nothing is read yet.
 
         Args:
-            is_ended: Nobody writes any more.
+            is_ended: No program writes any more.
         """
         self._table: TableOfImages[OdometryRow] = TableOfImages(path, check_odometry, step_of, is_ended)
 
     def check(self) -> None:
-        """Reads what is there; raises ParameterError for the first thing that is wrong with it."""
+        """Read the current rows; raises ParameterError for the first error."""
         self._table.check()
 
     def link(self, before: str, now: str) -> Link | None:
-        """From an image to a later one, by their names without extensions; None where the table does not tell it."""
+        """Return the motion from an image to a later one, by names without extensions; None if the table lacks it."""
         steps = self._table.between(before, now)
         return None if not steps or any(step.is_break for step in steps) else link_over(0, 1, steps)
 
 
 def open_odometry(path: str | None, is_ended: bool, is_strict: bool) -> OdometryTable | None:
-    """The table of motion that a command line names; None without one.
+    """Return the odometry table of the command line; None without one.
 
     Args:
-        path: Of the table; None for none.
-        is_ended: Nobody writes it any more.
-        is_strict: One that can't be used is refused; else it is told in the log when it is needed.
+        path: Of the table; None without one.
+        is_ended: No program writes any more.
+        is_strict: Refuse an unusable table. Otherwise problems are logged when the table is needed.
 
     Raises:
-        ParameterError: It can't be used.
+        ParameterError: The table can't be used.
     """
     if not path:
         return None

@@ -1,6 +1,6 @@
-"""``semref watch``: the images of a folder as they arrive, and the record of each.
+"""``semref watch``: localize the images of a folder as they arrive, and send a record of each.
 
-Nothing in the folder ends the watching: what can't be looked at is left out, and a folder that is gone is waited for.
+Problems of the folder do not end the watching: unreadable files are skipped, and a missing folder is waited for.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from .mavlink import MavlinkSink
 
 LOOK_EVERY_S = 0.2
-"""How often a folder is looked into; an image is taken when it has not changed from one look to the next."""
+"""Seconds between looks into the folder. An image is localized if it did not change between two looks."""
 
 State = tuple[int, int]
 """(time of change in ns, bytes) of an image."""
@@ -38,22 +38,22 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
     mavlink: MavlinkSink | None = None,
     after: tuple[int, str] | None = None,
 ) -> tuple[set[str], int]:
-    """Localizes a folder's images as they come, without end unless ``once``.
+    """Localize a folder's images as they arrive; without ``once`` this never ends.
 
     Args:
-        folder: That images are written into.
-        once: End when the images that are there are done.
+        folder: Where images are written.
+        once: End after the images that are in the folder.
         find: Path → record of an image.
-        fixes: Where a JSON line for each image goes, see ``sinks.opened``.
-        gga: Where a GGA sentence for each image goes.
-        mavlink: An autopilot that is told; closed at the end.
-        after: (time of change in ns, name) of an image: those that lie in the folder already, up to it, are done.
+        fixes: Output of JSON lines, one for each image, see ``sinks.open_sink``.
+        gga: Output of GGA sentences, one for each image.
+        mavlink: Output to an autopilot; closed at the end.
+        after: (time of change in ns, name) of an image: those in the folder up to it are done.
 
     Returns:
-        The statuses that images had, and how many lines could not be sent.
+        The statuses of the images, and the number of lines that could not be sent.
 
     Raises:
-        ParameterError: A sink can't be opened, or with ``once`` the folder can't be looked into.
+        ParameterError: An output can't be opened, or with ``once`` the folder can't be read.
     """
     statuses = set()
     with ExitStack() as stack:
@@ -62,7 +62,7 @@ def watch(  # noqa: PLR0913 - each sink is a place of its own
             stack.enter_context(closing(mavlink))
         for path in arriving_images(folder, once, after):
             found = find(path)
-            # The autopilot first: it flies by it.
+            # The autopilot first, because it navigates by the position.
             if mavlink is not None:
                 mavlink.send_found(found)
             fix_sink.send(json_line(found) + "\n")
@@ -77,11 +77,11 @@ def _gga(found: dict[str, Any]) -> str:
 
 
 def arriving_images(folder: str, once: bool, after: tuple[int, str] | None = None) -> Iterator[str]:
-    """Images of a folder, each when it is complete, in order of time and name; one that is written anew comes again.
+    """Yield images of a folder, each when it is complete, in order of time and name; a rewritten one comes again.
 
-    With ``after`` those that lie there at the first look, up to this time and name, are left out.
+    With ``after``, images up to this time and name are left out of the first look.
 
-    A folder that can't be looked into is told in the log, once, and waited for; with ``once`` it is an error.
+    A folder that can't be read is logged once and waited for; with ``once`` it is an error.
     """
     before: dict[str, State] = {}
     done: dict[str, State] = {}
@@ -92,7 +92,7 @@ def arriving_images(folder: str, once: bool, after: tuple[int, str] | None = Non
         except OSError as error:
             if once:
                 raise ParameterError(
-                    "The folder {folder} can't be looked into ({reason}); start again when it can.",
+                    "The folder {folder} can't be read: {reason}. Start again when it can be read.",
                     folder=folder,
                     reason=reason_of(error),
                 ) from None
@@ -107,7 +107,7 @@ def arriving_images(folder: str, once: bool, after: tuple[int, str] | None = Non
         if after is not None:
             done = {path: state for path, state in now.items() if (state[0], os.path.basename(path)) <= after}
             after = None
-        # What was removed is forgotten: a watch of weeks must not grow.
+        # Removed images are dropped: the memory of a watch must not grow for weeks.
         done = {path: state for path, state in done.items() if path in now}
         complete = [path for path, state in now.items() if done.get(path) != state]
         if not once:
@@ -122,10 +122,10 @@ def arriving_images(folder: str, once: bool, after: tuple[int, str] | None = Non
 
 
 def _images_in(folder: str) -> dict[str, State]:
-    """The state of each image by path; what is no regular file is left out.
+    """Return the state of each image by path; only regular files count.
 
     Raises:
-        OSError: The folder can't be looked into.
+        OSError: The folder can't be read.
     """
     found = {}
     with os.scandir(folder) as entries:
@@ -135,7 +135,7 @@ def _images_in(folder: str) -> dict[str, State]:
             try:
                 state = entry.stat() if entry.is_file() else None
             except OSError as error:
-                # Removed between being listed and being looked at, a link to itself, no right to look.
+                # The file was removed in the meantime, links to itself, or may not be read.
                 log_event(logging.DEBUG, "left_out", path=entry.path, reason=reason_of(error))
                 continue
             if state is not None:

@@ -1,4 +1,4 @@
-"""Writing an onboard file: what is rounded, and by how much."""
+"""Write an onboard file; values are rounded to a stated precision."""
 
 from __future__ import annotations
 
@@ -40,26 +40,26 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
     key_file: str | None = None,
     exported: datetime | None = None,
 ) -> None:
-    """Writes a database, with its overview where it has one. Same database and date, same bytes.
+    """Write a database, with its overview if it has one. The same database and date give the same bytes.
 
     Args:
-        lon_lat: Longitude and latitude of its map coordinates; None where the file shall not tell them.
-        precision: Largest rounding error of a landmark's x and y, map units; PRECISION_PX pixels without it.
-        key_file: The key to sign the file with.
-        exported: Date that the file states, with its zone; None for none.
+        lon_lat: Longitude and latitude of its map coordinates; None to leave them out.
+        precision: Largest rounding error of a landmark's x and y, m; PRECISION_PX pixels by default.
+        key_file: Key of the signature; None without one.
+        exported: Date with time zone in the file; None without one.
 
     Raises:
-        DatabaseError: The format can't hold the database.
+        DatabaseError: The format can't store the database.
         ParameterError: The key can't be used.
     """
     key = read_key(key_file) if key_file else None
     parameters = database.parameters
     precision = PRECISION_PX * parameters.pixel_size if precision is None else precision
     if not (math.isfinite(precision) and precision > 0):
-        raise DatabaseError("The precision is {precision:g}; it must be more than 0 map units.", precision=precision)
+        raise DatabaseError("The precision is {precision:g}; it must be more than 0 m.", precision=precision)
     if parameters.class_table_hash != database.class_table.digest():
         raise DatabaseError(
-            "The class table of {source} was changed after it was built; build it again.",
+            "The class table of {source} was changed after the build. Build the database again.",
             source=database.source or Sentence("the database"),
         )
     members, quantization = _quantize(database, precision)
@@ -79,7 +79,7 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
     members[HEADER] = np.frombuffer(text.encode("utf-8"), np.uint8)
     if len(members[HEADER]) > limits.HEADER_BYTES:
         raise DatabaseError(
-            "The header would have {size} bytes, more than {most}.",
+            "The header of the onboard file has {size} bytes; at most {most} are allowed.",
             size=len(members[HEADER]),
             most=limits.HEADER_BYTES,
         )
@@ -92,21 +92,21 @@ def write_onboard(  # noqa: PLR0913 - a database, and what is stated beside it
 
 
 def _quantize(database: ReferenceDatabase, precision: float) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
-    """Arrays by name, and the numbers that the header needs to undo them."""
+    """Return arrays by name, and the numbers of the header that restore the values."""
     windows, references = database.windows, database.references
     if not len(references):
-        raise DatabaseError("There is no landmark to export; choose another database or a larger area.")
+        raise DatabaseError("The database has no landmark to export. Choose another database or a larger area.")
     columns, rows = windows.first_pixels.T
     origin = references.positions.min(axis=0)
     step = 2 * precision
     steps = np.rint((references.positions - origin) / step)
     if steps.max() > np.iinfo(np.uint32).max:
         raise DatabaseError(
-            "The precision of {precision:g} map units is too fine for the map; choose a larger one.",
+            "The precision of {precision:g} m is too fine for the extent of the map. Choose a larger one.",
             precision=precision,
         )
     if not (references.areas_m2 > 0).all():
-        raise DatabaseError("A landmark has no area; build the database again.")
+        raise DatabaseError("A landmark has no area. Build the database again.")
     logs = np.log(references.areas_m2)
     area_step = max(float(logs.max() - logs.min()), 1e-9) / AREA_STEPS
     members = {
@@ -132,17 +132,17 @@ def _quantize(database: ReferenceDatabase, precision: float) -> tuple[dict[str, 
 
 
 def _window_sizes_px(database: ReferenceDatabase) -> list:
-    """Edge of the windows of each level, in pixels of the label map."""
+    """Return the edge of the windows of each level, in pixels of the label map."""
     windows, parameters = database.windows, database.parameters
     sizes = [windows.sizes[windows.levels == n + 1] for n in range(len(parameters.levels))]
     whole = [np.unique(np.rint(s / parameters.pixel_size)).astype(int).tolist() for s in sizes]
     if any(len(s) > 1 for s in whole) or not np.isin(windows.levels, np.arange(1, len(whole) + 1)).all():
-        raise DatabaseError("The windows' sizes are not those of their levels; build the database again.")
+        raise DatabaseError("The windows have other sizes than their levels. Build the database again.")
     return [s[0] if s else 0 for s in whole]
 
 
 def _vector_steps(windows: Windows, class_count: int) -> np.ndarray:
-    """(N, 3·X) uint8: ratios and differences in 255 steps, then whole ranks; zeros without a vector."""
+    """Return (N, 3·X) uint8: ratios and differences in 255 steps, then whole ranks; zeros without a vector."""
     scale = np.repeat([VECTOR_STEPS, VECTOR_STEPS, class_count], windows.vectors.shape[1] // 3)
     return np.where(windows.described[:, None], np.rint(windows.vectors * scale), 0).astype(np.uint8)
 

@@ -1,4 +1,4 @@
-"""Under what an image is simulated: how poor its labels are, and what all of it shares."""
+"""Conditions of simulated images: errors of labels and effects that the whole image shares."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ if TYPE_CHECKING:
     from .views import View
 
 LARGEST_LENS, LARGEST_TILT_DEG = 10.0, 30.0
-"""Percent and degrees: no map could be read from beyond."""
+"""Percent and degrees; a map can't be compared beyond."""
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """What assessments and evaluations assume.
+    """Assumptions of assessments and evaluations.
 
     Attributes:
-        noise: of the labels, lengths in map units
-        class_shift: how far each class of landmarks is shifted as a whole, in any direction, map units
-        lens: radial distortion in the image's corners, of either sign, a share
-        tilt_deg: of the camera, in any direction
+        noise: Of the labels, lengths in m.
+        class_shift: Class offset of each class of landmarks, in any direction, m.
+        lens: Radial distortion in the image's corners, of either sign, a share.
+        tilt_deg: Of the camera, in any direction.
     """
 
     noise: LabelNoise = field(default_factory=LabelNoise)
@@ -37,19 +37,19 @@ class Conditions:
 
     @property
     def biases(self) -> KnownBiases:
-        """What is known of how labels are shifted: as of a network that states no bias."""
+        """Known class offsets: those of a network without stated offsets."""
         return KnownBiases(class_spread=NETWORK_SPREAD) if self.class_shift > 0 else UNBIASED
 
     def drawn(self, view: View, rng: np.random.Generator, class_values: Sequence[int]) -> tuple[View, LabelNoise]:
-        """One image's own: directions and signs are drawn.
+        """Return one image's view and noise with random directions and signs.
 
         Args:
-            view: what the camera is over
-            rng: a seeded one repeats the result
-            class_values: classes of landmarks
+            view: Of the camera.
+            rng: A seeded one repeats the result.
+            class_values: Classes of landmarks.
 
         Returns:
-            The view with lens and tilt, and the noise with the classes' shifts.
+            The view with lens and tilt, and the noise with the classes' offsets.
         """
         angles = rng.uniform(0, 2 * math.pi, len(class_values))
         sign, direction = float(rng.choice([-1, 1])), float(rng.uniform(0, 360))
@@ -66,19 +66,19 @@ class Conditions:
 ASSUMED = Conditions(
     replace(USUAL, background=USUAL.mislabeled, displaced=DISPLACED_M, leaning=0.005), 0.5, lens=0.005, tilt_deg=2.0
 )
-"""What assessments assume unless they are told otherwise: maps of another date, houses of 5 m seen from 1,000 m, a
-network as those that were measured, a camera without calibration on a gimbal; in meters."""
+"""Default assumptions of assessments, in meters: maps of another date, houses of 5 m seen from 1,000 m, a network like
+the measured ones, an uncalibrated camera on a gimbal."""
 
 
 def conditions_of(numbers: Mapping[str, float]) -> Conditions:
-    """How poor labels and cameras are taken to be.
+    """Return the conditions of parameters.
 
     Args:
         numbers: By name: missed, invented, misnamed, ragged, background, displaced, shifted, leaning, lens and tilt;
-            percent, map units, degrees.
+            percent, m, degrees.
 
     Raises:
-        ParameterError: For what can't be.
+        ParameterError: A value is impossible.
     """
     noise = LabelNoise(
         numbers["missed"] / 100,

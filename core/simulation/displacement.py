@@ -1,4 +1,4 @@
-"""What lies elsewhere in an image than on the map: boundaries, whole neighborhoods, whole classes, leaning roofs."""
+"""Displace parts of an image against the map: boundaries, neighborhoods, classes, leaning roofs."""
 
 from __future__ import annotations
 
@@ -13,20 +13,19 @@ from .noise import JITTER_LENGTH_PX, LabelNoise
 from .regions import fill_from_around, regions_of
 
 FIELD_STEP_PX = 8
-"""Displacements are computed at every eighth pixel: they hardly change from one to the next."""
+"""Displacements are computed at every eighth pixel, because they change slowly."""
 
 
 def displace(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
-    """A label image whose boundaries jitter, whose ground is displaced, and whose classes are shifted.
+    """Return a label image with boundary jitter, displaced ground and class offsets.
 
     Args:
         labels_hw: (H, W) uint8
-        noise: in pixels
-        rng: a seeded one repeats the result
+        noise: In pixels.
+        rng: A seeded one repeats the result.
 
     Returns:
-        (H, W) uint8. All of it is read in one go, so that shifts of less than a pixel are not rounded away where
-        boundaries jitter.
+        (H, W) uint8, resampled once, so that boundary jitter keeps shifts of less than a pixel.
     """
     if not (noise.jitter or noise.displaced or noise.class_shifts):
         return labels_hw
@@ -55,17 +54,17 @@ def with_leaning_roofs(
     class_values: Sequence[int],
     minimum_area_px: float,
 ) -> np.ndarray:
-    """A label image whose raised landmarks lean away from its center, where the camera looks straight down.
+    """Return a label image with raised landmarks that lean away from its center, as seen from straight above.
 
     Args:
         labels_hw: (H, W) uint8
-        noise: how much they lean, and which classes
-        rng: of the heights
-        class_values: classes that lean unless the noise names some
-        minimum_area_px: smaller regions stay
+        noise: Amount of leaning, and its classes.
+        rng: Of the heights.
+        class_values: Classes that lean unless the noise has its own.
+        minimum_area_px: Smaller regions do not move.
 
     Returns:
-        (H, W) uint8. Each region is moved by whole pixels; what it leaves gets the label of what lies around.
+        (H, W) uint8. Each region moves by whole pixels; the pixels it leaves get the label around them.
     """
     values = noise.leaning_classes or tuple(class_values)
     regions = regions_of(labels_hw, values, minimum_area_px) if noise.leaning > 0 else []
@@ -89,7 +88,7 @@ def with_leaning_roofs(
 
 
 def leaning_shifts(away: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
-    """(n, 2) shifts of raised landmarks at (n, 2) offsets from the image's center: the same way, heights vary."""
+    """Return (n, 2) shifts of raised landmarks of random height at (n, 2) offsets from the image's center."""
     return noise.leaning * np.exp(noise.leaning_spread * rng.normal(size=len(away)))[:, None] * away
 
 

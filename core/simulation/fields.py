@@ -1,6 +1,6 @@
-"""Random fields that shift what lies near each other alike: what moves boundaries and whole places of a map.
+"""Random fields with correlated neighbors, which shift boundaries and parts of a map.
 
-Every function takes its random generator, so a seed repeats a field.
+Every function uses its random generator, so that a seed repeats a field.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ import cv2
 import numpy as np
 
 WAVES = 96
-"""Plane waves that a kernel of a correlated field is made of."""
+"""Plane waves for each kernel of a correlated field."""
 
 
 def smooth_noise(shape_hw: tuple[int, ...], length_px: float, rng: np.random.Generator) -> np.ndarray:
-    """(H, W) float32 of variance 1, alike over about ``length_px``: white noise on a coarse grid, enlarged."""
+    """Return (H, W) float32 of variance 1, similar over about ``length_px``: white noise on a coarse grid, enlarged."""
     small = tuple(max(int(np.ceil(size / max(length_px, 1.0))) + 1, 2) for size in shape_hw)
     field = rng.normal(size=small).astype(np.float32)
     field = cv2.resize(field, (shape_hw[1], shape_hw[0]), interpolation=cv2.INTER_CUBIC)
@@ -25,16 +25,16 @@ def smooth_noise(shape_hw: tuple[int, ...], length_px: float, rng: np.random.Gen
 def correlated_shifts(
     points_xy: np.ndarray, kernels: Sequence[tuple[float, float]], rng: np.random.Generator
 ) -> np.ndarray:
-    """Shifts of points, standard normal along each axis, alike where points are near: a Gaussian random field.
+    """Return shifts of points, standard normal along each axis and similar for near points: a Gaussian random field.
 
-    The correlation of points at a distance d is the sum of share · exp(−d / length) over the kernels. Each kernel is
-    a sum of plane waves with random directions, whose wavelengths follow the kernel's spectrum (random Fourier
-    features, Rahimi and Recht 2007), so that a field costs the same however far it reaches.
+    The correlation of points at a distance d is the sum of share · exp(−d / length) over the kernels. Each kernel is a
+    sum of plane waves with random directions and with wavelengths from the kernel's spectrum (random Fourier features,
+    Rahimi and Recht 2007), so that the time does not depend on the extent of a field.
 
     Args:
         points_xy: (n, 2), anywhere
-        kernels: (length in the unit of the points, share of the variance); what shares lack of 1 is missing
-        rng: a seeded one repeats the field
+        kernels: (length in the unit of the points, share of the variance); shares below 1 in total reduce the variance.
+        rng: A seeded one repeats the field.
 
     Returns:
         (n, 2) shifts along both axes, independent of each other.
@@ -52,12 +52,12 @@ def correlated_shifts(
 def correlated_field(
     shape_hw: tuple[int, ...], kernels: Sequence[tuple[float, float]], step_px: int, rng: np.random.Generator
 ) -> np.ndarray:
-    """``correlated_shifts`` of all pixels of an image, computed every ``step_px`` and interpolated.
+    """Return ``correlated_shifts`` for all pixels of an image, computed every ``step_px`` and interpolated.
 
     Args:
-        kernels: as of ``correlated_shifts``, lengths in pixels
-        step_px: between places that are computed
-        rng: a seeded one repeats the field
+        kernels: As in ``correlated_shifts``, lengths in pixels.
+        step_px: Between computed places.
+        rng: A seeded one repeats the field.
 
     Returns:
         (2, H, W) float32: shifts along columns and along rows.

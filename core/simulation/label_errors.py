@@ -1,11 +1,11 @@
-"""Label images spoiled on purpose, in the order in which errors happen.
+"""Add simulated errors to label images, in the order in which errors happen.
 
-Landmarks are missed, mislabeled, or spurious; roofs lean; near landmarks flow together, long ones break; thin parts
-vanish; boundaries wander and whole neighborhoods are displaced; background gets other classes, and so do whole patches.
-Every step is left out by giving it 0. Every function takes its random generator, so a seed repeats an image.
+Landmarks are missed, mislabeled or spurious; roofs lean; near landmarks merge, long ones split; thin parts vanish;
+boundaries and neighborhoods move; background and patches get other classes. A value of 0 skips a step. Every function
+uses its random generator, so that a seed repeats an image.
 
 Example:
-    >>> noise = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.0)   # lengths in map units
+    >>> noise = LabelNoise(missed=0.2, spurious=0.2, mislabeled=0.05, jitter=1.0)   # lengths in m
     >>> labels_hw = spoil_labels(labels_hw, noise.in_pixels(pixel_size), rng, (1, 2, 3), donor_hw)
 """
 
@@ -24,13 +24,13 @@ from .noise import LabelNoise
 from .regions import ClassRegion, fill_from_around, nearest_zero, regions_of
 
 MERGED_LENGTH_PX = 100.0
-"""Size of the parts of an image in which landmarks flow together, where they do so in a share of it."""
+"""Size of the parts of an image in which landmarks merge, if they do so in a share of it."""
 
 PLACES_TRIED = 20
-"""A spurious landmark is left out when so many random places of the image have no room for it."""
+"""A spurious landmark is dropped if this many random places have no room for it."""
 
 LARGEST_KERNEL_PX = 61
-"""Morphology with larger ellipses is done on that size; keeps the time bounded on very fine images."""
+"""Largest ellipse of morphology; limits the time on very fine images."""
 
 
 def spoil_labels(  # noqa: PLR0913 - an image, how it is spoiled, and what is known of its classes
@@ -41,18 +41,18 @@ def spoil_labels(  # noqa: PLR0913 - an image, how it is spoiled, and what is kn
     donor_hw: np.ndarray | None = None,
     minimum_area_px: float = 1.0,
 ) -> np.ndarray:
-    """A label image as a network, or an annotator, with these errors would have given it.
+    """Return a label image with the errors of a network or an annotator.
 
     Args:
-        labels_hw: (H, W) uint8; stays as it is
-        noise: in pixels of the image
-        rng: a seeded one repeats the image
-        class_values: classes made of landmarks; landmarks are missed, added, mislabeled, merged and split only there
-        donor_hw: labels of another place at the same scale, whose landmarks are the spurious ones; None for none
-        minimum_area_px: smaller regions are no landmarks
+        labels_hw: (H, W) uint8; not changed.
+        noise: In pixels of the image.
+        rng: A seeded one repeats the image.
+        class_values: Classes of landmarks; landmarks are missed, added, mislabeled, merged and split only there.
+        donor_hw: Labels of another place at the same scale; its landmarks are the spurious ones. None without any.
+        minimum_area_px: Smaller regions are no landmarks.
 
     Returns:
-        (H, W) uint8. Random classes are drawn from those the image has, so an image of one class stays what it is.
+        (H, W) uint8. Random classes are those of the image, so that an image of one class does not change.
     """
     labels = labels_hw.copy()
     if not labels.size:
@@ -76,7 +76,7 @@ def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
     donor_hw: np.ndarray | None,
     minimum_area_px: float,
 ) -> np.ndarray:
-    """Missed landmarks get the nearest label of no landmark; spurious ones lie where they touch no other."""
+    """Missed landmarks get the nearest label of no landmark; spurious ones do not touch others."""
     regions = regions_of(labels_hw, class_values, minimum_area_px)
     missed = rng.random(len(regions)) < noise.missed
     missed &= np.array([region.area_px < noise.missed_below for region in regions], bool)
@@ -97,7 +97,7 @@ def _with_changed_landmarks(  # noqa: PLR0913 - as spoil_labels
 def _draw_spurious(
     labels_hw: np.ndarray, donors: list[ClassRegion], count: int, rng: np.random.Generator, class_values: Sequence[int]
 ) -> None:
-    """Draws ``count`` of the donors into ``labels_hw`` itself, each with a margin of a pixel to other landmarks."""
+    """Draw ``count`` of the donors into ``labels_hw`` itself, each with a margin of a pixel to other landmarks."""
     taken = np.isin(labels_hw, class_values)
     for number in rng.integers(0, len(donors), count if donors else 0):
         mask = np.pad(donors[number].mask, 1)
@@ -120,7 +120,7 @@ def _with_mislabeled_background(
     class_values: Sequence[int],
     minimum_area_px: float,
 ) -> np.ndarray:
-    """A share of the regions of other classes than those of landmarks gets another of these."""
+    """Return labels with another class in a share of the regions outside the classes of landmarks."""
     if share <= 0:
         return labels_hw
     others = np.setdiff1d(np.unique(labels_hw), [UNLABELED, *class_values])
@@ -135,7 +135,7 @@ def _with_mislabeled_background(
 
 
 def mislabel(classes: np.ndarray, known: np.ndarray, share: float, rng: np.random.Generator) -> np.ndarray:
-    """Classes of which a share is changed to any other known class."""
+    """Return classes with a share of them changed to any other known class."""
     if len(known) < 2:
         return classes
     step = rng.integers(1, len(known), len(classes))
@@ -144,7 +144,7 @@ def mislabel(classes: np.ndarray, known: np.ndarray, share: float, rng: np.rando
 
 
 def _merge(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
-    """Gaps between regions of class ``value`` get that class, in a share of the image (morphological closing)."""
+    """Return labels with gaps between regions of a class filled, in a share of the image (morphological closing)."""
     kernel = _ellipse(noise.merge_gap)
     if kernel is None:
         return labels_hw
@@ -158,7 +158,7 @@ def _merge(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.
 
 
 def _split(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
-    """Long regions of class ``value`` are cut across, in their middle third, into what lies around."""
+    """Return labels with long regions of a class cut across, in their middle third, into the label around."""
     if noise.split <= 0:
         return labels_hw
     mask = class_mask(labels_hw, value)
@@ -178,7 +178,7 @@ def _split(labels_hw: np.ndarray, value: int, noise: LabelNoise, rng: np.random.
 
 
 def _without_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
-    """Parts of any class narrower than ``width_px`` get the class of what is left nearest (opening of each class)."""
+    """Return labels without parts narrower than ``width_px``, which get the nearest remaining class (opening)."""
     kernel = _ellipse(width_px)
     if kernel is None:
         return labels_hw
@@ -190,10 +190,10 @@ def _without_thin_parts(labels_hw: np.ndarray, width_px: float) -> np.ndarray:
 
 
 def _with_swapped_patches(labels_hw: np.ndarray, noise: LabelNoise, rng: np.random.Generator) -> np.ndarray:
-    """Patches that cover a share of the area get a random class of the image each, which may be the right one.
+    """Return labels with patches of random classes of the image (possibly the right ones) on a share of the area.
 
-    The patches are cells around random points, with wandering boundaries; whole cells are taken in random order until
-    the share is reached.
+    The patches are cells around random points, with irregular boundaries. Whole cells are selected in random order up
+    to the share.
     """
     if noise.patches <= 0:
         return labels_hw
@@ -216,6 +216,6 @@ def _with_swapped_patches(labels_hw: np.ndarray, noise: LabelNoise, rng: np.rand
 
 
 def _ellipse(diameter_px: float) -> np.ndarray | None:
-    """Structuring element of about that diameter, odd so that nothing is shifted; None when it would do nothing."""
+    """Return a structuring element of about that diameter, odd to avoid shifts; None if it has no effect."""
     size = min(2 * int(round((diameter_px - 1) / 2)) + 1, LARGEST_KERNEL_PX)
     return None if size < 3 else cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))

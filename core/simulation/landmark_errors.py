@@ -1,4 +1,4 @@
-"""Landmarks spoiled on purpose, where nothing but a catalogue is there to be seen."""
+"""Add simulated errors to landmarks when only a database is available."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ AREA_SHARE = 1.8
 """The same boundaries change ln area with a standard deviation of AREA_SHARE · σ / s; measured on the same images."""
 
 SAMPLING_AREA = 0.05
-"""Standard deviation of ln area that turning and sampling an image brings by itself; measured on the same images."""
+"""Standard deviation of ln area from turning and sampling an image; measured on the same images."""
 
 
 def spoil_landmarks(
@@ -30,16 +30,16 @@ def spoil_landmarks(
     population: Landmarks,
     size_px: tuple[int, int],
 ) -> Landmarks:
-    """Landmarks of an image missed, spurious, mislabeled, their centers and areas perturbed.
+    """Return landmarks of an image with missed, spurious and mislabeled ones and errors of centers and areas.
 
     Args:
-        noise: in pixels of the image; what only labels can show is left out
-        rng: a seeded one repeats the result
-        population: spurious ones lie anywhere in the image and have class and area (px²) of one of these
-        size_px: (width, height) of the image
+        noise: In pixels of the image; errors that only labels can show are ignored.
+        rng: A seeded one repeats the result.
+        population: Source of class and area (px²) of spurious landmarks, which are anywhere in the image.
+        size_px: (width, height) of the image.
 
     Returns:
-        Those that are left, then the spurious ones.
+        The remaining landmarks, then the spurious ones.
     """
     kept = landmarks.select(rng.random(len(landmarks)) >= noise.missed)
     count = rng.binomial(len(landmarks), min(noise.spurious, 1.0)) if len(population) else 0
@@ -54,7 +54,7 @@ def spoil_landmarks(
 def _shared_shifts(
     landmarks: Landmarks, noise: LabelNoise, rng: np.random.Generator, size_px: tuple[int, int]
 ) -> np.ndarray:
-    """(n, 2) what landmarks that are near each other, of a class, or on the same side of the image have in common."""
+    """Return (n, 2) shifts that landmarks near each other, of one class, or on one side of the image share."""
     shifts = np.zeros(landmarks.centers_xy.shape)
     if noise.displaced > 0:
         shifts += noise.displaced * correlated_shifts(landmarks.centers_xy, noise.displaced_kernels, rng)
@@ -68,7 +68,7 @@ def _shared_shifts(
 
 
 def with_moved_boundaries(landmarks: Landmarks, noise: LabelNoise, rng: np.random.Generator) -> Landmarks:
-    """The centers and areas that landmarks get when boundaries move, and images are sampled (CENTER_SHARE and on)."""
+    """Return landmarks with the centers and areas of moved boundaries and resampled images."""
     sizes = np.sqrt(landmarks.areas_px)
     deviation = CENTER_SHARE * noise.jitter / np.sqrt(1 + sizes / (CENTER_LENGTHS * JITTER_LENGTH_PX))
     centers = landmarks.centers_xy + rng.normal(0, 1, landmarks.centers_xy.shape) * deviation[:, None]
@@ -78,7 +78,7 @@ def with_moved_boundaries(landmarks: Landmarks, noise: LabelNoise, rng: np.rando
 
 
 def concatenate(one: Landmarks, other: Landmarks) -> Landmarks:
-    """Both, the first ones first."""
+    """Return both, the first ones first."""
     names = (field.name for field in fields(Landmarks))
     return Landmarks(*(np.concatenate([getattr(one, name), getattr(other, name)]) for name in names))
 

@@ -1,4 +1,4 @@
-"""Regions of label images as noise handles them: found, taken away, drawn elsewhere."""
+"""Regions of label images for simulated errors: find, remove and redraw them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class ClassRegion:
 
     Attributes:
         area_px: Pixels.
-        box: Its bounding box as slices (rows, columns).
+        box: Bounding box as slices (rows, columns).
         mask: (h, w) bool, its pixels in the box.
     """
 
@@ -28,7 +28,7 @@ class ClassRegion:
 
 
 def regions_of(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> list[ClassRegion]:
-    """The regions of some classes, class after class, none smaller than an area."""
+    """Return the regions of some classes, class after class, from a least area on."""
     found = []
     for value in class_values:
         _, numbers, stats, _ = cv2.connectedComponentsWithStats(class_mask(labels_hw, value))
@@ -41,13 +41,13 @@ def regions_of(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_
 
 
 def nearest_zero(image_hw: np.ndarray) -> np.ndarray:
-    """(H, W) int: index of the nearest zero pixel of ``image_hw``, counted from 0 in order of rows."""
+    """Return (H, W) int: index of the nearest zero pixel of ``image_hw``, counted from 0 by rows."""
     _, index = cv2.distanceTransformWithLabels(image_hw, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
     return index - 1
 
 
 def fill_from_around(labels_hw: np.ndarray, lost: np.ndarray, sources: np.ndarray) -> np.ndarray:
-    """``labels_hw`` where ``lost`` pixels have the label of the nearest pixel of ``sources`` (both (H, W) bool)."""
+    """Return labels with ``lost`` pixels filled from the nearest pixel of ``sources`` (both (H, W) bool)."""
     sources = sources & ~lost
     if not lost.any() or not sources.any():
         return labels_hw

@@ -1,13 +1,12 @@
-"""THE simulated camera: what it is over (``View``), and what it shows of a label map, a photo or a catalogue.
+"""The simulated camera: a ``View`` of the map, and the part of a label map, photo or database that it shows.
 
-A view is stated on the map, so that the same one is cut from a label map of any pixel size, from a database's overview
-and from a catalogue of landmarks. What spoils its picture is in ``noise``; how a localization of it is judged in
-``core/evaluation/trial.py``.
+A view is defined on the map, so that the same one can be cut from a label map of any pixel size, a database's overview
+and a list of landmarks. ``noise`` adds errors; ``core/evaluation/trial.py`` judges a localization of it.
 
 Example:
     >>> view = View(x=758_400.0, y=5_221_350.0, heading_deg=30.0, pixel_size=1.2, width_px=640, height_px=480)
-    >>> labels_hw = cut(source, frame, view)                    # source, frame: a label map and where it lies
-    >>> centers_xy = image_coordinates(view, landmarks.positions)  # the same ground as points of a catalogue
+    >>> labels_hw = cut(source, frame, view)                    # source, frame: a label map and its grid
+    >>> centers_xy = image_coordinates(view, landmarks.positions)  # the same ground as points
 """
 
 from __future__ import annotations
@@ -21,10 +20,10 @@ from ..geometry.frame import MapFrame
 from ..labels.sources import LabelSource
 
 PIXELS = MapFrame.at((0.0, 0.0), 1.0)
-"""Where a plain pixel grid lies: x is the column, y minus the row."""
+"""Frame of a plain pixel grid: x is the column, y minus the row."""
 
 LENS_STEPS = 6
-"""Rounds in which a lens is inverted; each makes the rest a twentieth at 3 %."""
+"""Iterations of the lens's inverse; each reduces the error to a twentieth at 3 %."""
 
 STRIP_ROWS = 32
 """Rows of an image that are cut together."""
@@ -32,18 +31,18 @@ STRIP_ROWS = 32
 
 @dataclass(frozen=True)
 class View:
-    """What a simulated camera is over.
+    """View of a simulated camera.
 
     Attributes:
-        x: easting of the image's center, map units
-        y: northing of the image's center, map units
-        heading_deg: direction of the image's top, clockwise from grid north
-        pixel_size: map units an image pixel shows at the center
-        tilt_deg: angle of the optical axis from the vertical
-        tilt_direction_deg: where to it is tilted, clockwise from the image's top
-        field_of_view_deg: across the image's width; used by tilted views alone
-        is_mirrored: whether left and right are exchanged: such an image lies nowhere on the map
-        lens: radial distortion: how much farther out than without it the ground in the image's corners lies, as a share
+        x: Easting of the image's center, m.
+        y: Northing of the image's center, m.
+        heading_deg: Direction of the image's top, clockwise from grid north.
+        pixel_size: Ground size of a pixel at the center, m.
+        tilt_deg: Angle of the optical axis from the vertical.
+        tilt_direction_deg: Direction of the tilt, clockwise from the image's top.
+        field_of_view_deg: Across the image's width; only for tilted views.
+        is_mirrored: Left and right are exchanged: such an image exists nowhere on the map.
+        lens: Radial distortion: relative displacement of the ground in the image's corners, outwards.
     """
 
     x: float
@@ -65,7 +64,7 @@ class View:
 
     @property
     def footprint(self) -> float:
-        """Ground across the image's width, map units."""
+        """Ground across the image's width, m."""
         return self.width_px * self.pixel_size
 
     @property
@@ -74,17 +73,17 @@ class View:
         return self.height_px, self.width_px
 
     def plain(self) -> View:
-        """The same view, not mirrored."""
+        """Return the view without mirroring."""
         return replace(self, is_mirrored=False) if self.is_mirrored else self
 
 
 def map_coordinates(view: View, columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Where on the map image points lie: the view's truth.
+    """Return the map position of image points: the ground truth of a view.
 
     Args:
-        view: of any tilt, mirrored or not
-        columns: pixel coordinates, of any shape
-        rows: of the same shape
+        view: Of any tilt, mirrored or not.
+        columns: Pixel coordinates, of any shape.
+        rows: Of the same shape.
 
     Returns:
         Map x and y, each of that shape.
@@ -94,10 +93,10 @@ def map_coordinates(view: View, columns: np.ndarray, rows: np.ndarray) -> tuple[
 
 
 def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.ndarray:
-    """What the view shows of a raster, by nearest neighbor.
+    """Return the part of a raster that a view shows, by nearest neighbor.
 
     Args:
-        source: a label map that is read in pieces, or a raster in memory, (H, W) or (H, W, bands)
+        source: A label map that is read in pieces, or a raster in memory, (H, W) or (H, W, bands).
 
     Returns:
         (height_px, width_px[, bands]) of the raster's type; 0 beyond the raster.
@@ -116,7 +115,7 @@ def cut(source: LabelSource | np.ndarray, frame: MapFrame, view: View) -> np.nda
 
 
 def lies_on(frame: MapFrame, view: View) -> bool:
-    """Whether the whole image shows ground of a frame that knows its shape."""
+    """Return whether the whole image shows ground of a frame with a shape."""
     # Level or tilted, the outermost samples are those of the corners.
     columns, rows = np.array([0.5, view.width_px - 0.5] * 2), np.repeat([0.5, view.height_px - 0.5], 2)
     points = np.floor(np.round(frame.to_pixels(np.column_stack(map_coordinates(view, columns, rows))), 6))
@@ -124,14 +123,14 @@ def lies_on(frame: MapFrame, view: View) -> bool:
 
 
 def image_coordinates(view: View, positions: np.ndarray) -> np.ndarray:
-    """Where in an image points of the map lie.
+    """Return the image position of map points.
 
     Args:
-        view: level or tilted; its lens may bend
-        positions: (n, 2) map x, y
+        view: Level or tilted, with any lens.
+        positions: (n, 2) map x, y.
 
     Returns:
-        (n, 2) pixel coordinates (column, row), also beyond the image.
+        (n, 2) pixel coordinates (column, row), also outside the image.
     """
     east, north = (positions - view.position).T
     turn = math.radians(view.heading_deg)
@@ -155,13 +154,13 @@ def random_view(
     size_px: tuple[int, int] = (1280, 1280),
     pixel_sizes: tuple[float, float] = (1.0, 1.0),
 ) -> View:
-    """A view of any heading.
+    """Return a view of random position and heading.
 
     Args:
-        rng: draws easting, northing, pixel size and heading, in this order
-        extent: (x_min, y_min, x_max, y_max), map units, that the center lies in
+        rng: Draws easting, northing, pixel size and heading, in this order.
+        extent: (x_min, y_min, x_max, y_max), m, of the center.
         size_px: (width, height)
-        pixel_sizes: smallest and largest; drawn uniformly in the logarithm
+        pixel_sizes: Smallest and largest, with a uniform logarithm.
     """
     # From north to south, as rows of a map go.
     x, y = rng.uniform(extent[0], extent[2]), -rng.uniform(-extent[3], -extent[1])
@@ -170,7 +169,7 @@ def random_view(
 
 
 def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) -> tuple[np.ndarray, np.ndarray]:
-    """Offsets to the east and south of the image's center, ``scale`` an image pixel."""
+    """Return offsets to the east and south of the image's center, in units of ``scale`` per image pixel."""
     right, up = columns - view.width_px / 2, view.height_px / 2 - rows
     if view.is_mirrored:
         right = -right
@@ -185,12 +184,12 @@ def _offsets(view: View, columns: np.ndarray, rows: np.ndarray, scale: float) ->
 
 
 def _larger(view: View, right: np.ndarray, up: np.ndarray) -> np.ndarray:
-    """How much farther from the center than the image shows them points lie: Brown's first radial term."""
+    """Return how many times farther from the center points on the ground are (Brown's first radial term)."""
     return 1 + view.lens * (right**2 + up**2) / ((view.width_px**2 + view.height_px**2) / 4)
 
 
 def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Offsets on level ground, in pixels of the vertical view, that a tilted camera sees at image offsets."""
+    """Return offsets on level ground, in pixels of the vertical view, of image offsets of a tilted camera."""
     tilt, direction = np.radians(view.tilt_deg), np.radians(view.tilt_direction_deg)
     focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
     along = np.sin(direction) * right + np.cos(direction) * up
@@ -206,7 +205,7 @@ def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nd
 
 
 def _in_the_image(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The inverse of ``_on_the_ground``; what lies at or behind the horizon comes out far outside."""
+    """Return the inverse of ``_on_the_ground``; points at or behind the horizon are far outside."""
     tilt, direction = np.radians(view.tilt_deg), np.radians(view.tilt_direction_deg)
     focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
     lower = np.cos(tilt) ** 1.5
@@ -222,7 +221,7 @@ def _in_the_image(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nda
 
 
 def _sampled(source: LabelSource | np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-    """(h, w[, bands]) pixels of a raster at integer places (h, w); 0 beyond it. Reads what holds them alone."""
+    """Return (h, w[, bands]) pixels of a raster at integer places (h, w), 0 beyond it. Reads only the needed part."""
     height, width = source.shape[:2] if isinstance(source, np.ndarray) else source.shape_hw
     left, top = max(int(columns.min()), 0), max(int(rows.min()), 0)
     right, bottom = min(int(columns.max()) + 1, width), min(int(rows.max()) + 1, height)

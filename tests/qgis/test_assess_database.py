@@ -121,8 +121,8 @@ def test_a_footprint_beyond_what_is_searched_is_warned_of(run_algorithm, databas
 @pytest.mark.parametrize(
     "parameters, said",
     [
-        ({"FOOTPRINT": "wide"}, "“wide” is no list of footprints"),
-        ({"FOOTPRINT": "250;-3"}, "“250;-3” is no list of footprints"),
+        ({"FOOTPRINT": "wide"}, "“wide” is not a list of footprint widths"),
+        ({"FOOTPRINT": "250;-3"}, "“250;-3” is not a list of footprint widths"),
         ({"SPACING": 0}, "The edge of a square is 0"),
         ({"SPACING": 0.01}, "or more"),
         ({"DATABASE": "/nowhere/at/all.gpkg"}, "There is no database"),

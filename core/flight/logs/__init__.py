@@ -1,1 +1,1 @@
-"""Flight logs as people have them, each read into one ``Telemetry``."""
+"""Readers of flight logs; each returns a ``Telemetry``."""

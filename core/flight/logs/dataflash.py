@@ -1,7 +1,7 @@
-"""ArduPilot's onboard log (``.bin``, “DataFlash”): messages that describe themselves.
+"""Read ArduPilot's onboard log (``.bin``, “DataFlash”), a format with self-describing messages.
 
-Format: https://ardupilot.org/dev/docs/code-overview-adding-a-new-log-message.html. Read are attitude (ATT), the
-filter's velocity (XKF1, NKF1), height above home (POS) and, for the clock alone, satellites' time (GPS).
+Format: https://ardupilot.org/dev/docs/code-overview-adding-a-new-log-message.html. The reader uses attitude (ATT), the
+filter's velocity (XKF1, NKF1), height above home (POS) and, only for the clock, satellite time (GPS).
 """
 
 from __future__ import annotations
@@ -32,21 +32,21 @@ class _Message:
     labels: tuple[str, ...]
 
     def values(self, data: Data, place: int) -> dict[str, float]:
-        """Its numbers by label."""
-        told = zip(self.labels, self.kinds, self.packed.unpack_from(data, place))
+        """Return its numbers by label."""
+        numbers = zip(self.labels, self.kinds, self.packed.unpack_from(data, place))
         return {
             label: value / 100 if kind in _HUNDREDTHS else value
-            for label, kind, value in told
+            for label, kind, value in numbers
             if isinstance(value, (int, float))
         }
 
 
 def read_dataflash(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
-    """Entries of a log, in UTC where satellites told it.
+    """Return the entries of a log, in UTC if it contains satellite time.
 
     Args:
-        data: Of the file; what is damaged is passed over.
-        canceled: Asked now and then; once it returns True, reading ends early.
+        data: Of the file; damaged parts are skipped.
+        canceled: Called from time to time; True ends the reading early.
     """
     lengths: dict[int, int] = {_FORMAT_TYPE: 3 + _FORMAT.size}
     wanted: dict[int, _Message] = {}
@@ -69,7 +69,7 @@ def read_dataflash(data: Data, canceled: Callable[[], bool] = never) -> Telemetr
 
 
 def _describe(data: Data, place: int, lengths: dict[int, int], wanted: dict[int, _Message]) -> None:
-    """Takes in how a kind of message is built; one that contradicts itself is only passed over."""
+    """Store the layout of a kind of message; an inconsistent one is only skipped."""
     kind, length, name, kinds, labels = _FORMAT.unpack_from(data, place)
     if length < 3 or kind == _FORMAT_TYPE:
         return
@@ -81,17 +81,17 @@ def _describe(data: Data, place: int, lengths: dict[int, int], wanted: dict[int,
             wanted[kind] = _Message(texts[0], packed, texts[1], tuple(texts[2].split(",")))
 
 
-def _take(entries: Entries, name: str, told: dict[str, float]) -> None:
-    time_s = told.get("TimeUS", -1.0) / 1e6
-    if time_s < 0 or told.get("C", 0) != 0:
-        # Of several filters the first one counts.
+def _take(entries: Entries, name: str, values: dict[str, float]) -> None:
+    time_s = values.get("TimeUS", -1.0) / 1e6
+    if time_s < 0 or values.get("C", 0) != 0:
+        # The first of several filters counts.
         return
-    if name == "ATT" and {"Roll", "Pitch", "Yaw"} <= set(told):
-        entries.add(time_s, roll=told["Roll"], pitch=told["Pitch"], heading=told["Yaw"])
-    elif name in ("XKF1", "NKF1") and {"VN", "VE"} <= set(told):
-        entries.add(time_s, east=told["VE"], north=told["VN"])
-    elif name == "POS" and "RelHomeAlt" in told:
-        entries.add(time_s, height=told["RelHomeAlt"])
-    elif name == "GPS" and entries.start_s is None and told.get("GWk", 0) > 0 and told.get("Status", 3) >= 3:
-        seconds = told["GWk"] * _WEEK_S + told.get("GMS", 0) / 1000
+    if name == "ATT" and {"Roll", "Pitch", "Yaw"} <= set(values):
+        entries.add(time_s, roll=values["Roll"], pitch=values["Pitch"], heading=values["Yaw"])
+    elif name in ("XKF1", "NKF1") and {"VN", "VE"} <= set(values):
+        entries.add(time_s, east=values["VE"], north=values["VN"])
+    elif name == "POS" and "RelHomeAlt" in values:
+        entries.add(time_s, height=values["RelHomeAlt"])
+    elif name == "GPS" and entries.start_s is None and values.get("GWk", 0) > 0 and values.get("Status", 3) >= 3:
+        seconds = values["GWk"] * _WEEK_S + values.get("GMS", 0) / 1000
         entries.start_s = GPS_EPOCH_S + seconds - LEAP_SECONDS - time_s

@@ -1,4 +1,4 @@
-"""What binary logs tell one message after the other, gathered into a ``Telemetry``."""
+"""Collect the messages of binary logs into a ``Telemetry``."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from ... import limits
 from ..telemetry import FIELDS, Telemetry, telemetry
 
 Data = Union[bytes, mmap.mmap]
-"""Of a log: a file that is mapped takes no memory."""
+"""Content of a log; a mapped file needs no memory."""
 
 GPS_EPOCH_S = 315_964_800
 LEAP_SECONDS = 18
-"""From 2017 on; GPS's clock is ahead of UTC by so much."""
+"""Seconds by which GPS time is ahead of UTC since 2017."""
 
 
 LOOK_EVERY = 1 << 16
-"""Bytes of a log, or lines, that are read between two looks for a cancel."""
+"""Bytes or lines of a log between two checks for a cancel."""
 
 
 def never() -> bool:
-    """The answer of a caller that does not cancel."""
+    """Return False, for a caller that does not cancel."""
     return False
 
 
 @dataclass
 class Pace:
-    """Asks now and then whether the user canceled.
+    """Checks from time to time whether the user canceled.
 
     Attributes:
         canceled: Returns True once the user canceled.
@@ -52,11 +52,11 @@ class Pace:
 
 @dataclass
 class _Kind:
-    """Entries that tell the same fields, one of ``stride`` messages.
+    """Entries with the same fields, one for each ``stride`` messages.
 
     Attributes:
-        numbers: The time and what is told, one entry after the other.
-        stride: Messages an entry.
+        numbers: Time and values, one entry after the other.
+        stride: Messages for each entry.
         seen: Messages so far.
     """
 
@@ -77,28 +77,28 @@ class _Kind:
 
 @dataclass
 class Entries:
-    """Gathers entries; how many are kept does not grow with the log.
+    """Collects entries; their number does not grow with the log.
 
     Attributes:
-        start_s: UTC of the log's zero; None where nothing told it.
+        start_s: UTC of the log's zero; None if unknown.
     """
 
     start_s: float | None = None
     _kinds: dict[tuple[str, ...], _Kind] = field(default_factory=dict)
 
     def add(self, time_s: float, **told: float) -> None:
-        """One message: what it tells, by FIELDS."""
+        """Add a message: its values by FIELDS."""
         self._kinds.setdefault(tuple(told), _Kind()).add([time_s, *told.values()])
 
     def telemetry(self, is_gimbal: bool = False) -> Telemetry:
-        """All of them, in UTC where the log tells it; ``is_gimbal`` as of ``Telemetry``."""
+        """Return all entries, in UTC if it is known; ``is_gimbal`` as of ``Telemetry``."""
         tables = list(self._tables())
         values = np.concatenate([values for _, values in tables]) if tables else np.zeros((0, len(FIELDS)))
         times = np.concatenate([times for times, _ in tables]) if tables else np.zeros(0)
         return telemetry(times + (self.start_s or 0.0), values, is_clock=self.start_s is not None, is_gimbal=is_gimbal)
 
     def _tables(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Times (n,) and values (n, 6) of each kind."""
+        """Yield times (n,) and values (n, 6) of each kind."""
         for names, kind in self._kinds.items():
             rows = np.array(kind.numbers).reshape(-1, 1 + len(names))
             values = np.full((len(rows), len(FIELDS)), math.nan)

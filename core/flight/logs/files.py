@@ -1,4 +1,4 @@
-"""A flight log of any kind that SemRef reads, told by its content, not by its name."""
+"""Read a flight log of any supported kind, identified by its content and not by its name."""
 
 from __future__ import annotations
 
@@ -24,24 +24,24 @@ KINDS = ("DJI .SRT", "geo.txt", "ArduPilot .bin", ".tlog", "PX4 .ulg")
 
 
 def read_log(path: str, canceled: Callable[[], bool] = never) -> Telemetry:
-    """What a flight log tells.
+    """Return the entries of a flight log.
 
     Args:
-        canceled: Asked several times a second; once it returns True, reading ends early.
+        canceled: Called several times a second; True ends the reading early.
 
     Raises:
-        ParameterError: It can't be read, is no such log, or tells nothing of a flight.
+        ParameterError: The file can't be read, is not a supported log, or contains no flight data.
     """
-    # What kind it is shows in few bytes, and whether it may be read at all.
+    # A first byte shows whether the file can be read at all.
     if len(bytes_of(path, limits.LOG_BYTES, 1)) == 0:
         found = None
     else:
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
             found = _read(data, canceled)
     if found is None:
-        raise ParameterError("{path} is no flight log that SemRef reads; it reads {kinds}.", path=path, kinds=KINDS)
+        raise ParameterError("{path} is not a supported flight log. Supported are {kinds}.", path=path, kinds=KINDS)
     if not np.isfinite(found.values).any():
-        raise ParameterError("{path} tells neither heading nor height nor speed of a flight.", path=path)
+        raise ParameterError("{path} contains no heading, height or speed of a flight.", path=path)
     return found
 
 

@@ -1,4 +1,4 @@
-"""OpenDroneMap's ``geo.txt``: a line for each image. Its yaw is taken; its positions are left alone."""
+"""Read OpenDroneMap's ``geo.txt``, one line for each image. The reader uses the yaw and ignores the positions."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ _CRS = re.compile(r"EPSG:\d+|\+proj|WGS84|PROJCS|GEOGCS", re.IGNORECASE)
 
 
 def is_geo(text: str) -> bool:
-    """Whether a text begins with a reference system, as ``geo.txt`` does."""
+    """Return whether a text begins with a coordinate reference system, as ``geo.txt`` does."""
     return _CRS.match(text.lstrip("\ufeff \t\r\n")) is not None
 
 
 def read_geo(text: str, canceled: Callable[[], bool] = never) -> Telemetry:
-    """Headings by the image's name: of lines with image, x, y, z and yaw.
+    """Return headings by image name, from lines with image, x, y, z and yaw.
 
     Args:
-        text: Of the file; lines without a yaw tell nothing.
-        canceled: Asked now and then; once it returns True, reading ends early.
+        text: Of the file; lines without a yaw are ignored.
+        canceled: Called from time to time; True ends the reading early.
     """
     names: list[str] = []
     yaws, pace = array("d"), Pace(canceled)

@@ -1,7 +1,7 @@
-"""Telemetry logs of ground stations (``.tlog``): MAVLink packets of version 1 and 2, each after its time.
+"""Read telemetry logs of ground stations (``.tlog``): MAVLink packets of versions 1 and 2, each after its time.
 
-Format: https://mavlink.io/en/guide/serialization.html. Read are ATTITUDE, GLOBAL_POSITION_INT (height above home and
-velocity, not the position) and the velocity of LOCAL_POSITION_NED, of the first system that tells an attitude.
+Format: https://mavlink.io/en/guide/serialization.html. The reader uses ATTITUDE, GLOBAL_POSITION_INT (height above home
+and velocity, not the position) and the velocity of LOCAL_POSITION_NED, from the first system with an attitude.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _PACKED = {
     _LOCAL: (struct.Struct("<I6f"), 185),
     _GLOBAL: (struct.Struct("<Iiiii3hH"), 104),
 }
-"""How a message's content is packed, and the byte that its checksum ends with."""
+"""Layout of a message's content, and the extra byte of its checksum."""
 
 _SIGNED, _SIGNATURE = 1, 13
 _TIME = 8
@@ -31,18 +31,18 @@ _REVERSED = bytes(int(f"{byte:08b}"[::-1], 2) for byte in range(256))
 
 
 def is_tlog(data: Data) -> bool:
-    """Whether the first packet is whole, and what comes next begins as one; data may end anywhere after the first."""
+    """Return whether the first packet is complete and the next one begins as a packet; data may end after the first."""
     size = _size(data, _TIME)
     after = 2 * _TIME + size
     return size > 0 and (len(data) <= after or _wanted_size(data, after) > 0)
 
 
 def read_tlog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
-    """Entries of a log, in UTC.
+    """Return the entries of a log, in UTC.
 
     Args:
-        data: Of the file; what is damaged is passed over.
-        canceled: Asked now and then; once it returns True, reading ends early.
+        data: Of the file; damaged parts are skipped.
+        canceled: Called from time to time; True ends the reading early.
     """
     reader = TlogReader()
     reader.take(data, is_ended=True, canceled=canceled)
@@ -50,22 +50,22 @@ def read_tlog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
 
 
 class TlogReader:
-    """Reads a log piece by piece, as it grows."""
+    """Reads a log in pieces while it grows."""
 
     def __init__(self) -> None:
         self._entries = Entries(start_s=0.0)
         self._system: int | None = None
 
     def take(self, data: Data, is_ended: bool = False, canceled: Callable[[], bool] = never) -> int:
-        """Reads one more piece.
+        """Read one more piece.
 
         Args:
-            data: It; what is damaged is passed over.
-            is_ended: Nothing comes after it.
-            canceled: Asked now and then; once it returns True, reading ends early.
+            data: The piece; damaged parts are skipped.
+            is_ended: No piece comes after it.
+            canceled: Called from time to time; True ends the reading early.
 
         Returns:
-            Where in it the first packet begins that is not whole; the next piece begins there.
+            Offset of the first incomplete packet, at which the next piece must begin.
         """
         pace, place = Pace(canceled), 0
         while place + _TIME < len(data) and not pace.stops_at(place):
@@ -92,7 +92,7 @@ class TlogReader:
             _take(self._entries, time_s, kind, packed.unpack(content[: packed.size].ljust(packed.size, b"\0")))
 
     def telemetry(self) -> Telemetry:
-        """What was read so far."""
+        """Return the entries so far."""
         return self._entries.telemetry()
 
 
@@ -104,13 +104,13 @@ def _next_start(data: Data, place: int) -> int:
 
 
 def _size(data: Data, place: int) -> int:
-    """Bytes of the packet that begins there; 0 where none does, or not all of it is there."""
+    """Return the bytes of the packet at a place; 0 without a complete packet."""
     size = _wanted_size(data, place)
     return size if place + size <= len(data) else 0
 
 
 def _wanted_size(data: Data, place: int) -> int:
-    """Bytes of the packet that begins there, as far as its beginning tells; 0 where none does."""
+    """Return the bytes of the packet at a place, according to its beginning; 0 without a packet."""
     if place >= len(data) or data[place] not in (0xFE, 0xFD):
         return 0
     if place + 3 > len(data):
@@ -121,7 +121,7 @@ def _wanted_size(data: Data, place: int) -> int:
 
 
 def _packet(data: Data, place: int, size: int) -> tuple[int, int, bytes, bool]:
-    """System, kind and content of a packet, and whether its checksum holds."""
+    """Return system, kind and content of a packet, and whether its checksum is right."""
     length = data[place + 1]
     if data[place] == 0xFE:
         system, kind, start = data[place + 3], data[place + 5], place + 6
@@ -135,8 +135,8 @@ def _packet(data: Data, place: int, size: int) -> tuple[int, int, bytes, bool]:
 
 
 def checksum(content: bytes) -> int:
-    """MAVLink's checksum: CRC-16/MCRF4XX."""
-    # Python's CRC-16 takes the same bits in the other order.
+    """Return MAVLink's checksum: CRC-16/MCRF4XX."""
+    # Python's CRC-16 uses the same bits in reverse order.
     total = binascii.crc_hqx(content.translate(_REVERSED), 0xFFFF)
     return _REVERSED[total & 0xFF] << 8 | _REVERSED[total >> 8]
 

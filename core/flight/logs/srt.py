@@ -1,4 +1,4 @@
-"""DJI's subtitles (``.SRT``), one entry for each moment of a video, as drones of several generations write them."""
+"""Read DJI's subtitles (``.SRT``) of several drone generations: one entry for each time of a video."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ _KEYS = {
 
 
 def is_srt(text: str) -> bool:
-    """Whether a text begins as subtitles do."""
+    """Return whether a text begins as subtitles do."""
     arrow = text.find(_ARROW, 0, 200)
     return arrow >= 0 and _time_before(text, arrow) is not None
 
 
 def read_srt(text: str, canceled: Callable[[], bool] = never) -> Telemetry:
-    """Entries by the video's time.
+    """Return entries by the video's time.
 
     Args:
-        text: Of the file; what can't be read in it counts as not told.
-        canceled: Asked now and then; once it returns True, reading ends early.
+        text: Of the file; unreadable values count as missing.
+        canceled: Called from time to time; True ends the reading early.
     """
     entries, pace, arrow = Entries(), Pace(canceled), text.find(_ARROW)
     while arrow >= 0 and not pace.stops_at(arrow):

@@ -1,7 +1,7 @@
-"""PX4's log (``.ulg``): topics that describe themselves.
+"""Read PX4's log (``.ulg``), a format with self-describing topics.
 
-Format: https://docs.px4.io/main/en/dev_log/ulog_file_format.html. Read are ``vehicle_attitude``, the velocity and
-height of ``vehicle_local_position`` and, for the clock alone, satellites' time.
+Format: https://docs.px4.io/main/en/dev_log/ulog_file_format.html. The reader uses ``vehicle_attitude``, velocity and
+height of ``vehicle_local_position`` and, only for the clock, satellite time.
 """
 
 from __future__ import annotations
@@ -34,18 +34,18 @@ _WANTED = {"vehicle_attitude", "vehicle_local_position", *_CLOCKS}
 _READ = {"timestamp", "q", "vx", "vy", "z", "time_utc_usec"}
 _MOST_FIELDS = 300
 _MOST_BYTES = 0xFFFF
-"""Of a message: its size has 16 bits. A topic of more bytes can't be logged."""
+"""Largest size of a message, which has 16 bits. A larger topic can't be logged."""
 
 Topic = tuple[struct.Struct, dict[str, int]]
-"""How an entry is packed, and the position of the first number of each field in _READ."""
+"""Layout of an entry, and the position of the first number of each field in _READ."""
 
 
 def read_ulog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
-    """Entries of a log, in UTC where satellites told it.
+    """Return the entries of a log, in UTC if it contains satellite time.
 
     Args:
-        data: Of the file; what is damaged is passed over.
-        canceled: Asked now and then; once it returns True, reading ends early.
+        data: Of the file; damaged parts are skipped.
+        canceled: Called from time to time; True ends the reading early.
     """
     topics: dict[str, Topic] = {}
     wanted: dict[int, str] = {}
@@ -70,7 +70,7 @@ def read_ulog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
 
 
 def _describe(content: bytes, topics: dict[str, Topic]) -> None:
-    """Takes in a topic that is wanted; one with fields of other topics is passed over."""
+    """Store the layout of a needed topic; a topic with fields of other topics is skipped."""
     name, _, fields = content.decode("ascii", "replace").partition(":")
     parts = [part.rsplit(" ", 1) for part in fields.split(";") if part]
     if name not in _WANTED or len(parts) > _MOST_FIELDS:
@@ -107,7 +107,7 @@ def _take(entries: Entries, name: str, told: dict[str, tuple[float, ...]]) -> No
 
 
 def angles_of(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
-    """Roll, pitch and heading in degrees of a quaternion from the aircraft's axes to north, east, down."""
+    """Return roll, pitch and heading in degrees of a quaternion from the aircraft's axes to north, east, down."""
     roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
     pitch = math.asin(min(1.0, max(-1.0, 2 * (w * y - z * x))))
     heading = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))

@@ -25,7 +25,7 @@ def test_unlabeled_ground_counts_inside_the_map_but_not_around_it(built, map_lab
 
 
 @pytest.mark.parametrize(
-    "size, said", [(0.0, "edge of a square is 0"), (float("nan"), "is nan"), (0.5, "give 2.47 or more")]
+    "size, said", [(0.0, "edge of a square is 0"), (float("nan"), "is nan"), (0.5, "Enter 2.47 m or more")]
 )
 def test_an_impossible_spacing_is_refused(assessed_database, size, said):
     with pytest.raises(ParameterError, match=said):

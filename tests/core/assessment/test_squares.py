@@ -44,7 +44,7 @@ def test_a_row_has_verdict_reason_and_distinctiveness(windows):
     assert all(row.keys() == {name for name, _ in FIELDS} for row in rows)
     assert [row["error"] for row in rows] == [None, 2.5, 2.5, 2.5, 2.5]
     assert rows[0]["reason"] == "Too few landmarks: 7 in view on average."
-    assert rows[1]["reason"].startswith("Look-alikes") and rows[2]["reason"].startswith("Too little evidence")
+    assert rows[1]["reason"].startswith("Similar places") and rows[2]["reason"].startswith("Too little evidence")
     assert rows[3]["reason"] == rows[4]["reason"] == ""
     assert [row["distinctiveness"] for row in rows] == [0.0, 0.1, 0.2, 0.3, None]
 
@@ -69,5 +69,5 @@ def test_a_list_of_footprints_keeps_its_order_and_drops_what_comes_twice():
 
 @pytest.mark.parametrize("text", ["much", "0", "-3", "200;inf", "nan"])
 def test_what_is_no_list_of_footprints_is_refused(text):
-    with pytest.raises(ParameterError, match="give edges of the ground"):
+    with pytest.raises(ParameterError, match="is not a list of footprint widths"):
         footprint_sizes(text, 1.0)

@@ -115,10 +115,10 @@ def test_the_error_radius_grows_as_image_and_map_agree_less():
 def test_a_fix_has_to_be_exact_for_the_ground_its_image_shows():
     assert decide_accuracy(CORRELATION.largest_error * 800, 800.0) == ("fix", None)
     status, reason = decide_accuracy(21.26, 800.0)
-    assert status == "ambiguous" and "within 21.3 m" in str(reason) and "needs 20 m" in str(reason)
+    assert status == "ambiguous" and "is 21.3 m" in str(reason) and "at most 20 m" in str(reason)
     assert "in all directions" in str(decide_accuracy(float("inf"), 800.0)[1])
     status, reason = decide_accuracy(1.0, 800.0, is_held=True)
-    assert status == "ambiguous" and "beyond the map" in str(reason)
+    assert status == "ambiguous" and "outside the map" in str(reason)
 
 
 def test_fishers_z_has_bounds():

@@ -42,8 +42,8 @@ def test_the_part_that_shows_another_place_is_named(labels, pyramid, name, noise
     found = localize(image if noise is None else spoiled(image, noise, 7), pyramid, PRIOR)
     assert found.is_fix and error_m(found.best, HERE) < 10
     assert said(found.reason) == (
-        "In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in "
-        "all of it): changed, mistaken, or another place. The fix holds for the rest."
+        "In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed "
+        "ground, wrong labels, or another place. The fix is valid for the rest."
     )
     values = dict(found.reason.values)
     assert values["part"].template == f"{name} part" and values["agreement"] < 0.5 * values["whole"]

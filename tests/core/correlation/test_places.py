@@ -100,7 +100,7 @@ def test_a_prior_bounds_what_is_searched(patch_pyramid):
 @pytest.mark.parametrize(
     "value, code",
     [
-        (0, "Only {labeled:.0%} of the image have classes of the map; at least {least:.0%} are needed."),
+        (0, "Only {labeled:.0%} of the image has classes of the map; at least {least:.0%} is needed."),
         (3, "The image shows hardly more than one class; a larger footprint with several classes is needed."),
         (None, None),
     ],

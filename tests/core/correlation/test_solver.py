@@ -238,4 +238,4 @@ def test_a_place_fixed_only_by_the_edge_of_the_map_is_no_fix(labels, monkeypatch
     center = 130.0, 1000.0
     result = localize(view(labels, center, 200, 1.2), pyramid, PRIOR)
     assert error_m(result.best, center) > 10
-    assert not result.is_fix and "beyond the map" in str(result.reason)
+    assert not result.is_fix and "outside the map" in str(result.reason)

@@ -85,5 +85,6 @@ def test_sizes_that_no_flight_has_are_refused_however_many_rows_make_them(tmp_pa
     with pytest.raises(ParameterError) as caught:
         odometry_links(read_odometry(path), names)
     assert (
-        caught.value.sentence.template == "The motion from image {first} to image {second} has numbers that are none."
+        caught.value.sentence.template
+        == "The motion from image {first} to image {second} has numbers that are not finite or too large."
     )

@@ -137,7 +137,7 @@ def test_an_image_without_texture_has_no_link(shape):
     blank = photo_features(np.full(shape, 90, np.uint8))
     assert (
         motion_between(blank, photo_features(cut(scene(1), *VIEWS[0][0]))).reason.template
-        == "One of the two images shows nothing that could be found in the other one."
+        == "One of the two images has too little texture to match it with the other."
     )
 
 

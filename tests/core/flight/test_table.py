@@ -34,10 +34,10 @@ def test_rows_keep_the_number_of_their_line(tmp_path):
 @pytest.mark.parametrize(
     ("data", "code"),
     [
-        (b"", "{path} begins with “{first}”, but its header needs the columns {columns}."),
-        (b"other,b\n", "{path} begins with “{first}”, but its header needs the columns {columns}."),
-        (b"image\n\xff\xfe\n", "{path} is not text in UTF-8; save it as CSV in UTF-8."),
-        (b"image\n" + b"x" * 20_000, "{path} has a line of more than {most} characters; choose another file."),
+        (b"", "{path} begins with “{first}”; its header needs the columns {columns}."),
+        (b"other,b\n", "{path} begins with “{first}”; its header needs the columns {columns}."),
+        (b"image\n\xff\xfe\n", "{path} is not text in UTF-8. Save it as CSV in UTF-8."),
+        (b"image\n" + b"x" * 20_000, "{path} has a line of more than {most} characters. Choose another file."),
     ],
 )
 def test_what_is_no_table_is_refused(tmp_path, data, code):
@@ -46,11 +46,11 @@ def test_what_is_no_table_is_refused(tmp_path, data, code):
 
 def test_files_that_cannot_be_read_are_refused(tmp_path):
     assert code_of(lambda: bytes_of(str(tmp_path / "none.csv"), 10)) == "{path} can't be read: {reason}."
-    assert code_of(lambda: bytes_of(str(tmp_path), 10)) == "{path} is no file; choose a table or a log."
+    assert code_of(lambda: bytes_of(str(tmp_path), 10)) == "{path} is not a file. Choose a table or a log."
     assert code_of(lambda: bytes_of("a\0b", 10)) == "{path} can't be read: {reason}."
     assert (
         code_of(lambda: bytes_of(write(tmp_path, b"x" * 11), 10))
-        == "{path} is larger than {most_mb} MB, which no table or log that is read here is."
+        == "{path} is larger than {most_mb} MB, the largest size of tables and logs. Choose another file."
     )
 
 
@@ -61,8 +61,7 @@ def test_numbers_are_finite_and_in_range():
     assert code_of(lambda: row.number("b")) == "{place}: {name} is “{text}”, which is not a number."
     assert code_of(lambda: row.number("c")) == "{place}: {name} is “{text}”, which is not a number."
     assert (
-        code_of(lambda: row.within("a", 0, 1))
-        == "{place}: {name} is {value:g}, but it must lie between {least:g} and {most:g}."
+        code_of(lambda: row.within("a", 0, 1)) == "{place}: {name} is {value:g}; it must be from {least:g} to {most:g}."
     )
 
 

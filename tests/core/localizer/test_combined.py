@@ -99,8 +99,8 @@ def test_a_part_that_shows_another_place_is_named_by_either_method(localizer, bu
     found = localizer.localize(image, Method.AUTOMATIC)
     assert found.status == Status.FIX and distance(found.position) < 4
     assert found.reason.template == (
-        "In the {part} of the image the classes hardly agree with the map ({agreement:.2f}, {whole:.2f} in "
-        "all of it): changed, mistaken, or another place. The fix holds for the rest."
+        "In the {part} of the image, classes hardly match the map ({agreement:.2f}; whole image {whole:.2f}): changed "
+        "ground, wrong labels, or another place. The fix is valid for the rest."
     )
     assert dict(found.reason.values)["part"].template == "right part"
 

@@ -58,5 +58,5 @@ def test_only_the_content_of_the_area_is_kept(database):
 
 
 def test_an_area_without_landmarks_is_refused(database):
-    with pytest.raises(DatabaseError, match="No landmark lies in the area"):
+    with pytest.raises(DatabaseError, match="area contains no landmark"):
         clip_database(database, np.zeros(database.overview.shape, bool))

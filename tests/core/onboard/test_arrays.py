@@ -29,7 +29,7 @@ def test_numbers_come_back_as_they_were(tmp_path):
     assert found.keys() == arrays.keys()
     for name, array in arrays.items():
         assert found[name].dtype == array.dtype and np.array_equal(found[name], array)
-    with pytest.raises(UNREADABLE, match="more than it can have"):
+    with pytest.raises(UNREADABLE, match="more than possible"):
         number_arrays(str(tmp_path / "a.npz"), 100)
 
 

@@ -71,7 +71,7 @@ def test_bad_tables_and_logs_are_refused_at_the_start_and_done_without_in_the_ai
     table.write_text("image,roll,pitch\na.png,3,\n", encoding="utf-8")
     with pytest.raises(ParameterError, match="line 2"):
         open_cameras(str(table), None, is_ended=True, is_strict=True)
-    with pytest.raises(ParameterError, match="no flight log"):
+    with pytest.raises(ParameterError, match="not a supported flight log"):
         open_cameras(None, str(table), is_ended=True, is_strict=True)
     lenient = open_cameras(str(table), str(table), is_ended=True, is_strict=False)
     assert lenient.log is None and lenient.of(put(tmp_path, "a.png", 1)).attitude is None

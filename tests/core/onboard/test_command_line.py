@@ -97,11 +97,11 @@ def test_places_far_from_near_are_not_searched(database, image, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["localize", "IMAGE", "--database", "missing.npz"], "There is no file missing.npz"),
+        (["localize", "IMAGE", "--database", "missing.npz"], "The file missing.npz does not exist"),
         (["localize", "FOLDER", "--database", "DATABASE"], "holds no image"),
         (["localize", "IMAGE", "--database", "DATABASE", "--model", "no.onnx"], "no.onnx"),
-        (["watch", "nowhere", "--database", "DATABASE"], "There is no folder nowhere"),
-        (["info", "IMAGE"], "no onboard file"),
+        (["watch", "nowhere", "--database", "DATABASE"], "The folder nowhere does not exist"),
+        (["info", "IMAGE"], "not an onboard file"),
     ],
 )
 def test_what_cannot_be_used_is_refused_in_one_sentence(database, image, tmp_path, capsys, arguments, said):
@@ -138,7 +138,7 @@ def test_a_model_without_class_names_is_refused_without_a_parameter_of_the_plugi
         (["--risk", "0.9"], "--risk: 0.9"),
         (["--state", "flight.state"], "--state: it needs --flight"),
         (["--gga", "udp:http"], "udp:http"),
-        (["--fixes", "udp:99999999999999999999"], "no UDP port"),
+        (["--fixes", "udp:99999999999999999999"], "not a UDP port"),
     ],
 )
 def test_a_value_that_is_out_of_range_is_a_wrong_command_line(database, tmp_path, capsys, arguments, said):
@@ -188,7 +188,7 @@ def test_a_full_stdout_is_reported_in_one_sentence(database, repository, tmp_pat
     with open("/dev/full", "wb") as full:
         done = subprocess.run(command, cwd=tmp_path, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == REFUSED
-    assert done.stderr == "info: stdout can't be written: No space left on device; choose another place.\n"
+    assert done.stderr == "info: stdout can't be written: No space left on device. Choose another output.\n"
 
 
 def test_a_wrong_command_line_ends_with_the_usage(capsys):

@@ -274,7 +274,7 @@ def test_a_hostile_state_is_reported(watch, tmp_path, method, data, capsys):
     zipped(tmp_path / "flight.npz", method, header=data)
     assert watch("--state", str(tmp_path / "flight.npz"))[1] == []
     told = json.loads(capsys.readouterr().err.splitlines()[0])
-    assert told["event"] == "flight_state_not_used" and "no state of a flight" in told["reason"]
+    assert told["event"] == "flight_state_not_used" and "not the state of a flight" in told["reason"]
 
 
 def test_a_state_of_another_database_is_not_used(watch, folder, tmp_path, capsys):

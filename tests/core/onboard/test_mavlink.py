@@ -219,11 +219,11 @@ def test_watch_sends_positions_to_an_autopilot(database, autopilot, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [
-        (["--mavlink", "udp:0"], "no place for MAVLink"),
-        (["--mavlink", "tcp:1.2.3.4:5"], "no place for MAVLink"),
-        (["--mavlink", "serial:"], "no place for MAVLink"),
-        (["--mavlink", "udp:a..b:14550"], "no place for MAVLink"),
-        (["--mavlink", "udp:\udcff:14550"], "no place for MAVLink"),
+        (["--mavlink", "udp:0"], "not a MAVLink address"),
+        (["--mavlink", "tcp:1.2.3.4:5"], "not a MAVLink address"),
+        (["--mavlink", "serial:"], "not a MAVLink address"),
+        (["--mavlink", "udp:a..b:14550"], "not a MAVLink address"),
+        (["--mavlink", "udp:\udcff:14550"], "not a MAVLink address"),
         (["--mavlink", "udp:14550", "--mavlink-system", "256"], "--mavlink-system: 256"),
         (["--mavlink", "udp:14550", "--mavlink-origin", "91", "0"], "--mavlink-origin: the latitude is 91"),
         (["--mavlink", "udp:14550", "--mavlink-origin", "nan", "0"], "--mavlink-origin: nan"),

@@ -56,7 +56,7 @@ def refusal(path) -> str:
 def test_a_truncated_file_is_refused(written, tmp_path, share):
     cut = tmp_path / "cut.npz"
     cut.write_bytes(written.read_bytes()[: int(share * written.stat().st_size)])
-    assert "cut short" in refusal(cut)
+    assert "incomplete" in refusal(cut)
 
 
 def test_a_flipped_bit_is_refused_or_changes_nothing(written, tmp_path):
@@ -93,7 +93,7 @@ def test_a_pickle_is_never_opened(written, tmp_path):
     file = io.BytesIO()
     np.save(file, np.array([Bomb()], object), allow_pickle=True)
     path = zipped(tmp_path / "bomb.npz", {**members(written), "references_classes.npy": file.getvalue()})
-    assert "no plain array" in refusal(path)
+    assert "not a plain array" in refusal(path)
 
 
 def test_a_changed_array_is_refused_although_its_checksum_fits(written, tmp_path):
@@ -104,7 +104,9 @@ def test_a_changed_array_is_refused_although_its_checksum_fits(written, tmp_path
 
 
 def test_a_newer_version_is_refused(written, tmp_path):
-    assert "version 2, newer" in refusal(with_header(tmp_path / "newer.npz", written, version=2))
+    assert "version 2; this SemRef reads versions up to 1" in refusal(
+        with_header(tmp_path / "newer.npz", written, version=2)
+    )
 
 
 @pytest.mark.parametrize(
@@ -112,7 +114,7 @@ def test_a_newer_version_is_refused(written, tmp_path):
     [
         ({"format": "other"}, "its format"),
         ({"version": "1"}, "its version"),
-        ({"class_table": TABLE.to_csv().replace("water", "river")}, "its class table is not the one"),
+        ({"class_table": TABLE.to_csv().replace("water", "river")}, "its class table does not match"),
         ({"class_table": 5}, "damaged"),
         ({"parameters": {}}, "format_version"),
         ({"position_step": float("nan")}, "position_step"),
@@ -140,7 +142,7 @@ def test_a_missing_array_is_refused(written, tmp_path, name):
 
 def test_something_that_does_not_belong_there_is_refused(written, tmp_path):
     path = zipped(tmp_path / "more.npz", {**members(written), "../evil.npy": npy(np.zeros(3))})
-    assert "does not belong" in refusal(path)
+    assert "unknown member" in refusal(path)
 
 
 @pytest.mark.slow
@@ -160,7 +162,7 @@ def test_a_zip_bomb_is_refused_before_it_is_unpacked(written, tmp_path):
 def test_a_shape_that_claims_more_than_the_member_holds_is_refused(written, tmp_path):
     files = members(written)
     files["references_classes.npy"] = files["references_classes.npy"].replace(b"(", b"(9", 1).replace(b" \n", b"\n", 1)
-    assert "has not the size" in refusal(zipped(tmp_path / "claims.npz", files))
+    assert "has another size" in refusal(zipped(tmp_path / "claims.npz", files))
 
 
 @pytest.mark.parametrize("far", [5_420_000.0, -2_000.0])
@@ -175,7 +177,7 @@ def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon
     values = dataclasses.asdict(lon_lat)
     values["latitude"] = [900.0, *values["latitude"][1:]]
     path = with_header(tmp_path / "area.npz", written, lon_lat=values)
-    assert "off the Earth" in refusal(path)
+    assert "not on Earth" in refusal(path)
 
 
 def with_array(path, source, name, array) -> str:
@@ -194,13 +196,13 @@ def array(source, name):
     [
         ("windows_counts", lambda one: one[:-1], "its windows_ arrays differ in length"),
         ("windows_vectors", lambda one: one[:, 1:], "windows_vectors has"),
-        ("windows_vectors", lambda one: np.full_like(one, 4), "class ranks that are not there"),
-        ("windows_levels", lambda one: one * 0, "levels that are not there"),
+        ("windows_vectors", lambda one: np.full_like(one, 4), "unknown class ranks"),
+        ("windows_levels", lambda one: one * 0, "unknown levels"),
         ("references_areas", lambda one: one[1:], "its references_ arrays differ in length"),
         ("references_positions", lambda one: one[:, :1].copy(), "its references_ arrays differ in length"),
         ("references_classes", lambda one: one.astype(np.int16), "has the type"),
         ("references_classes", lambda one: one[:, None], "has the type"),
-        ("references_positions", np.asfortranarray, "no plain array"),
+        ("references_positions", np.asfortranarray, "not a plain array"),
         ("overview_labels", lambda one: one[1:], "overview_labels has the shape"),
     ],
 )
@@ -213,13 +215,13 @@ def test_an_array_that_does_not_fit_the_others_is_refused(written, tmp_path, nam
 def test_an_array_with_an_invalid_header_is_refused(written, tmp_path):
     files = members(written)
     files["references_classes.npy"] = files["references_classes.npy"].replace(b"{", b"(", 1)
-    assert "no plain array" in refusal(zipped(tmp_path / "odd.npz", files))
+    assert "not a plain array" in refusal(zipped(tmp_path / "odd.npz", files))
 
 
 @pytest.mark.parametrize("half_size", [[1.0, 0.0], [1.0], [1.0, 2.0, 3.0]])
 def test_a_polynomial_that_lacks_numbers_is_refused(written, tmp_path, lon_lat, half_size):
     values = {**asdict(lon_lat), "half_size": half_size}
-    assert "lon_lat has not the numbers" in refusal(with_header(tmp_path / "odd.npz", written, lon_lat=values))
+    assert "lon_lat has a wrong number" in refusal(with_header(tmp_path / "odd.npz", written, lon_lat=values))
 
 
 def test_a_member_that_is_packed_in_an_unknown_way_is_refused(written, tmp_path):
@@ -227,7 +229,7 @@ def test_a_member_that_is_packed_in_an_unknown_way_is_refused(written, tmp_path)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_BZIP2) as archive:
         for name, data in members(written).items():
             archive.writestr(name, data)
-    assert "packed in an unknown way" in refusal(path)
+    assert "compressed in an unknown way" in refusal(path)
 
 
 def test_the_stated_errors_are_half_a_step(written):

@@ -48,7 +48,7 @@ def test_nothing_is_parsed_before_the_code_is_right(state, tmp_path, monkeypatch
 
 
 def test_another_key_is_refused(state):
-    with pytest.raises(ParameterError, match="key of this flight"):
+    with pytest.raises(ParameterError, match="another key than this flight"):
         StateFile(state.path, KEY[::-1]).read()
 
 

@@ -98,7 +98,7 @@ def test_a_bad_line_is_reported_and_breaks_the_chain_of_links(path, capsys):
         (["a,,,,", "b,x,1,1,1"], "line 3"),
         (["a,,,,", "a,1,1,1,1"], "row already"),
         (["a,,,,", ",1,1,1,1"], "the image is missing"),
-        (["a,,,,", "b,1e9,1,1,1"], "must lie between"),
+        (["a,,,,", "b,1e9,1,1,1"], "must be from"),
     ],
 )
 def test_a_bad_table_is_refused_before_the_start_and_reported_after_a_restart(path, lines, message):

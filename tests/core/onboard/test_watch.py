@@ -164,7 +164,7 @@ def test_with_once_a_folder_that_is_gone_is_an_error(database, folder, monkeypat
 
     monkeypatch.setattr(watch, "_images_in", gone)
     assert main(["watch", str(folder), "--database", database, "--once"]) == REFUSED
-    assert "can't be looked into (Not a directory)" in capsys.readouterr().err
+    assert "can't be read: Not a directory" in capsys.readouterr().err
 
 
 @needs_full_device

@@ -58,7 +58,7 @@ def test_windows_and_references_keep_to_their_budget(database, written):
 
 def test_a_class_table_that_was_changed_after_the_build_is_not_exported(database, tmp_path):
     table = ClassTable((*TABLE.classes, LandCoverClass(9, "new", "#123456")))
-    with pytest.raises(DatabaseError, match="was changed after it was built"):
+    with pytest.raises(DatabaseError, match="was changed after the build"):
         write_onboard(str(tmp_path / "changed.npz"), replace(database, class_table=table), None)
 
 
@@ -71,7 +71,7 @@ def test_a_precision_finer_than_the_format_allows_is_refused(database, tmp_path)
 def test_a_precision_that_is_no_length_is_refused(database, tmp_path, precision):
     with pytest.raises(DatabaseError) as refused:
         write_onboard(str(tmp_path / "odd.npz"), database, None, precision=precision)
-    assert refused.value.sentence.template == "The precision is {precision:g}; it must be more than 0 map units."
+    assert refused.value.sentence.template == "The precision is {precision:g}; it must be more than 0 m."
 
 
 def landmarks_of(database, **changes):
@@ -84,15 +84,17 @@ def test_what_the_format_can_not_hold_is_refused(database, tmp_path, monkeypatch
     sizes = database.windows.sizes.copy()
     sizes[0] *= 1.5
     cases = {
-        "There is no landmark to export; choose another database or a larger area.": landmarks_of(database, **nothing),
-        "A landmark has no area; build the database again.": landmarks_of(database, areas_m2=areas),
-        "The windows' sizes are not those of their levels; build the database again.": replace(
+        "The database has no landmark to export. Choose another database or a larger area.": landmarks_of(
+            database, **nothing
+        ),
+        "A landmark has no area. Build the database again.": landmarks_of(database, areas_m2=areas),
+        "The windows have other sizes than their levels. Build the database again.": replace(
             database, windows=replace(database.windows, sizes=sizes)
         ),
-        "The header would have {size} bytes, more than {most}.": database,
+        "The header of the onboard file has {size} bytes; at most {most} are allowed.": database,
     }
     for code, odd in cases.items():
-        if code == "The header would have {size} bytes, more than {most}.":
+        if code == "The header of the onboard file has {size} bytes; at most {most} are allowed.":
             monkeypatch.setattr(limits, "HEADER_BYTES", 100)
         with pytest.raises(DatabaseError) as refused:
             write_onboard(str(tmp_path / "odd.npz"), odd, None)

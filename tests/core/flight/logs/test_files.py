@@ -21,11 +21,11 @@ def test_the_name_does_not_matter(tmp_path):
 @pytest.mark.parametrize(
     ("data", "code"),
     [
-        (b"", "{path} is no flight log that SemRef reads; it reads {kinds}."),
-        (b"image,roll\n", "{path} is no flight log that SemRef reads; it reads {kinds}."),
-        (b"EPSG:4326\na.jpg 1 2\n", "{path} tells neither heading nor height nor speed of a flight."),
-        (b"\xa3\x95\x80", "{path} tells neither heading nor height nor speed of a flight."),
-        (b"ULog\x01\x12\x35\x01", "{path} tells neither heading nor height nor speed of a flight."),
+        (b"", "{path} is not a supported flight log. Supported are {kinds}."),
+        (b"image,roll\n", "{path} is not a supported flight log. Supported are {kinds}."),
+        (b"EPSG:4326\na.jpg 1 2\n", "{path} contains no heading, height or speed of a flight."),
+        (b"\xa3\x95\x80", "{path} contains no heading, height or speed of a flight."),
+        (b"ULog\x01\x12\x35\x01", "{path} contains no heading, height or speed of a flight."),
     ],
 )
 def test_a_file_without_telemetry_is_refused(tmp_path, data, code):
