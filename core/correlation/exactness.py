@@ -1,6 +1,6 @@
 """Accuracy of a place in map correlation: the covariance of its own fit and of the errors that the whole image shares.
 
-See docs/explanation/method.md#how-exactly.
+See docs/explanation/method.md#position-error.
 """
 
 from __future__ import annotations
