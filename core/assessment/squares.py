@@ -88,7 +88,7 @@ def reason_sentence(reason: str, landmarks: float) -> Sentence | None:
     return Sentence("Some fixes would be wrong.") if reason == WRONG else None
 
 
-def square_rows(  # noqa: PLR0913 - what is told of squares, and in which words
+def square_rows(  # noqa: PLR0913 - squares, their estimates, and how to word them
     cells: Cells,
     windows: Windows,
     footprint: float,

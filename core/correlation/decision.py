@@ -69,8 +69,8 @@ def rank(
     mirror = mirrored[0][0] if mirrored else 0.0
     chance = max(fisher_z(score) for score in (*scores[1:2], mirror, np.tanh(LEAST_CHANCE)))
     _, by_lead, by_detail = settings.confidence_curve
-    worth = [by_lead * fisher_z(score) / chance + by_detail * detail for score, detail in zip(scores, details)]
-    best, *others = order = [int(n) for n in np.argsort([-value for value in worth], kind="stable")]
+    weights = [by_lead * fisher_z(score) / chance + by_detail * detail for score, detail in zip(scores, details)]
+    best, *others = order = [int(n) for n in np.argsort([-value for value in weights], kind="stable")]
     other_score, other_detail = (max((kind[n] for n in others), default=0.0) for kind in (scores, details))
     return order, CorrelationPeaks(scores[best], other_score, mirror, details[best], other_detail)
 

@@ -100,8 +100,8 @@ class TrialRanges:
             least, most = limits.get(field.name, (0.0, 100.0))
             if not least <= low <= high <= most:
                 raise ParameterError(
-                    "{setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the smaller one "
-                    "first.",
+                    "The range of {setting} is {low:g} to {high:g}. Enter two numbers from {least:g} to {most:g}, the "
+                    "smaller one first.",
                     setting=field.name,
                     low=low,
                     high=high,

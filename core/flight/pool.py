@@ -101,7 +101,7 @@ def update(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, sett
     if not len(pool):
         return pool
     evidence, states, variances = pool.evidence.copy(), pool.states.copy(), pool.variances.copy()
-    worths = np.zeros(len(pool))
+    ratios = np.zeros(len(pool))
     if seen.evidence is not None:
         found = score_poses(seen, pyramid, as_poses(states))
         off = as_states(found) - states
@@ -109,12 +109,12 @@ def update(pool: Pool, seen: SeenImage, pyramid: MapPyramid, weight: float, sett
         noise = look_noise(seen, states, settings.search_noise)
         total = variances + noise
         far = (off[:, :2] ** 2).sum(axis=1) / total[:, 0] + (off[:, 2:] ** 2 / total[:, 1:]).sum(axis=1)
-        worths = log_ratios(np.array([pose.score for pose in found]), seen, settings) - np.maximum(far - 4, 0) / 2
-        worths = np.maximum(worths, settings.evidence_curve[2])
-        gain = variances / total * np.clip(worths / 2, 0, 1)[:, None]
+        ratios = log_ratios(np.array([pose.score for pose in found]), seen, settings) - np.maximum(far - 4, 0) / 2
+        ratios = np.maximum(ratios, settings.evidence_curve[2])
+        gain = variances / total * np.clip(ratios / 2, 0, 1)[:, None]
         states += np.column_stack([gain[:, 0], gain]) * off
         variances -= gain * variances
-    evidence[:, -1] = weight * worths + own_log_ratios(states, variances, seen, settings)
+    evidence[:, -1] = weight * ratios + own_log_ratios(states, variances, seen, settings)
     return Pool(states, variances, evidence)
 
 
@@ -174,8 +174,8 @@ def new_pool(poses: Sequence[ScoredPose], seen: SeenImage, weight: float, settin
     states = as_states(poses)
     variances = look_noise(seen, states, settings.search_noise)
     evidence = np.zeros((len(states), settings.window))
-    worths = log_ratios(np.array([pose.score for pose in poses]), seen, settings)
-    evidence[:, -1] = weight * worths + own_log_ratios(states, variances, seen, settings)
+    ratios = log_ratios(np.array([pose.score for pose in poses]), seen, settings)
+    evidence[:, -1] = weight * ratios + own_log_ratios(states, variances, seen, settings)
     return Pool(states, variances, evidence)
 
 

@@ -20,13 +20,13 @@ from .log import log_event
 ROW_WITHIN_S, LOOK_EVERY_S = 0.5, 0.05
 """Largest delay of a row after its image, and the time between two looks for it."""
 
-Told = TypeVar("Told")
+Value = TypeVar("Value")
 
 
-class TableOfImages(Generic[Told]):
+class TableOfImages(Generic[Value]):
     """Values of a growing table by image name without folders and extension."""
 
-    def __init__(self, path: str, check: Check, read: Callable[[Row, bool], Told], is_ended: bool) -> None:
+    def __init__(self, path: str, check: Check, read: Callable[[Row, bool], Value], is_ended: bool) -> None:
         """Store the path; nothing is read yet.
 
         Args:
@@ -35,7 +35,7 @@ class TableOfImages(Generic[Told]):
             is_ended: No program writes any more.
         """
         self._table, self._read, self._is_ended = GrowingTable(path, check), read, is_ended
-        self._rows: list[Told] = []
+        self._rows: list[Value] = []
         self._numbers: dict[str, int] = {}
         self._first = 0
         self._is_cut = True
@@ -46,12 +46,12 @@ class TableOfImages(Generic[Told]):
         """Read the current rows; raises ParameterError for the first error."""
         self._look(is_strict=True)
 
-    def of(self, image: str) -> Told | None:
+    def of(self, image: str) -> Value | None:
         """Return the value of an image; waits while the table keeps up with the images. None without one."""
         number = self._number_of(image)
         return None if number is None else self._rows[number - self._first]
 
-    def between(self, first: str, last: str) -> list[Told] | None:
+    def between(self, first: str, last: str) -> list[Value] | None:
         """Return the values from the row after one image to that of a later one; None if either is missing."""
         end, start = self._number_of(last), self._numbers.get(first)
         if start is None or end is None or end <= start:
@@ -90,7 +90,7 @@ class TableOfImages(Generic[Told]):
             if isinstance(row, ParameterError):
                 raise row
             image = image_of(row, self._numbers)
-            told = self._read(row, self._is_cut)
+            value = self._read(row, self._is_cut)
         except ParameterError as error:
             if is_strict:
                 raise
@@ -100,7 +100,7 @@ class TableOfImages(Generic[Told]):
             return
         self._is_cut = False
         self._numbers[image] = self._first + len(self._rows)
-        self._rows.append(told)
+        self._rows.append(value)
         if len(self._rows) > limits.HELD_ROWS:
             self._forget(limits.HELD_ROWS // 2)
 

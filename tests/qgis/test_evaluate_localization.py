@@ -160,11 +160,11 @@ def test_a_map_in_another_crs_is_refused_with_both(evaluate, tmp_path):
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        ({"SCALE": "1.2,0.8"}, "scale goes from 1.2 to 0.8"),
-        ({"MISSED": "0,120"}, "missed goes from 0 to 120"),
-        ({"OFFSET": "0,0.7"}, "offset goes from 0 to 0.7"),
+        ({"SCALE": "1.2,0.8"}, "range of scale is 1.2 to 0.8"),
+        ({"MISSED": "0,120"}, "range of missed is 0 to 120"),
+        ({"OFFSET": "0,0.7"}, "range of offset is 0 to 0.7"),
         ({"RAGGED": "a,b"}, "RAGGED"),
-        ({"MINIMUM_REFERENCES": 999}, "999 landmarks or more"),
+        ({"MINIMUM_REFERENCES": 999}, "at least 999 landmarks"),
     ],
 )
 def test_wrong_values_are_named(evaluate, wrong, said):

@@ -86,9 +86,9 @@ class Entries:
     start_s: float | None = None
     _kinds: dict[tuple[str, ...], _Kind] = field(default_factory=dict)
 
-    def add(self, time_s: float, **told: float) -> None:
+    def add(self, time_s: float, **values: float) -> None:
         """Add a message: its values by FIELDS."""
-        self._kinds.setdefault(tuple(told), _Kind()).add([time_s, *told.values()])
+        self._kinds.setdefault(tuple(values), _Kind()).add([time_s, *values.values()])
 
     def telemetry(self, is_gimbal: bool = False) -> Telemetry:
         """Return all entries, in UTC if it is known; ``is_gimbal`` as of ``Telemetry``."""

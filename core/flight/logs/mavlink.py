@@ -141,11 +141,11 @@ def checksum(content: bytes) -> int:
     return _REVERSED[total & 0xFF] << 8 | _REVERSED[total >> 8]
 
 
-def _take(entries: Entries, time_s: float, kind: int, told: tuple[float, ...]) -> None:
+def _take(entries: Entries, time_s: float, kind: int, values: tuple[float, ...]) -> None:
     if kind == _ATTITUDE:
-        roll, pitch, yaw = (math.degrees(angle) for angle in told[1:4])
+        roll, pitch, yaw = (math.degrees(angle) for angle in values[1:4])
         entries.add(time_s, roll=roll, pitch=pitch, heading=yaw)
     elif kind == _LOCAL:
-        entries.add(time_s, north=told[4], east=told[5])
+        entries.add(time_s, north=values[4], east=values[5])
     else:
-        entries.add(time_s, height=told[4] / 1000, north=told[5] / 100, east=told[6] / 100)
+        entries.add(time_s, height=values[4] / 1000, north=values[5] / 100, east=values[6] / 100)

@@ -64,8 +64,8 @@ def read_ulog(data: Data, canceled: Callable[[], bool] = never) -> Telemetry:
             name = wanted.get(int.from_bytes(content[:2], "little"), "")
             packed, fields = topics.get(name, (struct.Struct(""), {}))
             if name and len(content) - 2 >= packed.size:
-                told = packed.unpack_from(content, 2)
-                _take(entries, name, {field: told[at : at + 4] for field, at in fields.items()})
+                values = packed.unpack_from(content, 2)
+                _take(entries, name, {field: values[at : at + 4] for field, at in fields.items()})
     return entries.telemetry()
 
 
@@ -93,17 +93,17 @@ def _describe(content: bytes, topics: dict[str, Topic]) -> None:
         topics[name] = packed, places
 
 
-def _take(entries: Entries, name: str, told: dict[str, tuple[float, ...]]) -> None:
-    if "timestamp" not in told:
+def _take(entries: Entries, name: str, values: dict[str, tuple[float, ...]]) -> None:
+    if "timestamp" not in values:
         return
-    time_s = told["timestamp"][0] / 1e6
-    if name == "vehicle_attitude" and "q" in told:
-        roll, pitch, heading = angles_of(*told["q"])
+    time_s = values["timestamp"][0] / 1e6
+    if name == "vehicle_attitude" and "q" in values:
+        roll, pitch, heading = angles_of(*values["q"])
         entries.add(time_s, roll=roll, pitch=pitch, heading=heading)
-    elif name == "vehicle_local_position" and {"vx", "vy", "z"} <= set(told):
-        entries.add(time_s, north=told["vx"][0], east=told["vy"][0], height=-told["z"][0])
-    elif name in _CLOCKS and entries.start_s is None and told.get("time_utc_usec", (0,))[0] > 0:
-        entries.start_s = told["time_utc_usec"][0] / 1e6 - time_s
+    elif name == "vehicle_local_position" and {"vx", "vy", "z"} <= set(values):
+        entries.add(time_s, north=values["vx"][0], east=values["vy"][0], height=-values["z"][0])
+    elif name in _CLOCKS and entries.start_s is None and values.get("time_utc_usec", (0,))[0] > 0:
+        entries.start_s = values["time_utc_usec"][0] / 1e6 - time_s
 
 
 def angles_of(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:

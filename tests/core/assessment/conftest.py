@@ -1,4 +1,4 @@
-"""One made map for all tests of assessing, with landmarks in the west and none in the east."""
+"""One made map for all tests of assessing, with landmarks only in the west."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def map_labels():
 
 @pytest.fixture(scope="session")
 def built():
-    """`built(labels)` gives a database with its overview, whose upper left corner is (600000, 5200000)."""
+    """`built(labels)` returns a database with its overview and upper left corner (600000, 5200000)."""
     return built_from
 
 

@@ -1,4 +1,4 @@
-"""A job tells what its assessments have in common, and makes them again."""
+"""A job has the values that its assessments share, and makes them again."""
 
 from semref.core.assessment.assessment import Assessment, AssessmentJob
 from semref.core.simulation.conditions import Conditions

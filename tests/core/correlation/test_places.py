@@ -1,4 +1,4 @@
-"""Distinct places, the space that a prior leaves, and images that tell nothing."""
+"""Distinct places, search spaces of a prior, and images without information."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Poses moved to their optimum, on images whose pose is known."""
+"""Poses refined to their optimum, on images with known poses."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The first look at a made map, with images whose place is known."""
+"""The first look at a made map, with images of known places."""
 
 import numpy as np
 import pytest

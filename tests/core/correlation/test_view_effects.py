@@ -1,4 +1,4 @@
-"""What tilt and lens do to a level pose, on views of a made map whose camera is known."""
+"""The effect of tilt and lens on a level pose, on views of a made map with known cameras."""
 
 import math
 

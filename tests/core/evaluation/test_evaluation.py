@@ -1,4 +1,4 @@
-"""Evaluation: queries show what they say, right and wrong are told apart, a seed repeats everything."""
+"""Evaluation: queries show the stated ground, right and wrong fixes differ, a seed repeats everything."""
 
 import math
 from dataclasses import replace
@@ -158,7 +158,7 @@ def test_impossible_ranges_are_refused_by_name(name, limits):
 
 
 class Told:
-    """A localizer that tells what it is made to."""
+    """A localizer with prescribed results."""
 
     def __init__(self, result):
         self.result = result
@@ -168,7 +168,7 @@ class Told:
 
 
 def told(evaluation, query, **known):
-    """A fix at a position, as ``known`` tells it."""
+    """A fix at a position, with ``known`` of it."""
     place = {name: known.pop(name) for name in ("position", "heading_deg", "pixel_size_m") if name in known}
     known = {"status": Status.FIX, "method": Method.CONSTELLATION, "best": Place(**place) if place else None, **known}
     evaluation.localizer = Told(Localization(**known))

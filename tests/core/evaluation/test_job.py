@@ -1,4 +1,4 @@
-"""A job makes the evaluation that it tells of; images of the map and mirrored ones are planned, and more for tables."""
+"""A job makes its evaluation; it plans images of the map, mirrored ones, and more for tables."""
 
 import pytest
 

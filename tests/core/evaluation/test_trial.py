@@ -1,4 +1,4 @@
-"""Judging: right and wrong are told apart, errors are measured against what the image really showed."""
+"""Judging: right and wrong fixes differ, errors are measured against the true view."""
 
 import math
 from dataclasses import replace

@@ -48,7 +48,7 @@ class Flown:
 
 
 def link_between(number, first, second, drift=0.01, rng=None):
-    """What relative motion tells: the truth, off by a share of the distance."""
+    """Relative motion: the true one with an error that is a share of the distance."""
     turns = [turn_of(view.heading_deg, view.pixel_size) for view in (first, second)]
     step, ratio = (complex(*second.position) - complex(*first.position)) / turns[0], turns[1] / turns[0]
     off = drift * abs(step)

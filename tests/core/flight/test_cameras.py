@@ -1,4 +1,4 @@
-"""Which of camera table, photo and log tells an image's camera."""
+"""The source of an image's camera: table, photo or log."""
 
 from __future__ import annotations
 

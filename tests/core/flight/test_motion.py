@@ -1,4 +1,4 @@
-"""Links: where a second image lies when the first one's pose is known."""
+"""Links: the pose of a second image from that of the first."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Motion from image to image as a table tells it."""
+"""Motion from image to image from a table."""
 
 import math
 

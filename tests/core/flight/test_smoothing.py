@@ -1,4 +1,4 @@
-"""The smoother, against simulated tracks whose errors are known."""
+"""The smoother on simulated tracks with known errors."""
 
 from dataclasses import replace
 
@@ -32,7 +32,7 @@ def a_link(number, rng=None):
 
 
 def track(count, measured, rng, shared_m2=SHARED_M2):
-    """Estimates of a straight flight to the north whose images ``measured`` were measured."""
+    """Estimates of a straight flight to the north with measurements of the images ``measured``."""
     kept = np.exp(-STEP_M / FLIGHT.map_length)
     displacement = rng.normal(0, np.sqrt(SHARED_M2), 2)
     covariance = np.diag([SHARED_M2 + OWN_M2] * 2 + [0.01**2, 0.01**2])

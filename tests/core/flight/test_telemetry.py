@@ -1,4 +1,4 @@
-"""What a log tells of images."""
+"""Cameras and links from a flight log."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The part of a database that lies in an area."""
+"""The part of a database in an area."""
 
 from __future__ import annotations
 

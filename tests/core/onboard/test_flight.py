@@ -80,7 +80,7 @@ def put(folder, numbers, blank=()):
 
 @pytest.fixture
 def watch(database, folder, tmp_path):
-    """`watch(*arguments)` looks at what lies in the folder; gives the exit code and the records that came."""
+    """`watch(*arguments)` localizes the images in the folder; returns the exit code and the records."""
 
     def run(*arguments):
         fixes = tmp_path / "fixes.jsonl"
@@ -372,7 +372,7 @@ def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(wa
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["g", ">i8", "?"])
 def test_other_types_of_numbers_in_a_state_are_numbers(watch, flown, capsys, kind):
-    """Of long doubles every image of the rest of the flight was an error: linear algebra takes none."""
+    """With long doubles, every later image was an error, because linear algebra does not support them."""
     arrays = arrays_of(flown)
     header = arrays.pop("header")
     write_arrays(flown, {"header": header, **{name: np.clip(a, 0, 9999).astype(kind) for name, a in arrays.items()}})
@@ -478,7 +478,7 @@ def row(number):
 
 @pytest.fixture
 def blind(monkeypatch):
-    """Pixels tell no motion."""
+    """Pixels give no motion."""
     from semref.core.flight.pixel_motion import Motion
 
     monkeypatch.setattr("semref.core.onboard.flight.motion_between", lambda before, now: Motion(None))

@@ -151,7 +151,7 @@ def test_without_a_pose_only_a_heartbeat_is_sent(autopilot, lon_lat, message, la
 
 
 def test_a_turned_grid_turns_heading_and_covariance():
-    """A map whose y points north-east."""
+    """A map with its y axis to the north-east."""
 
     def transform(points_xy):
         u, v = (points_xy - [1000.0, 1000.0]).T

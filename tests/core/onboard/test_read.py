@@ -173,7 +173,7 @@ def test_landmarks_off_the_map_are_refused_although_all_hashes_fit(database, wri
 
 
 def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon_lat):
-    """Else the aircraft would tell a latitude of 900 degrees."""
+    """Otherwise the aircraft would report a latitude of 900 degrees."""
     values = dataclasses.asdict(lon_lat)
     values["latitude"] = [900.0, *values["latitude"][1:]]
     path = with_header(tmp_path / "area.npz", written, lon_lat=values)

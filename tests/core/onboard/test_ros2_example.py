@@ -1,4 +1,4 @@
-"""The ROS 2 node of the docs, run with stand-ins for ROS: what it publishes is what the localizer finds."""
+"""The ROS 2 node of the docs, run with a replacement for ROS: it publishes the localizer's results."""
 
 from __future__ import annotations
 

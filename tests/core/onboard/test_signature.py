@@ -131,7 +131,7 @@ def test_an_invalid_date_is_refused(folder, tmp_path, monkeypatch, text):
 
 
 def test_the_date_is_signed(folder, tmp_path):
-    """An older file stays valid; whoever sets its date forward needs the key."""
+    """An older file stays valid; to set its date forward, the key is needed."""
     database = read_onboard(str(folder / "unsigned.npz")).database
     dates = [datetime(year, 5, 1, tzinfo=timezone.utc) for year in (2025, 2026)]
     for date in dates:

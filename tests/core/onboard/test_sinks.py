@@ -1,4 +1,4 @@
-"""Where the lines of a watch go: no half line stays, what works again is told."""
+"""Outputs of a watch: no partial line stays, and the log reports an output that works again."""
 
 from __future__ import annotations
 

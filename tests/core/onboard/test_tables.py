@@ -1,4 +1,4 @@
-"""Odometry and camera tables on board: told of an image when it comes, bounded, nothing in them ends a flight."""
+"""Odometry and camera tables on board: read as images arrive, bounded; no error in them ends a flight."""
 
 from __future__ import annotations
 

@@ -92,7 +92,7 @@ def test_watch_sends_sentences_to_a_port_of_this_computer(database, tmp_path):
 
 
 def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
-    """Size and time of change, look by look: an image that grows waits, one that is written anew comes again."""
+    """Size and time of change, look by look: an image that grows waits, one that is rewritten comes again."""
     looks = iter(
         [{"b": (2, 10)}, {"b": (2, 10), "a": (3, 5)}, {"b": (2, 10), "a": (4, 9)}, {"b": (5, 11), "a": (4, 9)}]
         + 2 * [{"b": (5, 11), "a": (4, 9)}]

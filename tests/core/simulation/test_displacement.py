@@ -1,4 +1,4 @@
-"""What lies elsewhere than on the map: shifted classes, leaning roofs, displaced neighborhoods."""
+"""Displacements against the map: shifted classes, leaning roofs, displaced neighborhoods."""
 
 import numpy as np
 import pytest

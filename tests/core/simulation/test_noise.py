@@ -1,4 +1,4 @@
-"""The noise itself: refused where it can't be, told in pixels."""
+"""The noise itself: impossible values are refused, lengths convert to pixels."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Logs are told by their content."""
+"""Logs are identified by their content."""
 
 import pytest
 
