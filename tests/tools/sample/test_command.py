@@ -35,4 +35,4 @@ def test_a_folder_with_other_files_is_left_alone(run, tmp_path):
 
 def test_another_area_needs_a_folder_of_its_own(run):
     ended = run("--seed", "5")
-    assert ended.returncode == 2 and "name a folder" in ended.stderr
+    assert ended.returncode == 2 and "choose a folder" in ended.stderr
