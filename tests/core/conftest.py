@@ -1,4 +1,4 @@
-"""tests/core runs without QGIS; tools/pytest_suites.sh proves it by refusing these imports (SEMREF_BLOCK_QGIS=1)."""
+"""Run tests/core without QGIS; SEMREF_BLOCK_QGIS=1 refuses imports of QGIS (tools/pytest_suites.sh)."""
 
 import importlib.abc
 import os

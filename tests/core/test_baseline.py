@@ -1,4 +1,4 @@
-"""The tool that compares two recordings of the plugin's answers tells what changed from what was only rounded."""
+"""The tool that compares two recordings separates changes from rounding."""
 
 import importlib
 import importlib.util
@@ -20,7 +20,7 @@ PIXELS = np.arange(12, dtype=np.uint8).reshape(3, 4)
 
 @pytest.fixture
 def baseline(monkeypatch):
-    """`baseline("compare")` gives that module of tools/baseline."""
+    """`baseline("compare")` returns that module of tools/baseline."""
     places = [str(FOLDER)]
     spec = importlib.util.spec_from_file_location("baseline", FOLDER / "__init__.py", submodule_search_locations=places)
     monkeypatch.setitem(sys.modules, "baseline", importlib.util.module_from_spec(spec))
@@ -29,7 +29,7 @@ def baseline(monkeypatch):
 
 @pytest.fixture
 def compared(baseline, tmp_path, capsys):
-    """`compared(rows, fixes, pixels)` gives exit status and text of comparing them with the ones above."""
+    """`compared(rows, fixes, pixels)` returns exit status and text of comparing them with the ones above."""
 
     def run(rows=ROWS, fixes=FIXES, pixels=PIXELS, **options):
         store = baseline("store")
@@ -45,7 +45,7 @@ def compared(baseline, tmp_path, capsys):
 
 
 def counts(text, what):
-    """Items, identical, close and different ones in the table's line of `what`."""
+    """Return the items, identical, close and different ones in the table's line of `what`."""
     line = next(line for line in text.splitlines() if line.startswith(f"{what} "))
     return tuple(int(cell) for cell in line.split("|")[1:])
 

@@ -1,4 +1,4 @@
-"""Arrays from the cache are those that were stored, to the last bit; otherwise they are built again."""
+"""Arrays from the cache equal the stored ones bit for bit; otherwise they are built again."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def assert_same(found, expected):
 
 
 def loaded(seed=0, key=KEY, fits=lambda _: True):
-    """Arrays of the cache; those of the seed if they are built."""
+    """Return arrays of the cache, or those of the seed if they are built."""
     return load_or_build("index", key, lambda: arrays(seed), fits)
 
 

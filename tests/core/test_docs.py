@@ -1,4 +1,4 @@
-"""What the docs refer to exists: pages, headings, pictures, algorithms, commands."""
+"""Targets of links in the docs exist: pages, headings, pictures, algorithms, commands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Errors: a sentence each, which outlives being said again, sent elsewhere and caught by its base."""
+"""Errors have one sentence, also when repeated, sent between processes and caught by their base class."""
 
 from __future__ import annotations
 

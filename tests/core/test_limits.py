@@ -1,4 +1,4 @@
-"""core/limits.py: every limit has a reason, and something is held to it."""
+"""Every limit of core/limits.py has a reason and a use."""
 
 from __future__ import annotations
 

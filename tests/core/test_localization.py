@@ -1,4 +1,4 @@
-"""A result of localizing: a place counts with a fix alone, and states and methods are the texts of files."""
+"""Localization results: only a fix has a position, and statuses and methods are texts of files."""
 
 from __future__ import annotations
 

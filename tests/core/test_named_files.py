@@ -1,4 +1,4 @@
-"""Names in files from strangers lead nowhere but into folders that the user chose."""
+"""Names in untrusted files are followed only into folders that the user chose."""
 
 import os
 

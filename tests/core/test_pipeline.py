@@ -1,4 +1,4 @@
-"""The pipeline takes what is known of all images and of each one's camera to the localizer."""
+"""The pipeline passes common values and each image's camera to the localizer."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ LABELS = np.zeros((40, 60), np.uint8)
 
 
 class Localizer:
-    """Notes what it is asked."""
+    """Localizer that records its input."""
 
     landmark_classes = ("building",)
 

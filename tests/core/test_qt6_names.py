@@ -34,7 +34,7 @@ print(json.dumps(missing))
 
 
 def chain(node) -> list[str]:
-    """Names of `a.b.c`, empty for anything else."""
+    """Return the names of `a.b.c`, or nothing for other expressions."""
     names = []
     while isinstance(node, ast.Attribute):
         names.insert(0, node.attr)
@@ -61,13 +61,13 @@ def qt_names(source: str) -> set[tuple[str, tuple[str, ...]]]:
             kind = kinds.get(".".join(names[:split]))
             if kind and len(names) > split:
                 module, name = modules[kind]
-                # Of an instance the member alone: what a call or a signal of it gives is another class.
+                # Of an instance, check only the member: calls and signals give other classes.
                 found.add((module, (name, *names[split:][: None if scope is tree else 1])))
     return found
 
 
 def kinds_in(scope, modules) -> dict[str, str]:
-    """Qt's class by variable of a function, or by `self.x` of a class, where it is one throughout."""
+    """Return the Qt class of each variable of a function, or `self.x` of a class, if it is always the same."""
     kinds = {}
     for node in ast.walk(scope):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
@@ -78,7 +78,7 @@ def kinds_in(scope, modules) -> dict[str, str]:
         elif isinstance(node, ast.arg):
             kinds.setdefault(node.arg, set()).add(".".join(chain(node.annotation)))
         elif isinstance(node, ast.Call) and chain(node.func) == ["isinstance"]:
-            # What is asked for its class may be of another one.
+            # A variable that is tested for its class may have another one.
             kinds.setdefault(".".join(chain(node.args[0])), set()).add("")
     is_class = isinstance(scope, ast.ClassDef)
     return {

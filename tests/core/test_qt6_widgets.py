@@ -1,4 +1,4 @@
-"""What ui/ paints itself is painted with Qt 6, where pip has installed PyQt6; QGIS is not needed for it."""
+"""Custom widgets of ui/ are painted with Qt 6 if PyQt6 is installed; QGIS is not needed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PAINTED = {
     "missing_notice": 1000,
     "row_of_buttons": 2000,
 }
-"""Pixels that at least are not background: about a third of what there is with one style and font."""
+"""Least number of pixels that differ from the background: about a third of those with one style and font."""
 
 
 @pytest.fixture(scope="module")

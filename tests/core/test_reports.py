@@ -1,4 +1,4 @@
-"""Reports: one file that needs nothing else, with every text escaped and every value where it belongs."""
+"""Reports are single files with escaped texts and the right values."""
 
 import re
 from xml.etree import ElementTree
@@ -87,7 +87,7 @@ def test_numbers_have_units_and_unknown_values_are_dashes():
 
 def test_no_two_of_sixteen_lines_look_the_same():
     chart = charts.line_chart([Series(str(n), [0.0, 0.5], [0.1, 0.5]) for n in range(16)], X, Y, "lines")
-    # In the legend stands a piece of each line with its marker.
+    # The legend has a piece of each line with its marker.
     pieces = re.findall(
         r'<path d="M[\d.]+ [-\d.]+h24" style="([^"]+)"></path>\n<(\w+) (?:d="M[\d. -]+m([^"]+)")?', chart
     )
@@ -135,7 +135,7 @@ def test_no_entry_of_a_legend_runs_out_of_its_chart_or_into_the_next_one(second)
         for one in entries:
             rows.setdefault(float(one.get("y")), []).append((float(one.get("x")), len(one.text.encode("gb18030"))))
         for row in rows.values():
-            # A letter of the page is hardly wider than 6.5 pixels, a Chinese one twice as wide.
+            # A letter is at most about 6.5 pixels wide, a Chinese character twice as wide.
             ends = [x + 6.5 * letters for x, letters in row]
             starts = [x - 30 for x, _ in row[1:]] + [charts.WIDTH]
             assert all(end <= start for end, start in zip(ends, starts))

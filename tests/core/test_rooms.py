@@ -1,4 +1,4 @@
-"""The import rules of the rooms, read from the source."""
+"""The import rules of the packages, checked in the source."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ STANDARD = getattr(sys, "stdlib_module_names", None) or {
         for module in pkgutil.iter_modules([str(Path(sysconfig.get_path("stdlib"), folder))])
     ),
 }
-"""Python 3.9 has no list of them."""
+"""Python 3.9 has no list of its standard modules."""
 PACKAGES = {
     "core": {"numpy", "cv2", "PIL", "shapely", "onnxruntime"},
     "storage": {"numpy", "osgeo", "core"},
@@ -37,9 +37,9 @@ PACKAGES = {
     "processing": {"numpy", "qgis", "osgeo", "jinja2", "markupsafe", "core", "storage", "cluster", "training"},
     "ui": {"numpy", "qgis", "core", "storage", "processing", "training"},
 }
-"""What the files of a room may import beside Python's own modules and their room."""
+"""Packages that the files of a room may import, beside the standard library and the room."""
 ONLY_IN = {"core/onboard/mavlink.py": {"pymavlink", "serial"}}
-"""Packages that one file needs for what is asked of it, and nothing else does."""
+"""Packages that only one file needs."""
 PARTS = {
     ("ui", "core"): (
         *("core.errors", "core.named_files", "core.database.model", "core.annotation.findings", "core.localization"),
@@ -48,12 +48,12 @@ PARTS = {
     ("processing", "training"): ("training.job",),
     ("ui", "training"): ("training.job",),
 }
-"""The parts of a room that another may import: of the cluster and of training what needs neither Dask nor torch."""
+"""Parts of a room that others may import: those of the cluster and of training that need neither Dask nor torch."""
 NEVER = {"processing": ("qgis.gui", "qgis.PyQt.QtWidgets")}
 """Algorithms run without windows."""
 
 FOR_ALL = {"errors", "limits", "named_files", "sentences", "values"}
-"""Rooms of core that every other one may import."""
+"""Rooms of core that every room may import."""
 
 ABOVE_THE_IMAGE = {"geometry", "labels", "landmarks", "database", "localization", "localizer", "simulation"}
 
@@ -112,7 +112,7 @@ MAY_IMPORT = {
         "provider": {"compat", "translation", "version", "packages", "base", "algorithms", "messages"},
     },
 }
-"""Which rooms a room may import, beside itself and FOR_ALL: the one table, read from the bottom up."""
+"""Rooms that each room may import, beside itself and FOR_ALL; read this table from the bottom up."""
 
 
 def source_files(room: str) -> list[Path]:
@@ -121,7 +121,7 @@ def source_files(room: str) -> list[Path]:
 
 @functools.cache
 def imported_modules(path: Path) -> set[str]:
-    """Full names of all modules and names that a file imports; ours begin with the room's name."""
+    """Return the full names of all imported modules and names; ours begin with the room's name."""
     package = path.relative_to(ROOT).parent.parts
     names = set()
     for node in nodes_of(path):
@@ -135,7 +135,7 @@ def imported_modules(path: Path) -> set[str]:
 
 
 def imports_of(path: Path, *modules: str) -> set[str]:
-    """Those imports of a file that are one of `modules` or lie in it."""
+    """Return the imports of a file that are one of `modules` or inside one."""
     return {name for name in imported_modules(path) if any(f"{name}.".startswith(f"{module}.") for module in modules)}
 
 
@@ -145,7 +145,7 @@ def named(path: Path) -> str:
 
 @for_each([path for room in ROOMS for path in source_files(room)])
 def test_a_room_imports_only_its_packages_and_the_rooms_below_it(path):
-    """Ruff refuses what nothing that ships may import (pyproject.toml)."""
+    """Ruff refuses packages that no shipped file may import (pyproject.toml)."""
     room, found = path.relative_to(ROOT).parts[0], imported_modules(path)
     allowed = STANDARD | PACKAGES[room] | ONLY_IN.get(named(path), set()) | {room}
     assert {name for name in found if name.partition(".")[0] not in allowed} == set()
@@ -156,7 +156,7 @@ def test_a_room_imports_only_its_packages_and_the_rooms_below_it(path):
 
 
 def room_of(path: Path) -> str:
-    """The room of a file inside its top room: a folder, or the file's own name where it lies in none."""
+    """Return the room of a file inside its top room: its folder, or its own name without a folder."""
     return path.relative_to(ROOT).with_suffix("").parts[1]
 
 
@@ -174,7 +174,7 @@ def test_the_table_of_rooms_names_every_room_and_has_no_circle(top):
 
 
 def test_no_modules_import_each_other():
-    """Inside functions and for types neither: a circle hides that two modules are one, or that a third is missing."""
+    """Imports in functions and for types count too: a circle means that two modules are one, or a third is missing."""
     files = {named(path)[: -len(".py")].replace("/", "."): path for room in ROOMS for path in source_files(room)}
     imports = {}
     for module, path in files.items():
@@ -208,7 +208,7 @@ def test_only_exchange_reads_and_writes_files_with_gdal_and_sqlite(path):
     ids=["core", "storage"],
 )
 def test_a_room_can_be_imported_whole_without_qgis(tmp_path, rooms, unwanted):
-    """In a process of its own, so that modules that another test has loaded do not hide an import."""
+    """Use a new process, because modules loaded by another test would hide an import."""
     (tmp_path / "rooms").mkdir()
     for room in rooms:
         (tmp_path / "rooms" / room).symlink_to(ROOT / room)

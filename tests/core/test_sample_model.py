@@ -1,4 +1,4 @@
-"""The model that ships: small, named after the sample's classes, and it sees what a made-up photo shows."""
+"""The shipped sample model is small, has the sample's classes and segments made-up photos."""
 
 from pathlib import Path
 
@@ -25,7 +25,7 @@ def model():
 
 
 def drawn_area():
-    """(class value, draw order, polygon) of a meadow with fields, forest, a lake, a gravel pit and 24 houses."""
+    """Return (class value, draw order, polygon) of a meadow with fields, forest, a lake, a gravel pit and 24 houses."""
     box = shapely.box
     drawn = [(6, 10, box(0, 0, 400, 400)), (5, 10, box(0, 0, 200, 150)), (5, 10, box(205, 0, 400, 150))]
     drawn += [(4, 30, box(0, 250, 180, 400)), (3, 50, shapely.Point(320, 320).buffer(50))]
@@ -64,5 +64,5 @@ def test_what_is_moved_in_a_tile_is_seen_moved_by_as_much(model):
     here = model.scores([photo_hw3])[0]
     there = model.scores([np.ascontiguousarray(np.roll(photo_hw3, moved, (0, 1)))])[0]
     inside, before = slice(margin + moved, edge - margin + moved), slice(margin, edge - margin)
-    # Of the tile's border a little comes in everywhere, by the means over all of it.
+    # The border of the tile affects all pixels slightly, through means over the whole tile.
     assert np.abs(there[:, inside, inside] - here[:, before, before]).max() < 0.02 * here.std()

@@ -1,4 +1,4 @@
-"""Sentences for the user: their words and values, and that every one in the source can be translated."""
+"""Sentences for the user: words, values and translation."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ OF_OTHERS = {
 SHOWS = {"pushInfo", "pushWarning", "pushMessage", "reportError", "setProgressText", "setText", "setToolTip"}
 SHOWS |= {"setWindowTitle", "setPlaceholderText", "setHelp", "addAction", "information", "warning", "critical"}
 SHOWS |= {"question", "about", "info", "success", "error"}
-"""What shows its texts: of feedback, the message bar and boxes, widgets."""
+"""Calls that show their texts: feedback, message bar and boxes, widgets."""
 
 NO_PIXELS = Sentence("The image has no pixels.")
 TOO_FAR = "The nearest window has distance {distance:.3f}, more than {threshold:g}."
@@ -134,7 +134,7 @@ def is_pair(node: ast.expr | None) -> bool:
 
 
 def literals(nodes: list[ast.expr]) -> Iterator[str]:
-    """The texts that stand in the expressions as they are, not in ``tr("…")`` nor as a value of something else."""
+    """Return the literal texts of the expressions, without ``tr("…")`` and without arguments of other calls."""
     for node in nodes:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             yield node.value
@@ -164,7 +164,7 @@ def test_every_sentence_has_the_values_of_its_template():
 
 
 def test_a_template_is_a_literal_that_can_be_found():
-    """``Sentence(f"…")`` or ``SomeError("…".format(…))`` would have no translation."""
+    """``Sentence(f"…")`` and ``SomeError("…".format(…))`` would have no translation."""
     found = []
     for path in FILES:
         for call in (call for call in calls_in(path) if call.args and name_of(call.func) in MAKERS):
@@ -176,7 +176,7 @@ def test_a_template_is_a_literal_that_can_be_found():
 
 
 def test_no_other_error_is_raised_with_a_text():
-    """In English alone; what is no error of ours is a bug's or stands in brackets of one, as GDAL's reason."""
+    """Other errors have English texts only; they are bugs, or reasons in brackets such as GDAL's."""
     found = []
     for path in FILES:
         raised = [node.exc for node in nodes_of(path) if isinstance(node, ast.Raise)]
@@ -198,7 +198,7 @@ def test_whatever_is_shown_goes_through_tr():
 
 
 def test_a_step_is_named_by_a_text_that_can_be_translated():
-    """``yield f"…", share`` would be shown as it is; ``yield "…", share`` is found by update_translations.py."""
+    """``yield f"…", share`` would be shown untranslated; ``update_translations.py`` finds ``yield "…", share``."""
     found = []
     for path in FILES:
         steps = [node.value.elts[0] for node in nodes_of(path) if isinstance(node, ast.Yield) and is_pair(node.value)]

@@ -1,4 +1,4 @@
-"""Every text of the code has a translation that Qt can use in its place."""
+"""Every text of the code has a usable Qt translation."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ TEXTS = update_translations.all_texts()
 
 
 def placeholders(text: str) -> set[tuple[str, str]]:
-    """Names with their format, as in ``{share:.1%}``, and Qt's numbers of a progress bar, as in ``%v``."""
+    """Return placeholders with their format, such as ``{share:.1%}``, and numbers of a progress bar, such as ``%v``."""
     named = {(name, form) for _, name, form, _ in string.Formatter().parse(text) if name is not None}
     return named | {(number, "") for number in re.findall("%[vmp]", text)}
 

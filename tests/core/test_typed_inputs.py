@@ -1,4 +1,4 @@
-"""Typed inputs by hypothesis, which shrinks what it finds: readers refuse them in one sentence or read them right."""
+"""Inputs made by hypothesis are read correctly or refused in one sentence."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ GOOD = {
 def require_one_sentence(error: SemRefError) -> None:
     text = str(error)
     assert text and len(text) < 3000 and text.encode("utf-8")
-    # Spaces of any width are signs like others.
+    # Spaces of any width are ordinary characters here.
     assert all(sign.isprintable() or category(sign) == "Zs" for sign in text)
 
 
@@ -83,7 +83,7 @@ def test_any_value_of_a_parameter_is_one_that_a_map_can_have_or_refused(name, va
         stored = read_json(json.dumps({**GOOD, name: value}))
         found = build_parameters(stored, "x.gpkg")
     except (KeyError, ValueError, TypeError, DatabaseError):
-        # The readers of files make sentences of the first three.
+        # Readers of files turn the first three into sentences.
         return
     assert np.isfinite([*found.extent, *found.levels, found.stride]).all() and min(found.overview_frame.shape_hw) > 0
 

@@ -1,4 +1,4 @@
-"""Values from files: what passes, and that nothing hostile or senseless does."""
+"""Values from files: valid ones pass, hostile and impossible ones are refused."""
 
 from __future__ import annotations
 

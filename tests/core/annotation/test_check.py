@@ -1,4 +1,4 @@
-"""Checking annotations: each kind of finding where it belongs, and counts and areas as plain computations have them."""
+"""Check of land-cover layers: findings, counts and areas agree with plain computations."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def check(features, minimum_area=0.0, maximum_gap=1.0) -> AnnotationCheck:
 
 
 def found(features, **settings) -> list:
-    """(kind, severity, feature, other) of each finding, ordered."""
+    """Return (kind, severity, feature, other) of each finding, sorted."""
     findings = check(numbered(features), **settings).findings
     return sorted((f.kind, f.severity, f.feature_id, f.other_id) for f in findings)
 

@@ -1,4 +1,4 @@
-"""Classes of features: by a table, by what the class field holds, and those that nobody knows."""
+"""Classes of features from a table or a class field, and unknown classes."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Gaps and slivers go to the neighbor they share the longest border with."""
+"""Merge gaps and slivers into the neighbor with the longest shared border."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def surface_of(*features):
 
 
 def merged(surface, settings):
-    """(area, from, to) of each merge, and the area of each class afterwards."""
+    """Return (area, from, to) of each merge, and the area of each class afterwards."""
     classes, merges = merge_gaps_and_slivers(surface.partition, surface.classes, settings)
     areas = {int(value): float(surface.partition.areas[classes == value].sum()) for value in np.unique(classes)}
     told = [(float(surface.partition.areas[m.faces].sum()), m.from_class, m.to_class) for m in merges]

@@ -1,4 +1,4 @@
-"""Outlines of a label map's regions: each region one valid polygon, borders the same vertices on both sides."""
+"""Outlines of the regions of a label map: each region is one valid polygon, and neighbors share vertices."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def outlines_of(labels: np.ndarray):
 
 
 def region_numbers(labels: np.ndarray) -> np.ndarray:
-    """(H, W) number of the 4-connected region of each pixel, 0 without a label."""
+    """Return (H, W) numbers of 4-connected regions; 0 is unlabeled."""
     found = np.zeros(labels.shape, np.int64)
     for value in np.unique(labels[labels > 0]):
         count, numbers = cv2.connectedComponents((labels == value).astype(np.uint8), connectivity=4)
@@ -27,7 +27,7 @@ def region_numbers(labels: np.ndarray) -> np.ndarray:
 
 
 def painted(polygons: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
-    """(H, W) number of the polygon that covers a pixel, from 1 on; that only one does is asserted."""
+    """Return (H, W) numbers of the polygons from 1 on; no pixel may be in two polygons."""
     rows, columns = (indices.ravel() + 0.5 for indices in np.indices(shape_hw))
     found = np.zeros(len(rows), np.int64)
     for number, polygon in enumerate(polygons, start=1):
@@ -40,7 +40,7 @@ def painted(polygons: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
 def assert_regions(labels: np.ndarray) -> None:
     values, polygons = outlines_of(labels)
     numbers, expected = painted(polygons, labels.shape), region_numbers(labels)
-    # One to one: as many pairs as there are regions, and as there are polygons.
+    # As many pairs as regions and as polygons: the relation is one to one.
     pairs = np.unique(np.stack([numbers, expected]).reshape(2, -1), axis=1)
     pairs = pairs[:, pairs.any(axis=0)]
     assert pairs.shape[1] == expected.max() == len(polygons)
@@ -49,7 +49,7 @@ def assert_regions(labels: np.ndarray) -> None:
     assert shapely.is_valid(polygons).all()
     assert shapely.area(polygons).sum() == (labels > 0).sum()
     if hasattr(shapely, "coverage_is_valid"):
-        # Where borders lack a neighbor's corner this fails.
+        # This fails if a border lacks a corner of a neighbor.
         assert shapely.coverage_is_valid(polygons)
 
 
@@ -75,7 +75,7 @@ def test_holes_within_holes_belong_to_the_region_around_them():
 
 
 def test_a_hole_behind_another_is_its_regions():
-    # Left of the lower hole lies the upper one, of which it sees the edge.
+    # The upper hole is to the left of the lower one and shares a row with it.
     labels = np.ones((9, 12), np.uint8)
     labels[1:8, 2:4] = 2
     labels[3:5, 6:9] = 2

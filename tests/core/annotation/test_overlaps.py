@@ -1,4 +1,4 @@
-"""Polygons that lie on each other: which pairs are told, which comes first, and over what area."""
+"""Overlapping polygons: reported pairs, their order and the area of each overlap."""
 
 from __future__ import annotations
 

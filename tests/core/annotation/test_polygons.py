@@ -1,4 +1,4 @@
-"""Features become valid single polygons; what no polygon can be made of is left out."""
+"""Features become valid single polygons; unusable features are left out."""
 
 from __future__ import annotations
 

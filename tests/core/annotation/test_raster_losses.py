@@ -1,4 +1,4 @@
-"""What pixels make of regions: the same as OpenCV finds mask by mask."""
+"""Losses of regions by rasterizing: the same as OpenCV finds for each mask."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from semref.core.annotation.raster_losses import count_pieces, join_runs, lost_r
 
 
 def random_regions(seed: int):
-    """(40, 60) region numbers 0…12 in blobs, and the class of each number."""
+    """Return (40, 60) region numbers 0 to 12 in blobs, and the class of each number."""
     random = np.random.default_rng(seed)
     noise = cv2.GaussianBlur(random.normal(size=(40, 60, 13)), (0, 0), 2.0)
     return noise.argmax(axis=2), np.array([-1, *random.integers(1, 3, 12)])

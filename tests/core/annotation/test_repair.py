@@ -1,4 +1,4 @@
-"""Repairing annotations: whatever polygons come in, those that go out are clean, and clean ones stay as they are."""
+"""Repair of land-cover layers: any polygons become clean, and clean polygons do not change."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def polygons_of(done) -> np.ndarray:
 
 
 def as_features(done, features) -> list:
-    """The output as it would be read again."""
+    """Return the output as features, as if it were read again."""
     sources = [features[polygon.feature] for polygon in done.polygons]
     return [
         AnnotatedFeature(n, polygon.wkb, source.class_value, source.priority)
@@ -54,7 +54,7 @@ def kinds(findings) -> Counter:
     return Counter(finding.kind for finding in findings)
 
 
-# --- whatever comes in ---
+# --- any input ---
 
 
 @every_kind
@@ -96,7 +96,7 @@ def test_each_place_keeps_its_top_polygon_unless_a_change_is_reported(kind, seed
     reported = shapely.union_all(shapely.from_wkb([c.wkb for c in done.changes if c.kind in (GAP, SLIVER)]))
     edges = shapely.union_all(shapely.boundary(sources))
     clear = (shapely.distance(points, edges) > 1e-4) & (shapely.distance(points, reported) > 1e-4)
-    # "stacked" and self-crossing parts can tie: those places are decided by area of the part, not of the feature.
+    # "stacked" and self-crossing parts can tie: there the area of the part decides, not that of the feature.
     if kind not in ("bowties",):
         np.testing.assert_array_equal(made[clear], expected[clear])
     assert (made[clear] > 0).tolist() == (expected[clear] > 0).tolist()
@@ -155,7 +155,7 @@ def test_a_small_gap_goes_to_the_neighbor_with_the_longest_shared_border():
     ]
     done = repair(numbered(features), maximum_gap=1.0)
     (change,) = (change for change in done.changes if change.kind == GAP)
-    # 2 m below, 2 m above, 0.5 m on each side: the border with class 1 and 2 is equally long, the lower region wins.
+    # 2 m below, 2 m above, 0.5 m on each side: both borders are equally long, so the lower region wins.
     assert change.area == pytest.approx(1.0)
     assert shapely.area(polygons_of(done)).sum() == pytest.approx(90)
 

@@ -1,4 +1,4 @@
-"""Broken geometries are told once each, with place and reason."""
+"""Broken geometries are reported once, with place and reason."""
 
 from __future__ import annotations
 

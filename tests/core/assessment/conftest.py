@@ -1,4 +1,4 @@
-"""One made map for all tests of assessing, with landmarks only in the west."""
+"""Provide one made map for the tests of assessments: landmarks are in the west only."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TABLE = ClassTable(
 )
 FRAME = MapFrame('PROJCS["a metric CRS"]', (600000.0, 1.0, 0.0, 5200000.0, 0.0, -1.0))
 HEIGHT, WIDTH, BUILT = 600, 1000, 600
-"""Pixels of the map; landmarks lie in its first BUILT columns."""
+"""Size of the map in pixels; landmarks are in its first BUILT columns."""
 
 
 def made_map(count: int = 330, background: int = 4) -> np.ndarray:
@@ -48,13 +48,12 @@ def map_labels():
 
 @pytest.fixture(scope="session")
 def built():
-    """`built(labels)` returns a database with its overview and upper left corner (600000, 5200000)."""
+    """`built(labels)` returns a database with its overview; its upper left corner is (600000, 5200000)."""
     return built_from
 
 
 @pytest.fixture(scope="session")
 def assessed_database(map_labels):
-    """The database of `map_labels`."""
     return built_from(map_labels)
 
 

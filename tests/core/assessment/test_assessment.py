@@ -1,4 +1,4 @@
-"""Assessments: expected success where it is known what must come out."""
+"""Assessments give the expected success on a map with known landmarks."""
 
 from dataclasses import replace
 
@@ -16,7 +16,7 @@ FOOTPRINT = 250.0
 
 @pytest.fixture(scope="module")
 def assessed(assessed_database, localizer):
-    """Cells, trials and estimates of the made map under the usual noise, and their assessment."""
+    """Return cells, trials and estimates of the made map under the usual noise, and their assessment."""
     assessment = Assessment(assessed_database, localizer, FOOTPRINT, Conditions(USUAL), seed=1)
     cells = ground_cells(assessed_database, 100.0)
     trials = [assessment.run(query) for query in assessment.plan(cells.centers, cells.size, 100)]

@@ -1,4 +1,4 @@
-"""Squares of ground: all of the map, and nothing of the frame around it."""
+"""Assessed squares cover the map without the frame around it."""
 
 import numpy as np
 import pytest

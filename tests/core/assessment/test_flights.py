@@ -1,4 +1,4 @@
-"""Flights along a route, simulated from a database alone."""
+"""Flights along a route, simulated from a database only."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from semref.core.simulation.noise import LabelNoise
 
 CLEAR = Conditions(LabelNoise(missed=0.1))
 ALONG = np.array([(600110.0, 5199700.0), (600880.0, 5199700.0)])
-"""From the landmarks of the west over the empty east."""
+"""Route from the landmarks of the west over the empty east."""
 
 
 def flown(database, localizer, plan, line=ALONG, spacing=70.0):

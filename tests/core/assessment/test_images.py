@@ -1,4 +1,4 @@
-"""Simulated images: they show what an image of the map shows, spoiled as asked for."""
+"""Simulated images show the landmarks of the map, with the requested noise."""
 
 from dataclasses import replace
 
@@ -28,10 +28,10 @@ def test_a_simulated_image_has_the_landmarks_that_an_image_of_the_map_shows(
     seen = extract_landmarks(cut(map_labels, frame, View(*IN_TOWN, heading, 1.0, 250, 250)), (1, 2), 20.0)
     seen = seen.select(~seen.touches_edge)
     apart = np.hypot(*(centers[:, None] - seen.centers_xy[None]).transpose(2, 0, 1))
-    # Which of those at the border are whole is told from their boxes, not from their pixels.
+    # Boxes decide which landmarks at the border are whole, not pixels.
     inner, seen_inner = (np.abs(xy - 125).max(axis=1) < 110 for xy in (centers, seen.centers_xy))
     seen_inner &= seen.areas_px > 40
-    # Neighbors a pixel apart flow together in some turned images.
+    # Neighbors one pixel apart can merge in some turned images.
     assert (apart[inner].min(axis=1) < 1.0).mean() > 0.85 and (apart[:, seen_inner].min(axis=0) < 1.0).mean() > 0.85
     assert inner.sum() > 15 and len(found) == len(centers)
 
@@ -48,7 +48,7 @@ def test_the_noise_is_what_is_asked_for(assessed_database, localizer):
     simulator = ImageSimulator(localizer, assessed_database, FOOTPRINT)
     query = Query(simulator.view(*IN_TOWN, 0.0), noise=LabelNoise(missed=0.5))
     counts = [simulator.landmarks(query, rng) for _ in range(40)]
-    # Some too small for the catalogue come on top, a third as many.
+    # Landmarks too small for the catalogue are added, a third as many.
     share = np.mean([len(seen) / on_map for seen, on_map in counts])
     assert share == pytest.approx(0.5 + 0.35, abs=0.08)
 

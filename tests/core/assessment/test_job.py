@@ -1,4 +1,4 @@
-"""A job has the values that its assessments share, and makes them again."""
+"""A job contains the common settings of its assessments and creates them again."""
 
 from semref.core.assessment.assessment import Assessment, AssessmentJob
 from semref.core.simulation.conditions import Conditions

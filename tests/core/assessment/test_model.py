@@ -1,4 +1,4 @@
-"""The model of success: known probabilities are found again, also where trials are few or all alike."""
+"""The model of success recovers known probabilities, also with few or equal trials."""
 
 import numpy as np
 import pytest

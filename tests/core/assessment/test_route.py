@@ -1,4 +1,4 @@
-"""Routes: points along lines, stretches without an expected fix, hints."""
+"""Routes: points along lines, gaps in the expected positions, and proposed shifts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Squares as rows: verdicts by success, reasons where it is not good enough, distinctiveness of the windows there."""
+"""Rows of assessed squares: verdicts, reasons and the distinctiveness of their windows."""
 
 from dataclasses import replace
 
@@ -28,7 +28,7 @@ def estimates(success, reasons):
 
 @pytest.fixture
 def windows(assessed_database):
-    """With a distinctiveness that is a tenth of their number."""
+    """Return windows with a distinctiveness of a tenth of their number."""
     known = assessed_database.windows
     return replace(known, distinctiveness=np.arange(len(known)) / 10)
 

@@ -1,4 +1,4 @@
-"""A made catalogue of landmarks and what a camera without errors sees of it."""
+"""A made catalogue of landmarks, and error-free images of it."""
 
 from types import SimpleNamespace
 
@@ -17,7 +17,7 @@ EDGE = 640
 
 @pytest.fixture(scope="package")
 def catalogue():
-    """600 landmarks of three classes, nothing regular about them."""
+    """Return 600 randomly placed landmarks of three classes."""
     rng = np.random.default_rng(11)
     positions = rng.uniform(0, EXTENT, (600, 2)) + ORIGIN
     classes = rng.choice(np.array([1, 2, 5], np.uint8), 600)
@@ -31,7 +31,7 @@ def index(catalogue):
 
 @pytest.fixture(scope="package")
 def cut(index):
-    """Makes a cut of the catalogue: query, its true pose and the catalogue's objects in it."""
+    """Return a function that cuts an image: query, true pose and the catalogue's objects in it."""
 
     def at(east, north, heading_deg=0.0, pixel_size=1.0):
         center = complex(ORIGIN[0] + east, ORIGIN[1] + north) - index.origin

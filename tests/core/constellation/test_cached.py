@@ -1,4 +1,4 @@
-"""A cached index is the one that was built, to the last bit, or it is not used."""
+"""A cached index equals the built index bit for bit, or it is not used."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clusters of made poses."""
+"""Clusters of poses."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ STEP = CELL_OF_TURN
 
 
 def made_poses(rng, count, spread):
-    """Poses whose cells are evenly spread over so many of position, a few sizes and headings."""
+    """Return poses spread evenly over a number of positions, a few sizes and headings."""
     places = rng.integers(-spread, spread, (4, count)).astype(np.int32)
     places[2:] //= max(spread // 3, 1)
     centers, turns = rng.normal(size=(2, count)) + 1j * rng.normal(size=(2, count))
@@ -19,7 +19,7 @@ def made_poses(rng, count, spread):
 
 @pytest.mark.parametrize("spread", [3, 30, 300, 3_000_000])
 def test_of_very_many_poses_the_fullest_cells_are_the_same_as_when_all_are_sorted(monkeypatch, spread):
-    """Few cells, most of them full; many, of which some are; so many that hardly any holds two poses."""
+    """Cases: few full cells; many cells, some full; so many cells that few contain two poses."""
     poses = made_poses(np.random.default_rng(4), 30_000, spread)
     counted = clustered([poses], False, 40)
     monkeypatch.setattr(clusters, "_SORTED_AT_ONCE", 10**9)
@@ -30,7 +30,7 @@ def test_of_very_many_poses_the_fullest_cells_are_the_same_as_when_all_are_sorte
 
 
 def test_the_fullest_cells_are_found_though_others_share_their_groups(monkeypatch):
-    """Two cells that hold much, among poses that lie alone; of groups there are so few that all are large."""
+    """Two full cells among single poses; there are so few groups that all are large."""
     rng = np.random.default_rng(8)
     poses = made_poses(rng, 30_000, 3_000_000)
     poses.places[:, :500] = np.array([[40], [80], [2], [5]])

@@ -1,4 +1,4 @@
-"""The constellation's verdict from log odds alone."""
+"""The constellation's decision from log odds."""
 
 from dataclasses import replace
 

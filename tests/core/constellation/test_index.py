@@ -1,4 +1,4 @@
-"""The index finds the triangles that it was built of, and nothing of other labels."""
+"""The index finds its own triangles, and no triangles with other labels."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ REACH = np.full((40, 5), 0.02)
 
 @pytest.fixture(scope="module")
 def asked(index):
-    """40 of the index's own triangles: their numbers in it, their five numbers and their labels."""
+    """Return 40 of the index's own triangles: their numbers, descriptions and labels."""
     chosen = np.random.default_rng(5).choice(len(index.triangles), 40, replace=False)
     members = np.column_stack(index.members(chosen))
     return chosen, describe_triangles(index.points[members], index.log_areas[members]), index.ranks[members]
@@ -61,5 +61,5 @@ def test_the_code_of_the_last_triangle_fits_its_kind_whatever_the_number_of_land
     kind = np.dtype(part_shapes(count, CONSTELLATION)["triangles"][0])
     last = count * len(neighbor_pairs(CONSTELLATION.limits.neighbors)) * len(ORDERS) - 1
     assert last <= np.iinfo(kind).max
-    # Half the memory where that is enough.
+    # Smaller codes use half the memory.
     assert (kind == np.int32) == (last <= np.iinfo(np.int32).max)

@@ -1,4 +1,4 @@
-"""Triangles looked up for a cut of a made catalogue, whose pose is known."""
+"""Lookup of triangles for a cut of a made catalogue with a known pose."""
 
 import dataclasses
 
@@ -48,7 +48,7 @@ def test_poses_are_the_fits_of_triangles_whose_classes_agree(index, cut):
     members, source = np.column_stack(index.members(hits)), hits % 3
     same = (index.ranks[members] == query.ranks[triple[source]]).all(axis=1)
     assert 0 < same.sum() < len(hits) and index.keys_tell_classes
-    # With ten classes triangles of several ones share a key.
+    # With ten classes, triangles of different classes share a key.
     many = dataclasses.replace(index, class_values=np.arange(10, dtype=np.uint8))
     found = _fitted(many, query, triple, source, hits)
     image = query.points[triple[source[same]]]
@@ -104,7 +104,7 @@ def test_a_search_that_looks_farther_goes_on_from_what_was_looked_up(index, cut,
     first, alone, second, both, rest, everything, again, once_more = counts
     assert 0 < first == alone < both < everything
     assert second == both - first and rest == everything - both
-    # Asked for less it can't leave anything out.
+    # A lower limit can't leave anything out here.
     assert again == once_more == both
 
 

@@ -1,4 +1,4 @@
-"""Images put together of two places are told; whole ones are not, however poor."""
+"""Images that show two places are recognized; images of one place are not, even with poor labels."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ DIAGONAL = 1000.0
 
 
 def seen(share_left, share_right, count=60, seed=0, cut=0.0):
-    """Landmarks all over the image, of which a share agrees on either side of a vertical cut."""
+    """Return landmarks with a share of agreement on either side of a vertical cut."""
     rng = np.random.default_rng(seed)
     points = rng.uniform(-350, 350, count) + 1j * rng.uniform(-350, 350, count)
     share = np.where(points.real > cut, share_right, share_left)

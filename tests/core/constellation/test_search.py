@@ -1,4 +1,4 @@
-"""The constellation's choices between poses: which are one place, which of them stays; on a made catalogue."""
+"""How the constellation chooses between poses on a made catalogue."""
 
 import numpy as np
 import pytest
@@ -43,7 +43,7 @@ def test_of_poses_at_one_place_the_best_stays_and_a_tilted_one_must_be_clearly_b
 
 @pytest.fixture(scope="module")
 def built_twice(catalogue):
-    """An index of the catalogue and, 900 m east, most of its middle once more, with other ground around it."""
+    """Return an index with most of the catalogue's middle repeated 900 m east, with other ground around it."""
     rng = np.random.default_rng(6)
     away = catalogue.positions - catalogue.positions.mean(axis=0)
     again = (np.abs(away).max(axis=1) < 450) & (rng.uniform(size=len(away)) < 0.8)
@@ -59,7 +59,7 @@ STEP = (900.0, 40.0)
 
 
 def at_the_copy(built_twice, index, cut):
-    """An image of the catalogue's middle, how it lies, and the evidence for the copy of its place."""
+    """Return an image of the catalogue's middle, its pose, and the evidence for the copy of its place."""
     made = cut(1000.0, 1000.0, 30.0, 1.0)
     here = made.pose.center + index.origin - built_twice.origin
     verifier = verification.Verifier(built_twice, EDGE, EDGE, 60.0)

@@ -1,4 +1,4 @@
-"""Constellation localization: a seeded random town, queries with known truth, and queries that must get no fix."""
+"""Constellation localization on a random town: queries with known truth, and queries without a position."""
 
 import dataclasses
 
@@ -86,7 +86,7 @@ def test_most_noisy_views_are_found_and_no_fix_is_wrong(ground):
             fixes.append((error(result, view), result.covariance.ellipse_95))
     assert len(fixes) >= 23
     assert max(off for off, _ in fixes) < 10
-    # The 95 % ellipse is of the right size, or too large: the map is taken to be less exact than it is.
+    # The 95 % ellipse has the right size or is too large: the assumed map accuracy is worse than the real one.
     ratios = np.array([off / np.hypot(u.semi_major, u.semi_minor) * np.sqrt(2) for off, u in fixes])
     assert 0.1 < np.median(ratios) < 0.9
     assert (ratios <= 1.3).mean() >= 0.8
@@ -99,7 +99,7 @@ def test_a_mirrored_view_gets_no_fix(ground):
 
 @pytest.fixture
 def tried_tilted(monkeypatch):
-    """Every trial of a tilted camera, one number of landmarks each."""
+    """Record the number of landmarks of each trial with a tilted camera."""
     tried = []
 
     def verify(verifier, query, *args):

@@ -1,4 +1,4 @@
-"""What triangles are described by, on triangles whose numbers are known."""
+"""Descriptions of triangles, compared with numbers worked out by hand."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,7 @@ import pytest
 from semref.core.constellation.triangles import ORDERS, canonical_order, describe_triangles
 
 RIGHT_ANGLE = np.array([[0j, 5 + 0j, 1.8 + 2.4j]])
-"""Sides 3, 4 and 5; C lies nearer to A, above AB."""
+"""Sides 3, 4 and 5; C is nearer to A, above AB."""
 LOG_AREAS = np.log([[4.0, 9.0, 25.0]])
 
 

@@ -1,4 +1,4 @@
-"""Images of two places, and of places that changed on one side: told as such, or a fix that says what it holds for."""
+"""Images of two places, and of places with a change on one side: a reason, or a fix that names the part."""
 
 import dataclasses
 
@@ -24,7 +24,7 @@ def joined(*parts):
 
 
 def of_two(left, right, cut=SIZE / 2):
-    """Left of the cut one image's landmarks, right of it the other's."""
+    """Return landmarks of one image left of the cut and of the other image right of it."""
     return joined(left.select(left.centers_xy[:, 0] < cut), right.select(right.centers_xy[:, 0] >= cut))
 
 
@@ -40,7 +40,7 @@ def test_an_image_of_two_places_is_recognized(ground):
 
 @pytest.fixture(scope="module")
 def half_mapped(ground):
-    """The town, of which the map lacks what lies east of x = 1,400; another place with landmarks is at 900, 900."""
+    """Return the town without its part east of x = 1,400; another place with landmarks is at 900, 900."""
     references, known = ground.references, ground.references.positions[:, 0] < ORIGIN[0] + 1400
     return build_index(
         MapLandmarks(

@@ -1,4 +1,4 @@
-"""Evidence for poses of a cut of a made catalogue; noise of known size."""
+"""Evidence for poses of a cut of a made catalogue with known noise."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -49,7 +49,7 @@ def test_the_true_pose_has_high_odds_and_matches_every_object_with_itself(verifi
 
 
 def test_poses_verified_together_have_their_own_evidence(index, verifier, made):
-    """True, near, far and impossible ones; some of them lose their matches rounds before the others."""
+    """True, near, far and impossible poses; some lose their matches rounds before the others."""
     rng = np.random.default_rng(11)
     query = noisy(made, index, made.pose)
     off = np.r_[0, 3 - 2j, rng.uniform(-400, 400, 20) + 1j * rng.uniform(-400, 400, 20), 1e5]
@@ -67,7 +67,7 @@ def test_poses_verified_together_have_their_own_evidence(index, verifier, made):
         np.testing.assert_allclose(found.deviations, alone.deviations, rtol=1e-9)
         assert found.missing == alone.missing
     assert together[0].log_odds > 100 > 0 > max(found.log_odds for found in together[2:])
-    # The far ones were moved, or stay where they were; none of them is at another's place.
+    # Far poses moved or stayed; no pose moves to the place of another.
     assert together[-1].pose == poses[-1] and len({found.pose for found in together}) > 15
 
 
@@ -154,7 +154,7 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     edges = np.exp(index.log_areas / 2) / 1.1
     inside = (np.abs(seen.real) < EDGE / 2 - edges) & (np.abs(seen.imag) < EDGE / 2 - edges)
     assert sorted(found) == np.flatnonzero(inside).tolist()
-    # Of an image that has more objects than are looked at, none smaller than the smallest of these.
+    # For an image with too many objects, no expected object is smaller than the smallest used one.
     smallest = float(np.median(made.query.log_areas))
     larger = made.query.select(np.flatnonzero(made.query.log_areas >= smallest))
     limits = replace(CONSTELLATION.limits, largest_objects=len(larger.points))
@@ -163,7 +163,7 @@ def test_expected_are_whole_objects_well_inside_that_are_large_enough(index, ver
     expected = np.flatnonzero(inside & (index.log_areas > limit))
     assert sorted(expected_objects(fewer, larger, made.pose)) == expected.tolist()
     assert 0 < len(expected) < inside.sum()
-    # Of a side, those of that side.
+    # For one side, only objects of that side.
     side = Side(1j, 50.0)
     there = expected_objects(replace(verifier, side=side), made.query, made.pose)
     assert sorted(there) == np.flatnonzero(inside & (seen.imag > 50.0)).tolist()
@@ -188,7 +188,7 @@ def test_a_tilted_camera_is_verified_from_a_level_pose(index, verifier, made):
 
 
 def noisy(cut_of, index, pose, seed=4, share=1.3):
-    """Objects of a cut whose centers are off by known noise, a share of what is assumed."""
+    """Return objects of a cut with a known noise of the centers, a share of the assumed noise."""
     rng = np.random.default_rng(seed)
     objects = cut_of.objects
     noise = share * center_noise(cut_of.query.log_areas, 1.0, CONSTELLATION.noise)

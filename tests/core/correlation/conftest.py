@@ -1,4 +1,4 @@
-"""A made map of patches and images cut from it."""
+"""A made map of patches, and images cut from it."""
 
 import cv2
 import numpy as np
@@ -10,7 +10,7 @@ from semref.core.geometry.frame import MapFrame
 
 @pytest.fixture(scope="package")
 def patches():
-    """(300, 360) uint8: patches of classes 1 to 5, pixels of 4 m."""
+    """Return (300, 360) uint8 patches of classes 1 to 5; pixels are 4 m."""
     rng = np.random.default_rng(21)
     points = np.full((300, 360), 255, np.uint8)
     points[rng.integers(0, 300, 400), rng.integers(0, 360, 400)] = 0
@@ -25,7 +25,7 @@ def patch_pyramid(patches):
 
 @pytest.fixture(scope="package")
 def image_at(patches, patch_pyramid):
-    """Evidence, edge × edge pixels, of a camera's image: 500 pixels along an edge; places in meters from the corner."""
+    """Return edge × edge pixels of evidence of an image 500 pixels wide; places are meters from the corner."""
 
     def at(x, y, heading_deg, pixel_m, edge=64):
         turn = np.radians(heading_deg)

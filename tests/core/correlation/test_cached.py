@@ -1,4 +1,4 @@
-"""A cached pyramid is the one that was made, to the last bit, or it is not used."""
+"""A cached pyramid equals the computed pyramid bit for bit, or it is not used."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The verdict on known peaks and covariances."""
+"""The decision of map correlation for known peaks and covariances."""
 
 from dataclasses import replace
 

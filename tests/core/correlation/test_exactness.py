@@ -1,4 +1,4 @@
-"""How exactly map correlation knows a place: what is shared does not average out."""
+"""Accuracy of map correlation: shared errors do not average out."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Parts of an image that a place does not hold for."""
+"""Parts of an image that disagree with its position."""
 
 from __future__ import annotations
 

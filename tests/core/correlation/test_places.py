@@ -1,4 +1,4 @@
-"""Distinct places, search spaces of a prior, and images without information."""
+"""Distinct places, search areas, and images without information."""
 
 import numpy as np
 import pytest
@@ -73,7 +73,7 @@ def test_chance_is_the_median_of_enough_good_peaks():
 
 def test_sizes_with_enough_peaks_decide_for_the_others():
     sizes = np.array([0.8, 1.0, 1.2])
-    # Refined ones have sizes of their own.
+    # Refined peaks have their own sizes.
     peaks = np.array([(np.tanh(0.3), 0.0, 0.0, 0.0, size) for size in (*[1.03] * 20, *[1.21] * 5)])
     chance = chance_levels(peaks, sizes, are_chosen=True)
     assert chance.at(sizes) == pytest.approx([0.3] * 3)

@@ -1,4 +1,4 @@
-"""Poses refined to their optimum, on images with known poses."""
+"""Refinement of poses, on images with known poses."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from semref.core.correlation.refine import NOT_COMPARABLE, ScoredPose, pose_cova
 
 TRUE = ScoredPose(703.4, 598.1, 41.0, 1.03)
 PIXEL_M = 500 / 64 * TRUE.pixel_size_m
-"""One of the image's evidence on the ground."""
+"""Size of one evidence pixel on the ground."""
 
 
 @pytest.fixture(scope="module")

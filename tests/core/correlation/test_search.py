@@ -1,4 +1,4 @@
-"""The first look at a made map, with images of known places."""
+"""First search on a made map, with images of known place."""
 
 import numpy as np
 import pytest

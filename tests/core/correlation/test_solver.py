@@ -147,7 +147,7 @@ def test_the_result_does_not_depend_on_tiles_or_threads(labels, pyramid, monkeyp
 
 @pytest.fixture(scope="module")
 def large(pyramid):
-    """As if the map were so large that a look at larger pixels chooses the places."""
+    """Make the map count as so large that coarse pixels choose the places."""
     return MapPyramid(pyramid.labels, pyramid.frame, replace(CORRELATION, most_at_once=0))
 
 
@@ -157,7 +157,7 @@ def test_a_look_at_larger_pixels_first_finds_the_same_place(labels, pyramid, lar
     all_places, chosen = (localize(image, one, PRIOR) for one in (pyramid, large))
     assert (all_places.status, chosen.status) == ("fix", "fix")
     assert np.hypot(*np.subtract(all_places.best.position, chosen.best.position)) < 0.5
-    # Lead and opponents are found by other ways, but tell about the same.
+    # Lead and opponents come from another search, but agree roughly.
     assert chosen.peaks.score == pytest.approx(all_places.peaks.score, abs=0.005)
     assert chosen.peaks.mirror == pytest.approx(all_places.peaks.mirror, abs=0.1)
 
@@ -202,7 +202,7 @@ def test_a_place_along_a_straight_shore_is_possible_but_no_fix():
 
 CENTER = (1500.0, 1000.0)
 SWAPPED = np.array([0, 1, 3, 2, 5, 4, 6], np.uint8)
-"""Seen as: 2 and 3, 4 and 5 taken for one another."""
+"""Exchange classes 2 and 3, and classes 4 and 5."""
 
 VALUES = np.arange(1, 7, dtype=np.uint8)
 
@@ -223,7 +223,7 @@ def test_shares_count_instead_of_the_labels(labels, pyramid):
 @pytest.mark.parametrize(("heading_deg", "pixel"), [(37, 0.9), (200, 1.2)])
 @pytest.mark.parametrize("beyond", [0.45, 0.5, 0.55, 0.7])
 def test_at_the_edge_of_the_map_a_fix_is_right(labels, pyramid, beyond, heading_deg, pixel):
-    """The map begins 150 pixels from the left; a share of the image, as if it lay straight, is beyond."""
+    """The map begins 150 pixels from the left, so that part of the image is beyond the map."""
     center = 150 + (0.5 - beyond) * 560 * pixel, 1000.0
     result = localize(view(labels, center, heading_deg, pixel), pyramid, PRIOR)
     if beyond < 0.6:

@@ -1,4 +1,4 @@
-"""The effect of tilt and lens on a level pose, on views of a made map with known cameras."""
+"""Effects of tilt and lens on a level pose, on views of a made map with a known camera."""
 
 import math
 
@@ -19,7 +19,7 @@ ERRORS = SharedErrors(map_accuracy=0.1)
 
 
 def seen(patches, patch_pyramid, **camera):
-    """Evidence of a view, and the level pose that fits it best."""
+    """Return the evidence of a view and the level pose that fits it best."""
     view = View(*PLACE, 41.0, PIXEL_M, EDGE, EDGE, **camera)
     image = evidence_level(cut(patches, FRAME, view), patch_pyramid.space, (64, 64))
     start = ScoredPose(PLACE[0], -PLACE[1], 41.0, PIXEL_M)
@@ -27,7 +27,7 @@ def seen(patches, patch_pyramid, **camera):
 
 
 def away(pose):
-    """Meters from the true place."""
+    """Return the distance from the true place in meters."""
     return math.dist((pose.x, -pose.y), PLACE)
 
 

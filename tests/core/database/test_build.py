@@ -1,4 +1,4 @@
-"""Building a database in memory: what is in it, what it refuses, and stopping half-way."""
+"""Build of a database in memory: content, refused inputs, and cancel."""
 
 import re
 import threading

@@ -1,4 +1,4 @@
-"""Where a corrected label map differs from a database's."""
+"""Changed areas between a corrected label map and a database."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from semref.core.database.changed_regions import block_bounds, blocks_of, change
 from semref.core.labels import block_hashes
 
 SHAPE_HW = (70, 90)
-"""Of a map of 3 × 3 blocks, the last ones cut."""
+"""Blocks of a map of 3 × 3 blocks; the last ones are smaller."""
 
 
 @pytest.fixture(autouse=True)

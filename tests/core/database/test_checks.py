@@ -1,4 +1,4 @@
-"""What no database can hold: each value beyond what a build could have made is refused, and named."""
+"""Values that no build could write are refused and named."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def database():
 
 
 def changed(columns, name, value):
-    """The columns with another value in their last row."""
+    """Return the columns with another value in their last row."""
     array = getattr(columns, name).astype(np.float64)
     array[-1] = value
     return replace(columns, **{name: array})

@@ -1,4 +1,4 @@
-"""Which windows look like a given one, on a database made by hand."""
+"""Windows similar to a given one, on a database made by hand."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from semref.core.windows.topology_vector import topology_vector, vector_objects
 
 @pytest.fixture
 def database():
-    """Five windows of 100 m in a row, 50 m apart, their vectors 0, 0.1, 0.2, 0.9 and 0.4 from the first one's."""
+    """Return five windows of 100 m, 50 m apart, at vector distances 0, 0.1, 0.2, 0.9 and 0.4 from the first."""
     centers = np.column_stack([np.arange(5) * 50.0 + 50, np.full(5, 50.0)])
     vectors = np.zeros((5, 30), np.float32)
     vectors[:, 0] = (0.0, 0.1, 0.2, 0.9, 0.4)
@@ -37,13 +37,13 @@ def database():
 
 def test_similar_windows_do_not_overlap(database):
     found = describe_window(database, 0)
-    # 50_0 overlaps the window; of 100_0 (0.2), 200_0 (0.4) and 150_0 (0.9) the last overlaps both others.
+    # 50_0 overlaps the window. Of 100_0 (0.2), 200_0 (0.4) and 150_0 (0.9), the last overlaps both others.
     assert database.windows.names[found.look_alikes].tolist() == ["100_0", "200_0"]
     assert found.distances == pytest.approx([0.2, 0.4])
 
 
 def test_the_landmarks_of_a_window_come_in_the_order_of_its_vector(database):
-    # From (50, 50): 40 m to the right is the farthest and first; then clockwise: left, then up.
+    # From (50, 50), the landmark 40 m to the right is the farthest and first. Then clockwise: left, then up.
     assert describe_window(database, 0).objects.tolist() == [2, 0, 1]
 
 

@@ -1,4 +1,4 @@
-"""Windows know where they lie on the label map, and are named after it."""
+"""Windows have their pixels on the label map and the name of their first pixel."""
 
 import numpy as np
 import pytest

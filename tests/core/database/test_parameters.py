@@ -1,4 +1,4 @@
-"""Build parameters are taken from a file as they were written, or not at all."""
+"""Build parameters are read from a file exactly as written, or refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A build gives the same database, however it is cut into tasks, whoever does them and in whatever order."""
+"""A build gives the same database for any split into tasks, any worker and any order."""
 
 import threading
 import time
@@ -41,7 +41,7 @@ def wait_until(holds):
 
 
 class Loop:
-    """Does the tasks here, the last first, as machines of unequal speed might."""
+    """Run the tasks in this process, the last first, like machines of unequal speed."""
 
     def __init__(self, labels):
         self._source = ArrayLabels(labels)
@@ -64,7 +64,7 @@ def built(run, labels, settings=SETTINGS):
 
 @pytest.fixture
 def whole():
-    """The database of tasks that have all of the map."""
+    """Return the database built in one task."""
     return built(Threads(ArrayLabels(LABELS)), LABELS)
 
 

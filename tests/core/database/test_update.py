@@ -1,4 +1,4 @@
-"""An updated database is the one that a full rebuild makes, whatever was edited."""
+"""An updated database equals a full rebuild for any edit."""
 
 from dataclasses import fields, replace
 from functools import partial
@@ -37,7 +37,7 @@ HEIGHT, WIDTH = 150, 190
 
 @pytest.fixture(autouse=True)
 def small_blocks(monkeypatch):
-    """So that a small map has many blocks and tiles."""
+    """Use small blocks, so that a small map has many blocks and tiles."""
     monkeypatch.setattr(map_hash_module, "HASHED_BLOCK", 32)
     monkeypatch.setattr(update, "HASHED_BLOCK", 32)
     monkeypatch.setattr(changed_regions, "HASHED_BLOCK", 32)
@@ -51,7 +51,7 @@ def blobs(seed, scale=1.5):
 
 
 def houses(seed):
-    """Few small objects, some windows without any."""
+    """Return labels of a few small objects; some windows have no objects."""
     rng = np.random.default_rng(seed)
     labels = np.full((HEIGHT, WIDTH), 3, np.uint8)
     for _ in range(120):
@@ -61,7 +61,7 @@ def houses(seed):
 
 
 def rivers(seed):
-    """Long, thin, winding objects that cross the whole map, some around others, with houses between."""
+    """Return labels of long, thin objects across the whole map, some around others, with houses between them."""
     rng = np.random.default_rng(seed)
     labels = houses(seed)
     for _ in range(5):
@@ -84,7 +84,7 @@ def updater_of(source, database, areas=None, frame=FRAME):
 
 
 def updated(database, labels, areas=None, frame=FRAME):
-    """(database, changes) after an update; ``database``: of the map before."""
+    """Return (database, changes) after an update of the database ``before``."""
     updater = updater_of(ArrayLabels(labels), database, areas, frame)
     for _ in updater.steps():
         pass
@@ -121,7 +121,7 @@ def assert_is_the_rebuild(before, labels, areas=None):
 
 
 def random_edit(labels, rng):
-    """(edited map, areas): one to three shapes drawn, anywhere, over the border too."""
+    """Return (edited map, areas) after one to three random shapes, which may cross the border."""
     edited, areas = labels.copy(), []
     for _ in range(rng.integers(1, 4)):
         before = edited.copy()
@@ -297,7 +297,7 @@ def test_databases_without_hashes_or_bounds_or_windows_are_refused():
             updated(lacking, houses(0))
 
 
-# --- what it rests on ---
+# --- basics ---
 
 
 @pytest.mark.parametrize("kind", MAPS)

@@ -1,4 +1,4 @@
-"""The numbers of an evaluation as JSON: every trial, once for each method, and its settings as they were given."""
+"""Evaluation results as JSON: each trial once for each method, and the given settings."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Evaluation: queries show the stated ground, right and wrong fixes differ, a seed repeats everything."""
+"""Evaluation: queries show their place, results are judged, and a seed repeats everything."""
 
 import math
 from dataclasses import replace
@@ -55,7 +55,7 @@ def database():
 
 @pytest.fixture
 def evaluate(database):
-    """`evaluate(labels=LABELS, pixel=1.0, seed=1, **ranges)` gives an Evaluation."""
+    """`evaluate(labels=LABELS, pixel=1.0, seed=1, **ranges)` returns an Evaluation."""
 
     def make(labels=LABELS, pixel=1.0, seed=1, right_within=None, minimum=3, **ranges):
         ranges = TrialRanges(**ranges)
@@ -158,7 +158,7 @@ def test_impossible_ranges_are_refused_by_name(name, limits):
 
 
 class Told:
-    """A localizer with prescribed results."""
+    """Localizer that returns the results it was made with."""
 
     def __init__(self, result):
         self.result = result
@@ -168,7 +168,7 @@ class Told:
 
 
 def told(evaluation, query, **known):
-    """A fix at a position, with ``known`` of it."""
+    """Return a fix at a position, with the heading and pixel size of ``known``."""
     place = {name: known.pop(name) for name in ("position", "heading_deg", "pixel_size_m") if name in known}
     known = {"status": Status.FIX, "method": Method.CONSTELLATION, "best": Place(**place) if place else None, **known}
     evaluation.localizer = Told(Localization(**known))

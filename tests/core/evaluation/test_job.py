@@ -1,4 +1,4 @@
-"""A job makes its evaluation; it plans images of the map, mirrored ones, and more for tables."""
+"""A job creates its evaluation, with mirrored images and extra images for the tables."""
 
 import pytest
 

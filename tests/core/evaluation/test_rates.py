@@ -1,4 +1,4 @@
-"""Rates: intervals of known cases, bins that hold what belongs to them."""
+"""Rates: confidence intervals of known cases, and values in bins."""
 
 import math
 

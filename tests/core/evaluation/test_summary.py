@@ -1,4 +1,4 @@
-"""Summaries: what is counted is counted of the trials it belongs to."""
+"""Summaries count the trials of the right kind."""
 
 from dataclasses import replace
 
@@ -111,7 +111,7 @@ def test_the_grid_of_noise_has_missed_in_rows_and_spurious_in_columns():
 
 
 def test_shares_of_errors_are_counted_in_the_ellipses_of_50_95_and_99_percent():
-    # In units of the 95 % ellipse, 50 % reach 0.481 and 99 % 1.240.
+    # Divided by the 95 % ellipse, the 50 % radius is 0.481 and the 99 % radius is 1.240.
     tried = [trial(ratio=ratio) for ratio in (0.4, 0.9, 1.2, 1.3)]
     assert [rate.successes for rate in held_shares(tried)] == [1, 2, 3]
 

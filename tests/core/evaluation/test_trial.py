@@ -1,4 +1,4 @@
-"""Judging: right and wrong fixes differ, errors are measured against the true view."""
+"""Judgment of results: right or wrong, and errors against the ground truth."""
 
 import math
 from dataclasses import replace
@@ -11,7 +11,7 @@ from semref.core.localization import Localization, Method, Place, Status
 from semref.core.simulation.views import View
 
 QUERY = Query(View(1000.0, 5000.0, 1.0, 0.5, 320, 240))
-"""Shows 160 map units of ground."""
+"""Footprint of 160 m."""
 
 
 def told(query=QUERY, away=(0.0, 0.0), right_within=None, **known):

@@ -22,11 +22,11 @@ FRAME = MapFrame.at((500_000.0, 5_200_000.0), 4.0, (420, 480), "a metric CRS")
 TABLE = ClassTable(tuple(LandCoverClass(n, f"class {n}", f"#0000{n}0", "reference") for n in range(1, 6)))
 EDGE_PX, PIXEL_M = 96, 3.0
 FEW = replace(FLIGHT, candidates=40, added=10, hypotheses=30, nulls=40)
-"""The map is small."""
+"""Settings for a small map."""
 
 
 def patches(seed=21, count=700):
-    """(420, 480) uint8: patches of classes 1 to 5."""
+    """Return (420, 480) uint8 patches of classes 1 to 5."""
     rng = np.random.default_rng(seed)
     points = np.full(FRAME.shape_hw, 255, np.uint8)
     points[rng.integers(0, FRAME.shape_hw[0], count), rng.integers(0, FRAME.shape_hw[1], count)] = 0
@@ -36,7 +36,7 @@ def patches(seed=21, count=700):
 
 @dataclass
 class Flown:
-    """A flight and where it was: images, links between consecutive ones, and the views that are the truth."""
+    """Images of a flight, links between consecutive images, and the true views."""
 
     images: list
     links: list
@@ -48,7 +48,7 @@ class Flown:
 
 
 def link_between(number, first, second, drift=0.01, rng=None):
-    """Relative motion: the true one with an error that is a share of the distance."""
+    """Return the relative motion: the truth with an error that is a share of the distance."""
     turns = [turn_of(view.heading_deg, view.pixel_size) for view in (first, second)]
     step, ratio = (complex(*second.position) - complex(*first.position)) / turns[0], turns[1] / turns[0]
     off = drift * abs(step)
@@ -59,7 +59,7 @@ def link_between(number, first, second, drift=0.01, rng=None):
 
 
 def fly(labels, seed=3, count=7, spoiled=0.3, start=(500_420.0, 5_199_300.0), step=80.0):
-    """A flight of turned images, each with a share of its area given random classes in patches."""
+    """Return a flight of turned images; a share of each image has random classes in patches."""
     rng = np.random.default_rng(seed)
     views, course, (x, y) = [], 60.0, start
     for _ in range(count):
@@ -94,7 +94,7 @@ def flown(labels):
 
 
 def errors_m(poses, views):
-    """(n,) meters; not a number without a place."""
+    """Return (n,) errors in meters; NaN without a position."""
     return np.array(
         [np.hypot(*np.subtract(p.place.position, v.position)) if p.is_fix else np.nan for p, v in zip(poses, views)]
     )

@@ -1,4 +1,4 @@
-"""The source of an image's camera: table, photo or log."""
+"""The camera of an image from camera table, photo and log, and which of them counts first."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PHOTO = Camera(Attitude(1, 2), Lens("field_of_view", 60, 1.5), "a.jpg", 7.0, Non
 
 @pytest.fixture
 def table(tmp_path):
-    """`table(text)` writes a camera table; gives its path."""
+    """`table(text)` writes a camera table and returns its path."""
 
     def write(text):
         (tmp_path / "cameras.csv").write_text(text, encoding="utf-8")

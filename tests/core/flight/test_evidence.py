@@ -1,4 +1,4 @@
-"""What an image says of its own place and of others."""
+"""Evidence of an image for its own place and for others."""
 
 import sys
 from dataclasses import replace

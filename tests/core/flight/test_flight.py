@@ -1,4 +1,4 @@
-"""Whole flights over a made map: placed where they were, or nowhere."""
+"""Whole flights over a made map have the right positions or no position."""
 
 import sys
 from dataclasses import replace

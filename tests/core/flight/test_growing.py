@@ -1,4 +1,4 @@
-"""A table that grows while it is read: each row once, when it is whole, whatever else is written."""
+"""Reading a growing table: each row once, when it is complete."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Links between neighbors from links that leave out an image."""
+"""Links between neighbors, derived from links that leave out an image."""
 
 import numpy as np
 import pytest

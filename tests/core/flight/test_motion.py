@@ -1,4 +1,4 @@
-"""Links: the pose of a second image from that of the first."""
+"""Links give the place of a second image from the pose of the first."""
 
 import numpy as np
 import pytest

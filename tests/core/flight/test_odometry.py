@@ -1,4 +1,4 @@
-"""Motion from image to image from a table."""
+"""Motion from image to image, read from a table."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What can be recognized of an image."""
+"""Features of an image."""
 
 import numpy as np
 import pytest

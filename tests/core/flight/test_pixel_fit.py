@@ -1,4 +1,4 @@
-"""The mapping fitted to places, and what is unknown of it."""
+"""The mapping between two images, fitted to matched places, and its uncertainty."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""Motion of two images from their pixels, from pictures cut out of one scene with known truth."""
+"""Motion between two images from their pixels, on pictures cut from one scene with known truth."""
 
 import functools
 
@@ -16,7 +16,7 @@ EDGE = 320
 
 @functools.cache
 def scene(seed, size=1100):
-    """(size, size) gray: smooth ground with sharp rectangles on it, as fields and roofs."""
+    """Return a (size, size) gray scene: smooth ground with sharp rectangles like fields and roofs."""
     rng = np.random.default_rng(seed)
     ground = sum(
         weight * cv2.resize(rng.normal(0, 1, (n, n)).astype(np.float32), (size, size), interpolation=cv2.INTER_CUBIC)
@@ -32,13 +32,13 @@ def scene(seed, size=1100):
 
 @functools.cache
 def class_map(seed, size=1100):
-    """(size, size) labels of four classes."""
+    """Return (size, size) labels of four classes."""
     levels = np.digitize(cv2.GaussianBlur(scene(seed, size), (0, 0), 3), [80, 120, 160])
     return (levels + 1).astype(np.uint8)
 
 
 def cut(picture, center, turn_deg, scale, nearest=False):
-    """(EDGE, EDGE) with its center there, its top turned clockwise, each pixel ``scale`` pixels of the scene."""
+    """Return (EDGE, EDGE) pixels around a center, turned clockwise, each ``scale`` scene pixels wide."""
     angle, half = np.radians(turn_deg), (EDGE - 1) / 2
     right = scale * np.array([np.cos(angle), np.sin(angle)])
     down = np.array([-right[1], right[0]])
@@ -48,7 +48,7 @@ def cut(picture, center, turn_deg, scale, nearest=False):
 
 
 def truth(first, second):
-    """(4,) of the second (center, turn, scale) in the first: right, down, turn in radians, log scale."""
+    """Return the (4,) pose of the second (center, turn, scale) in the first: right, down, radians, log scale."""
     (x, y), turn, scale = first
     apart = complex(second[0][0] - x, second[0][1] - y) / (scale * np.exp(1j * np.radians(turn)))
     turned = np.radians(second[1] - turn)
@@ -111,7 +111,7 @@ def test_a_homography_gives_the_tilt_and_the_similarity_at_the_center():
     later = cv2.warpPerspective(picture, shift @ matrix, (EDGE, EDGE), flags=cv2.WARP_INVERSE_MAP)
     link = motion_between(photo_features(earlier), photo_features(later)).link
     assert link.translation == pytest.approx((40, 10), abs=0.3)
-    # At the center the plane's derivative is [[1 − 40 g, …], …] with the tilt g.
+    # At the center the derivative of the plane is [[1 − 40 g, …], …] with the tilt g.
     assert link.log_scale == pytest.approx(np.log(1 - 0.5 * (40 * 2.5e-4 - 10 * 1e-4)), abs=0.002)
 
 
@@ -154,7 +154,7 @@ def test_ground_that_an_image_does_not_show_is_left_out():
 
 
 def test_the_spread_includes_an_unknown_tilt():
-    """Along the way and in scale, together; hardly across it."""
+    """The spread is along the motion and in scale together, and small across it."""
 
     def known(shift):
         views = ((500, 500), 0, 1.0), ((500 + shift, 500), 0, 1.0)
@@ -168,7 +168,7 @@ def test_the_spread_includes_an_unknown_tilt():
 
 @pytest.mark.parametrize("direction", [0, 60, 200])
 def test_the_spread_covers_tilted_views(direction):
-    """The geometry alone: places of a level second image in a first one that was tilted by 2°."""
+    """Pixels of a level second image, placed in a first image that was tilted by 2°."""
     tilted = View(0, 0, 20, 1.0, 512, 512, tilt_deg=2.0, tilt_direction_deg=direction)
     level = View(180, 100, 50, 1.05, 512, 512)
     at_first = np.array(np.meshgrid(np.arange(16.0, 512, 32), np.arange(16.0, 512, 32))).reshape(2, -1).T

@@ -1,4 +1,4 @@
-"""Poses that a flight reports."""
+"""Poses in the records of a flight."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The smoother on simulated tracks with known errors."""
+"""The smoother, on simulated tracks with known errors."""
 
 from dataclasses import replace
 
@@ -32,7 +32,7 @@ def a_link(number, rng=None):
 
 
 def track(count, measured, rng, shared_m2=SHARED_M2):
-    """Estimates of a straight flight to the north with measurements of the images ``measured``."""
+    """Return estimates of a straight flight to the north; the images ``measured`` have measurements."""
     kept = np.exp(-STEP_M / FLIGHT.map_length)
     displacement = rng.normal(0, np.sqrt(SHARED_M2), 2)
     covariance = np.diag([SHARED_M2 + OWN_M2] * 2 + [0.01**2, 0.01**2])
@@ -78,7 +78,7 @@ def test_later_images_improve_earlier_ones():
 
 
 def track_of(count=6):
-    """Filtered and smoothed estimates of a straight track, its measurements, and what they share."""
+    """Return filtered and smoothed estimates of a straight track, its measurements, and their shared error."""
     link = Link(0, 1, (0.0, -100.0), 0.0, 0.0, as_rows(np.diag([9.0, 9.0, 1e-4, 1e-4])))
     measured = [
         Measurement(np.array([3.0, 100.0 * n, 0.01, 0.0]), np.diag([16.0, 25.0, 1e-3, 1e-3])) for n in range(count)
@@ -103,7 +103,7 @@ def test_a_measurement_can_be_taken_out_of_the_track(left_out):
     whole = estimated(measured)
     others = estimated([None if n == left_out else one for n, one in enumerate(measured)])
     alone = without_measurement(whole[left_out], measured[left_out], 4.0)
-    # The motion is bent a little differently with each of them.
+    # Each measurement bends the linearized motion slightly.
     assert alone.state == pytest.approx(others[left_out].state, abs=0.05)
     assert np.diag(alone.covariance) == pytest.approx(np.diag(others[left_out].covariance), rel=0.02)
 

@@ -1,4 +1,4 @@
-"""Tables of flights, checked where they are read."""
+"""Tables of flights are checked when they are read."""
 
 import tracemalloc
 
@@ -71,7 +71,7 @@ def test_the_stem_is_the_name_without_folders_and_extension(path):
 
 
 def test_a_null_character_ends_nothing(tmp_path):
-    # Before Python 3.11 csv takes none.
+    # Before Python 3.11, csv refuses null characters.
     try:
         assert [row.texts["image"] for row in rows_of(write(tmp_path, b"image,b\na\0,1\n"), need_image)] == ["a\0"]
     except ParameterError as error:

@@ -1,4 +1,4 @@
-"""Cameras and links from a flight log."""
+"""Attitude, height, heading and motion of images from a log."""
 
 import math
 
@@ -64,7 +64,7 @@ def test_links_follow_from_velocity_and_heading():
     log = telemetry([0, 10 / 9], [row(heading=90, east=9, north=0)] * 2)
     (link,) = log_links(log, ["a", "b"], [0, 1])
     assert (link.first, link.second, link.source) == (0, 1, LinkSource.LOG)
-    # Flying to the east with the top to the east: towards the top.
+    # The flight and the top of the image point east: motion is towards the top.
     assert link.translation == pytest.approx((0, -9), abs=1e-9)
     deviations = np.sqrt(np.diag(link.covariance))
     assert deviations[0] == pytest.approx(math.hypot(0.3, 0.27, math.radians(5) * 9), rel=1e-6)

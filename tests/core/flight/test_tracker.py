@@ -1,4 +1,4 @@
-"""A flight image by image: what is known until then, restarts, bounded memory."""
+"""Localizing a flight image by image: restarts and bounded memory."""
 
 import sys
 from dataclasses import replace
@@ -48,7 +48,7 @@ def test_a_broken_state_is_refused(localizer, broken):
 
 @pytest.fixture(scope="module")
 def kept(flown, localizer):
-    """What a flight of a few images leaves."""
+    """Return the state of a flight after a few images."""
     tracker = FlightTracker(localizer, FEW)
     for number, image in enumerate(flown.images[:4]):
         tracker.add(image, flown.links[number - 1] if number else None)
@@ -73,7 +73,7 @@ def test_an_invalid_array_of_a_state_is_refused(kept, localizer, change):
 
 
 def test_a_track_that_the_images_contradict_is_lost_and_found_again_under_another_number(labels, flown, localizer):
-    """The flight jumps to another place in between; the link says that it went on."""
+    """The flight jumps to another place, and the link does not show the jump."""
     other = fly(labels, seed=3, start=(501_400.0, 5_198_700.0))
     tracker = FlightTracker(localizer, replace(FEW, window=4, recent=3))
     images = [*flown.images[:5], *other.images]
@@ -119,7 +119,7 @@ def test_own_fixes_win_at_once_over_a_past_that_was_moved(labels, localizer, eas
 @pytest.mark.slow
 @pytest.mark.parametrize(("step", "risk", "most"), [(80.0, 1e-6, 3), (180.0, 1e-6, 2), (180.0, 1e-4, 3)])
 def test_own_fixes_in_a_row_win_over_a_long_past(labels, localizer, step, risk, most):
-    """The flight jumps by a kilometer and its link says that it went on: ten images of the past are wrong now."""
+    """The flight jumps by a kilometer without a trace in the link, so ten earlier images are wrong."""
     first = fly(labels, seed=3, count=8)
     other = fly(labels, seed=3, count=4, start=(501_250.0, 5_198_700.0), step=step)
     tracker = FlightTracker(localizer, FEW)

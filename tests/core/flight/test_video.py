@@ -1,4 +1,4 @@
-"""Frames of a video as images of a flight."""
+"""Frames of a video become images of a flight."""
 
 import csv
 import os
@@ -18,7 +18,7 @@ NAN = float("nan")
 
 @pytest.fixture
 def video(tmp_path):
-    """Forty frames at ten a second, each of its own gray."""
+    """Return a video of forty frames at ten per second, each with its own gray."""
     path = tmp_path / "flight.avi"
     writer = cv2.VideoWriter(str(path), cv2.VideoWriter_fourcc(*"MJPG"), 10, (96, 64))
     if not writer.isOpened():

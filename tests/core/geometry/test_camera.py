@@ -1,4 +1,4 @@
-"""How large a pixel is on the ground: ranges that hold the truth and are no wider than what they are told from."""
+"""Pixel size on the ground: ranges contain the truth and are as narrow as the inputs allow."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The ground that an image shows: its corners, and any pixel between them."""
+"""Footprints of images: corners and any pixel between them."""
 
 from __future__ import annotations
 

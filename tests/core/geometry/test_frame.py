@@ -1,4 +1,4 @@
-"""Map coordinates and pixels become each other exactly."""
+"""Map coordinates become pixels and back exactly."""
 
 import numpy as np
 import pytest

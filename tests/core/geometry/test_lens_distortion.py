@@ -1,4 +1,4 @@
-"""Lenses that bend: the formula is OpenCV's, its inverse is one, and what can't be inverted is not used."""
+"""Lens distortion: OpenCV's formula and its inverse; lenses without an inverse are not used."""
 
 import cv2
 import numpy as np
@@ -15,7 +15,7 @@ PHANTOM = LensDistortion(
     (-0.269478, 0.115681, -0.0357628),
     (-0.0000875619, -0.000306177),
 )
-"""Phantom 4 RTK, as its photos state it (4864 × 3648)."""
+"""Values that photos of a Phantom 4 RTK state (4864 × 3648)."""
 RATIONAL = LensDistortion((0.75, 0.75), (0.0, 0.0), (0.2, 0.03, 0.0, 0.4, 0.05, 0.001))
 SHAPE = 360, 480
 
@@ -52,7 +52,7 @@ def test_an_impossible_lens_is_not_used(lens):
 
 
 def bent_image(scene, way):
-    """What the lens makes of a scene that a level camera sees, pixel by pixel."""
+    """Return the scene of a level camera as its lens distorts it, pixel by pixel."""
     height, width = SHAPE
     rows, columns = np.mgrid[0:height, 0:width]
     straight = way.bent.straight(np.column_stack([columns.ravel(), rows.ravel()]) + 0.5)
@@ -64,7 +64,7 @@ def bent_image(scene, way):
 @pytest.mark.parametrize("attitude", [Attitude(0, 0), Attitude(4, -7)], ids=["level", "tilted"])
 @pytest.mark.parametrize("lens", [PHANTOM, RATIONAL], ids=["phantom", "rational"])
 def test_what_a_lens_bent_is_straight_again(lens, attitude):
-    """Squares of 40 level pixels: seen through the lens and leveled, they are squares again."""
+    """Squares of 40 pixels, distorted and leveled, are squares again."""
     way = leveling(attitude, 0.75 * SHAPE[1], SHAPE, lens)
 
     def squares(x, y):
@@ -75,7 +75,7 @@ def test_what_a_lens_bent_is_straight_again(lens, attitude):
     wanted = squares(columns + 0.5, rows + 0.5)
     wrong = level[rows, columns] != wanted
     assert wrong.mean() < 0.03 and len(rows) > 0.9 * SHAPE[0] * SHAPE[1]
-    # Only pixels at the squares' edges differ.
+    # Only pixels at the edges of squares may differ.
     from_edge = np.minimum(*(np.abs((v[wrong] + 0.5 + 20) % 40 - 20) for v in (rows, columns)))
     assert from_edge.max(initial=0) <= 1.5
 
@@ -115,10 +115,10 @@ def test_the_shift_is_how_far_corners_are_moved():
 
 
 def test_a_bent_image_of_a_map_is_found_nearer_with_its_lens():
-    """Known truth: landmarks of a map seen through the lens; the pose of least squares, with the lens and without."""
+    """Fit landmarks of a map with known truth, with the lens and without."""
     random = np.random.default_rng(7)
     way = leveling(Attitude(0, 0), 0.75 * SHAPE[1], SHAPE, PHANTOM)
-    # Not evenly spread, as landmarks are: an even spread would hide part of what a lens does.
+    # Landmarks are not evenly spread: an even spread would hide part of the distortion.
     level = random.uniform((0.0, 0.0), (way.shape_hw[1], way.shape_hw[0] / 2), (40, 2))
     seen = way.in_image(level)
     middle, turn = complex(way.shape_hw[1], way.shape_hw[0]) / 2, turn_of(30.0, 0.5)

@@ -1,4 +1,4 @@
-"""Leveling: a tilted view, leveled with its true attitude, is the level view; and everything finds its way back."""
+"""A tilted view, leveled with its true attitude, is the level view; points can be mapped back."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def tilted(tilt_deg: float, direction_deg: float, heading_deg: float = 25.0) -> 
 
 
 def attitude_of(tilt_deg: float, direction_deg: float) -> Attitude:
-    """Of a View: the axis leans by ``tilt_deg`` towards ``direction_deg``, clockwise from the image's top."""
+    """Return the attitude of a view: the axis leans by ``tilt_deg`` towards ``direction_deg``, clockwise from up."""
     tilt, direction = np.radians((tilt_deg, direction_deg))
     pitch = np.arcsin(np.sin(tilt) * np.cos(direction))
     roll = np.arctan2(np.sin(tilt) * np.sin(direction), np.cos(tilt))
@@ -33,7 +33,7 @@ def attitude_of(tilt_deg: float, direction_deg: float) -> Attitude:
 
 
 def blocks() -> ArrayLabels:
-    """A map of 10 × 10 squares of any class."""
+    """Return a map of 10 × 10 squares of random classes."""
     small = np.random.default_rng(3).integers(1, 6, (100, 100), dtype=np.uint8)
     return ArrayLabels(np.kron(small, np.ones((10, 10), np.uint8)))
 
@@ -66,10 +66,10 @@ def test_a_tilted_view_leveled_with_its_true_attitude_is_the_level_view(tilt, di
         View(middle.real, middle.imag, view.heading_deg, view.pixel_size, way.shape_hw[1], way.shape_hw[0]),
     )
     seen = leveled > 0
-    # Nearest neighbor twice moves edges by up to a pixel; squares are 7.7 pixels wide.
+    # Two nearest-neighbor steps move edges by up to a pixel; squares are 7.7 pixels wide.
     assert (leveled == level)[seen].mean() > 0.85
     assert (leveled == np.roll(level, 4, axis=0))[seen].mean() < 0.75
-    # Ground that no pixel shows: at 30° some of the far pixels are all that is seen of several.
+    # Some ground is missing: at 30° one far pixel covers several level pixels.
     area = 0.5 * abs((way.corners.conj() * np.roll(way.corners, -1)).imag.sum())
     assert seen.sum() == pytest.approx(area, rel=0.02)
 
@@ -109,7 +109,7 @@ def test_a_gimbals_angles_count_from_the_horizon_and_roll_about_the_axis(gimbal_
 
 
 def test_focal_lengths_agree_with_each_other():
-    # DJI: 24 mm on 35 mm film are 84° across the diagonal.
+    # DJI: 24 mm (35 mm equivalent) is 84° across the diagonal.
     focal = focal_length_from_35mm(24, (3000, 4000))
     assert np.degrees(2 * np.arctan(2500 / focal)) == pytest.approx(84.1, abs=0.1)
     across = np.degrees(2 * np.arctan(2000 / focal))

@@ -1,4 +1,4 @@
-"""Longitude and latitude without PROJ: a polynomial that says how far off it is."""
+"""Longitude and latitude without PROJ: a polynomial with a stated error."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ EXTENT = (600_000.0, 5_190_000.0, 620_000.0, 5_200_000.0)
 
 
 def curved(points_xy):
-    """Not quite a plane, as maps are."""
+    """Return a slightly curved transform, like map projections."""
     x, y = (points_xy - (610_000, 5_195_000)).T
     return 9 + x / 76_000 + x * y * 2e-13, 47 + y / 111_000 - x**2 * 1e-13
 

@@ -1,4 +1,4 @@
-"""Poses take image points to the map and back, and are found again from points."""
+"""Poses map image points to the map and back, and are fitted to points."""
 
 from __future__ import annotations
 

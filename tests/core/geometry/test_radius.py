@@ -1,4 +1,4 @@
-"""Circles and ellipses hold the share that they say."""
+"""Circles and ellipses contain the stated share of errors."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The covariance of a pose holds true errors where these are shared, and says what it is made of."""
+"""The covariance of a pose covers true errors that landmarks share, and lists its parts."""
 
 import numpy as np
 import pytest
@@ -31,7 +31,7 @@ def complex_normal(rng, count, deviation=1.0):
 
 
 def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6):
-    """A pose refined from landmarks in villages, and its covariance; deviations are assumed 1.4 times too large."""
+    """Return a pose refined from landmarks in villages, and its covariance; deviations are taken × 1.4."""
     villages = rng.uniform(-550, 550, (6, 2))
     points = villages[rng.integers(0, 6, count)] + rng.normal(0, 80, (count, 2))
     image = points @ (1, 1j)
@@ -47,7 +47,7 @@ def tried(rng, count, displaced=0.0, shift=0j, errors=USUAL, bend=0.0, own=0.6):
 
 
 def held(results):
-    """Share of errors within the 95 % ellipse."""
+    """Return the share of errors within the 95 % ellipse."""
     inside = 0
     for pose, known in results:
         off = pose.center - TRUE.center
@@ -166,14 +166,14 @@ def test_what_nobody_states_of_a_network_is_added_once_for_all_its_classes():
 
     one, six = part(1, class_spread=0.5), part(6, class_spread=0.5)
     assert one == pytest.approx(2.4477 * 0.5, rel=0.05)
-    # Half of the variance is alike in all classes, the other half averages out over six.
+    # Half of the variance is the same in all classes; the other half averages out over six.
     assert six == pytest.approx(2.4477 * 0.5 * (0.5 + 0.5 / 6) ** 0.5, rel=0.1)
     stated = tuple(ClassBias(value, spread=0.05) for value in range(6))
     assert part(6, class_spread=0.5, class_biases=stated) < 0.2
 
 
 def test_logarithms_are_taken_of_contiguous_numbers(monkeypatch):
-    """Of others NumPy's differ in the last bit by where the result comes to lie, and so from run to run."""
+    """For other arrays, NumPy's last bit depends on the memory address, so it changes from run to run."""
     log, taken = np.log, []
 
     def noted(values):

@@ -1,4 +1,4 @@
-"""What a label map is known by: blocks of one value and of many, in whatever bands the rows come."""
+"""Hashes of the blocks of a label map, for any bands of rows."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def hashes_in_bands(labels_hw, rows):
 @pytest.mark.parametrize("rows", [1, 7, 32, 100])
 def test_blocks_have_the_same_hashes_in_whatever_bands_rows_come(rows):
     labels = np.random.default_rng(3).integers(0, 5, (70, 90), dtype=np.uint8)
-    # Blocks of one value, of one until the last row, and of two halves.
+    # Blocks of one value, of one value until the last row, and of two halves.
     labels[:32, :32] = labels[:32, 32:64] = labels[32:48, :32] = 4
     labels[31, 40] = labels[48:64, :32] = 0
     expected = [

@@ -1,4 +1,4 @@
-"""Class tables for what an annotation has."""
+"""Proposed class tables for land-cover layers."""
 
 from __future__ import annotations
 

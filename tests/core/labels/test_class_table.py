@@ -1,4 +1,4 @@
-"""The class table: read, written, looked up, and the sentence for everything that can be wrong with it."""
+"""The class table: reading, writing, lookup, and a message for each mistake."""
 
 import re
 
@@ -27,7 +27,7 @@ TABLE = ClassTable(
 
 
 def refuses(sentence):
-    """The error carries this whole sentence (or these, as it ends)."""
+    """Require that the error has this whole sentence (or one of these endings)."""
     return pytest.raises(ClassTableError, match=re.escape(sentence) + "$")
 
 

@@ -1,4 +1,4 @@
-"""Confusion matrix and what follows from it, against counts done by hand."""
+"""Confusion matrix and its figures, compared with counts done by hand."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Label images and photos read without GDAL: class values stay values, colors colors, and no data no data."""
+"""Label images and photos read without GDAL: class values, colors and no data."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def test_a_photo_is_red_first_and_has_no_data_where_it_is_transparent(image):
 
 
 def test_a_photo_with_damaged_tags_is_refused(image, tmp_path):
-    """An entry that lies beyond the end of the file."""
+    """The tag points beyond the end of the file."""
     path = tmp_path / "photo.tif"
     data = bytearray(Path(image("photo.tif", np.zeros((20, 30, 3), np.uint8))).read_bytes())
     (first,) = struct.unpack_from("<I", data, 4)
@@ -98,7 +98,7 @@ def test_a_photo_with_damaged_tags_is_refused(image, tmp_path):
 
 @pytest.fixture
 def no_decoding(monkeypatch):
-    """Nothing may be decoded: room for the pixels would be made first, gigabytes."""
+    """Fail if anything is decoded: decoding allocates gigabytes for the pixels first."""
 
     def load(_):
         raise AssertionError("it is decoded")
@@ -158,7 +158,7 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(image, tmp_path, na
 
 
 def tiff(samples, photometric, **tags) -> bytes:
-    """A TIFF, made by hand: OpenCV writes neither palettes nor opacity nor nodata.
+    """Return the bytes of a TIFF; OpenCV writes neither palettes nor opacity nor nodata.
 
     samples: (height, width) or (height, width, bands) uint8; tags by number, as text, or as 16-bit numbers.
     """

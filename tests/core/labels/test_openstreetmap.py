@@ -1,4 +1,4 @@
-"""Tags of OpenStreetMap become classes by rules: the highest priority counts, odd tables are refused."""
+"""Rules turn tags of OpenStreetMap into classes: the highest priority counts, invalid tables are refused."""
 
 from __future__ import annotations
 

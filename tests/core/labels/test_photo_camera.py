@@ -1,4 +1,4 @@
-"""A camera as the tags of its photos tell it, and nothing at all from what is damaged."""
+"""Cameras from the tags of photos; damaged tags give nothing."""
 
 import struct
 
@@ -20,7 +20,7 @@ def entry(tag, kind, count, value):
 
 
 def exif(model=b"FC300S", focal=(361, 100), film=20):
-    """An EXIF block, big-endian: model, and a directory with focal lengths."""
+    """Return an EXIF block, big-endian: model, and a directory with focal lengths."""
     head = b"MM\0*" + struct.pack(">I", 8)
     first = 8 + 2 + 2 * 12 + 4
     text, rational = first, first + 16
@@ -33,7 +33,7 @@ def exif(model=b"FC300S", focal=(361, 100), film=20):
 
 
 def jpeg(exif_block=None, xmp=XMP, shape_hw=(2250, 4000)):
-    """The beginning of a JPEG: EXIF, XMP, size."""
+    """Return the beginning of a JPEG: EXIF, XMP, size."""
 
     def segment(marker, content):
         return bytes([0xFF, marker]) + struct.pack(">H", len(content) + 2) + content
@@ -45,11 +45,11 @@ def jpeg(exif_block=None, xmp=XMP, shape_hw=(2250, 4000)):
 
 def test_a_known_camera_gives_pixel_size_and_heading():
     camera = camera_of(photo_tags(jpeg()), "IMG_1.jpg")
-    # 3.61 mm before pixels of 1.5625 µm.
+    # Focal length 3.61 mm, pixels of 1.5625 µm.
     assert camera.lens.focal_length_px((2250, 4000)) == pytest.approx(3.61 / 0.0015625, rel=1e-6)
     low, high = camera.pixel_sizes((2250, 4000))
     assert low < 39.8 / 2310.4 < high and camera.heading_deg == 315
-    # The same photo's labels, half as large, have pixels twice as large.
+    # Labels of half the size have pixels of twice the size.
     assert camera.pixel_sizes((1125, 2000))[0] == pytest.approx(2 * low, rel=1e-6)
 
 

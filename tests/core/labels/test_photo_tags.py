@@ -1,4 +1,4 @@
-"""EXIF and XMP read without GDAL: a camera's figures as written."""
+"""EXIF and XMP are read without GDAL, with the values as written."""
 
 import struct
 import subprocess
@@ -17,7 +17,7 @@ def entry(tag, kind, count, value):
 
 
 def tiff(offset=8, xmp=b'<a RelativeAltitude="+52.50"/>'):
-    """A little-endian TIFF whose directory stands at an offset: size, XMP, orientation."""
+    """Return a little-endian TIFF with its directory at an offset: size, XMP, orientation."""
     text = offset + 2 + 4 * 12 + 4
     entries = [
         entry(256, 4, 1, struct.pack("<I", 40)),
@@ -46,7 +46,7 @@ def test_a_large_tiff_is_read_with_its_directory_after_the_pixels(tmp_path):
 
 
 def test_a_photo_that_is_cut_short_while_it_is_read_does_not_end_the_process(tmp_path):
-    """A mapped file that is written again kills the process that reads it, on board in the air."""
+    """A memory-mapped file that is rewritten kills the process, which on board would end the flight."""
     path = tmp_path / "large.tif"
     path.write_bytes(tiff(limits.TAG_BYTES + 1_000_000))
     script = f"""

@@ -1,4 +1,4 @@
-"""Tags of TIFF files: georeference becomes meters a pixel, and what is damaged or foreign becomes None."""
+"""Tags of TIFF files: georeference becomes meters per pixel; damaged or unknown tags become None."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DEGREES = (1024, 0, 1, 2), (2054, 0, 1, 9102)
 
 
 def tiff(entries, order="<") -> bytes:
-    """A TIFF that is nothing but a directory of (tag, kind, values)."""
+    """Return a TIFF with only a directory of (tag, kind, values)."""
     place = 8 + 2 + 12 * len(entries) + 4
     head, content = b"", b""
     for tag, kind, values in entries:
@@ -62,7 +62,7 @@ def test_a_turned_image_has_the_pixels_of_its_matrix():
 
 def test_a_degree_of_longitude_is_half_as_long_at_60_north():
     found = pixel_size_m(georeferenced(DEGREES, *scaled(1e-6, top=60 + 50e-6)), SHAPE_HW)
-    # Lengths of a degree at 60° on WGS 84: National Geospatial-Intelligence Agency's table.
+    # Lengths of a degree at 60° on WGS 84, from the table of the National Geospatial-Intelligence Agency.
     assert found == pytest.approx((55_800e-6, 111_412e-6), rel=1e-5)
 
 

@@ -1,4 +1,4 @@
-"""Tiles of training and validation: apart by place, whole, and about as many as asked."""
+"""Training and validation tiles do not overlap and have about the asked shares."""
 
 import numpy as np
 import pytest

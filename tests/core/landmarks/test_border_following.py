@@ -1,4 +1,4 @@
-"""A border followed pixel by pixel measures what OpenCV measures on the whole map."""
+"""Following a border gives the same measures as OpenCV on the whole map."""
 
 import cv2
 import numpy as np
@@ -11,7 +11,7 @@ from semref.core.landmarks.landmarks import extract_landmarks, rows_from_objects
 
 
 def winding():
-    """A line that crosses the map, a ring and a speck, all of class 5."""
+    """Return a line across the map, a ring and a speck, all of class 5."""
     labels = np.zeros((120, 150), np.uint8)
     cv2.polylines(labels, [np.array([(0, 5), (140, 20), (10, 60), (149, 110)], np.int32)], False, 5, 2)
     cv2.circle(labels, (40, 95), 12, 5, 2)

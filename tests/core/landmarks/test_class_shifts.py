@@ -1,4 +1,4 @@
-"""What a prediction shifts its classes by is found, and what pieces of ground differ by."""
+"""Class offsets of a prediction, and differences between pieces of ground."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ HOUSE, POND, FIELD = 1, 2, 3
 
 
 def ground(rng, size=400):
-    """Houses and ponds on a field, apart from each other."""
+    """Return houses and ponds on a field, apart from each other."""
     labels = np.full((size, size), FIELD, np.uint8)
     for row in range(10, size - 30, 32):
         for column in range(10, size - 30, 32):

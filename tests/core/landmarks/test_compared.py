@@ -1,4 +1,4 @@
-"""What spoiled labels were spoiled with is found by comparing them with what they were."""
+"""Comparing noisy labels with the originals recovers the noise."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ AREA_PX = 50
 
 
 def ground(rng, size=500, is_sparse=False):
-    """Houses and ponds on a field, apart from each other."""
+    """Return houses and ponds on a field, apart from each other."""
     labels = np.full((size, size), FIELD, np.uint8)
     for row in range(10, size - 40, 40):
         for column in range(10, size - 40, 40):
@@ -26,7 +26,7 @@ def ground(rng, size=500, is_sparse=False):
 
 
 def errors(noise, pieces=6):
-    """Of several pieces of ground, all classes together."""
+    """Return the errors of several pieces of ground, of all classes together."""
     rng = np.random.default_rng(7)
     total = LandmarkErrors()
     for _ in range(pieces):
@@ -54,7 +54,7 @@ def test_shares_of_landmarks_that_were_spoiled_are_found(name, attribute, share)
 
 def test_landmarks_that_were_added_are_found():
     found = errors(LabelNoise(spurious=0.2, jitter=0.5))
-    # Some land on others, and hide or make them larger.
+    # Some overlap others, and hide or enlarge them.
     assert 0.1 < found.invented / found.annotated < 0.25
 
 

@@ -1,4 +1,4 @@
-"""The objects of a whole map, read band by band, are those of the map in one piece."""
+"""Objects of a map read band by band equal those of the whole map."""
 
 import cv2
 import numpy as np
@@ -33,7 +33,7 @@ def assert_equal_to_the_whole(objects, labels_hw, minimum_area=1.0):
 
 
 def drawn(*lines):
-    """Labels from a drawing of class 5: everything but dots."""
+    """Return labels of a drawing: everything but dots is class 5."""
     return np.array([[0 if c == "." else 5 for c in line] for line in lines], np.uint8)
 
 
@@ -68,7 +68,7 @@ def snakes(seed=2):
 
 
 def spiral():
-    """One long line that crosses each band many times, with islands between its turns."""
+    """Return one long line that crosses each band many times, with islands between its turns."""
     labels = np.zeros((WIDTH, WIDTH), np.uint8)
     angles = np.linspace(0, 10 * np.pi, 400)
     points = 45 + np.stack([np.cos(angles), np.sin(angles)], axis=1) * (4 + angles * 1.2)[:, None]
@@ -78,7 +78,7 @@ def spiral():
 
 
 def combs():
-    """Teeth up and teeth down: joined only in the last band, or only in the first."""
+    """Return teeth up and teeth down: joined only in the last band, or only in the first."""
     labels = np.zeros((80, WIDTH), np.uint8)
     labels[2:36, 3:87:4] = labels[2:36, 4:87:4] = labels[34:36, 3:87] = 2
     labels[40:78, 3:87:4] = labels[40:78, 4:87:4] = labels[40:42, 3:87] = 2
@@ -93,7 +93,7 @@ def nested_rings():
 
 
 def lines():
-    """Lines of one pixel, which have no area, beside some that enclose some."""
+    """Return lines one pixel wide without area, and some that enclose area."""
     labels = np.zeros((80, WIDTH), np.uint8)
     labels[:, ::6] = 5
     labels[5:70, 2] = labels[70, 2:6] = 9

@@ -1,4 +1,4 @@
-"""Labels become landmarks: which regions count, where their centers of gravity lie."""
+"""Labels become landmarks: selected regions and their centers of gravity."""
 
 import cv2
 import numpy as np
@@ -14,12 +14,12 @@ from semref.core.landmarks.landmarks import (
 
 
 def drawn(*lines):
-    """Labels from a drawing: digits are class values, everything else is unlabeled."""
+    """Return labels of a drawing: digits are class values, everything else is unlabeled."""
     return np.array([[int(c) if c.isdigit() else 0 for c in line] for line in lines], np.uint8)
 
 
 def plain_rows(labels_hw, values, minimum_area):
-    """Rows (value, x, y, area, left, top, right, bottom), each region by itself and with the shoelace formula."""
+    """Return rows (value, x, y, area, left, top, right, bottom) of each region, by the shoelace formula."""
     rows = []
     for value in values:
         count, regions = cv2.connectedComponents((labels_hw == value).astype(np.uint8), connectivity=8)

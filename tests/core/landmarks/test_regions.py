@@ -1,4 +1,4 @@
-"""Regions that reach into places are found whole, in tiles of any size, and no more of the map is read."""
+"""Regions that touch a place are found whole with tiles of any size, without reading the rest of the map."""
 
 import cv2
 import numpy as np
@@ -13,12 +13,12 @@ PLACES = [(20, 10, 55, 41), (90, 50, 121, 75), (0, 100, 30, 120), (140, 0, 150, 
 
 
 def winding():
-    """A line that crosses the map, a ring and a speck, all of class 5."""
+    """Return a line across the map, a ring and a speck, all of class 5."""
     labels = np.zeros((120, 150), np.uint8)
     cv2.polylines(labels, [np.array([(0, 5), (140, 20), (10, 60), (149, 110)], np.int32)], False, 5, 2)
     cv2.circle(labels, (40, 95), 12, 5, 2)
     labels[60, 120] = 5
-    # To the last row as well: with tiles of 12 and 16 the map ends where a tile does.
+    # The line reaches the last row: with tiles of 12 and 16 the map ends where a tile ends.
     labels[100:, 149] = 5
     return labels
 
@@ -30,7 +30,7 @@ def blobs(scale):
 
 
 def rows(seed=1):
-    """Lines that touch by corners alone."""
+    """Return lines that touch only at corners."""
     ys, xs = np.indices((120, 150))
     return np.where((ys // 2 + xs // 2) % 4 == 0, 5, 0).astype(np.uint8)
 

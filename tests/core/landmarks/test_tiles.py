@@ -1,4 +1,4 @@
-"""Landmarks found tile by tile, in any order, are those of the map in one piece."""
+"""Landmarks found tile by tile, in any order, equal those of the whole map."""
 
 import cv2
 import numpy as np
@@ -22,7 +22,7 @@ def specks():
 
 
 def diagonals():
-    """Regions that go from tile to tile by corners alone."""
+    """Return regions that continue in the next tile only at corners."""
     rows, columns = np.indices((70, 90))
     return np.where((rows // 3 + columns // 3) % 5 == 0, 5, np.where(rows % 20 == 0, 2, 0)).astype(np.uint8)
 

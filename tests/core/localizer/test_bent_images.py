@@ -1,4 +1,4 @@
-"""Images of a lens that bends: found nearer to where they are when its calibration is known."""
+"""Images of a distorting lens have more accurate positions if the calibration is known."""
 
 from dataclasses import replace
 
@@ -30,12 +30,12 @@ PIXEL_M = 1.0
 FRAME = MapFrame("a metric CRS", (600000.0, PIXEL_M, 0.0, 5200000.0, 0.0, -PIXEL_M))
 SHAPE = 450, 600
 LENS = LensDistortion((0.75, 0.75), (0.0, 0.0), (-0.27, 0.11, -0.03))
-"""As strong as that of a Phantom 4: corners are shown 9 % too near the center."""
+"""As strong as that of a Phantom 4: corners are 9 % too near the center."""
 HEADING = 25.0
 
 
 def ground(height=1400, width=1600) -> np.ndarray:
-    """Rectangles of two classes here and there."""
+    """Return randomly placed rectangles of two classes."""
     random, labels = np.random.default_rng(12), np.ones((height, width), np.uint8)
     for _ in range(900):
         row, column = random.integers(0, height - 30), random.integers(0, width - 30)
@@ -55,7 +55,7 @@ def localizer():
 
 
 def seen_at(x: float, y: float) -> np.ndarray:
-    """Labels that a level camera with LENS sees above map (x, y)."""
+    """Return the labels that a level camera with LENS sees above map (x, y)."""
     way = leveling(Attitude(0, 0), LENS.focal_xy[0] * SHAPE[1], SHAPE, LENS)
     rows, columns = np.mgrid[0 : SHAPE[0], 0 : SHAPE[1]]
     straight = way.bent.straight(np.column_stack([columns.ravel(), rows.ravel()]) + 0.5)
@@ -82,7 +82,7 @@ def test_a_stated_lens_makes_position_and_radius_more_accurate(localizer, where)
     assert error(straight) < 0.5
     assert straight.pixel_size_m == pytest.approx(PIXEL_M, rel=0.005)
     assert abs(straight.heading_deg - HEADING) < 0.2
-    # Without it nothing is found, or farther off and with another scale.
+    # Without the lens there is no position, or a larger error and another scale.
     if bent.status == Status.FIX:
         assert error(bent) > 2 * error(straight) and abs(bent.pixel_size_m / PIXEL_M - 1) > 0.02
         assert bent.error_95_m > straight.error_95_m

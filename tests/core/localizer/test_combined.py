@@ -1,4 +1,4 @@
-"""METHOD 0: the constellation, map correlation where that has no fix, and each one's fix checked by the other."""
+"""Automatic (METHOD 0): each method's fix is checked by the other; map correlation is the second choice."""
 
 from dataclasses import replace
 
@@ -27,7 +27,7 @@ WIDTH, HEIGHT = 2400, 2000
 
 
 def patches(seed: int) -> np.ndarray:
-    """(HEIGHT, WIDTH) uint8: patches of classes 2 to 6 around random points."""
+    """Return (HEIGHT, WIDTH) uint8 patches of classes 2 to 6 around random points."""
     rng = np.random.default_rng(seed)
     small = np.full((HEIGHT // 4, WIDTH // 4), 255, np.uint8)
     small[rng.integers(0, HEIGHT // 4, 500), rng.integers(0, WIDTH // 4, 500)] = 0
@@ -37,7 +37,7 @@ def patches(seed: int) -> np.ndarray:
 
 
 def houses(seed: int, count: int = 700) -> np.ndarray:
-    """(HEIGHT, WIDTH) bool: houses apart from each other."""
+    """Return (HEIGHT, WIDTH) bool: houses apart from each other."""
     rng = np.random.default_rng(seed)
     mask = np.zeros((HEIGHT, WIDTH), bool)
     for _ in range(count):
@@ -106,7 +106,7 @@ def test_a_part_that_shows_another_place_is_named_by_either_method(localizer, bu
 
 
 def test_landmarks_that_class_areas_speak_against_are_no_fix(localizer):
-    """The houses of one place over the ground of another."""
+    """Use the houses of one place over the ground of another."""
     image = view(patches(9), HOUSES)
     assert localizer.localize_by_constellation(image).status == Status.FIX
     found = localizer.localize(image, Method.AUTOMATIC)
@@ -126,7 +126,7 @@ def test_class_areas_are_enough_where_landmarks_do_not_come_out_whole(localizer)
 
 @pytest.fixture(scope="module")
 def twin_houses():
-    """The houses of the left half again in the right half, over other ground."""
+    """Return the houses of the left half repeated in the right half, over other ground."""
     built = HOUSES.copy()
     built[:, WIDTH // 2 :] = built[:, : WIDTH // 2]
     return built
@@ -203,7 +203,7 @@ def test_a_prior_applies_to_both_methods(localizer):
     assert localizer.localize(image, Method.AUTOMATIC, replace(here, position=ORIGIN)).status != Status.FIX
 
 
-# --- the decisions alone ---
+# --- decisions ---
 
 PLACE = Place((100.0, 200.0), 30.0, 1.0)
 SAID = Sentence("The mirrored image fits almost as well, so the pattern is too regular.")
@@ -232,7 +232,7 @@ AREAS = replace(
 )
 def test_a_fix_remains_if_class_areas_agree_or_are_undecided(agreement, status):
     found = checked_by_areas(STARS, agreement)
-    # What is refused for its risk alone stays open to what map correlation finds.
+    # A place refused only for its risk can still be confirmed by map correlation.
     assert (found.status, found.is_doubted) == (status, status == Status.NO_MATCH)
 
 
@@ -265,7 +265,7 @@ def test_two_independent_methods_with_one_place_lower_the_risk():
     assert agreed(stars, replace(areas, risk=0.1), 1000) is None
     assert agreed(replace(stars, best=replace(PLACE, position=(900.0, 200.0))), areas, 1000) is None
     assert agreed(replace(stars, best=replace(PLACE, heading_deg=60.0)), areas, 1000) is None
-    # Across north: 359.5° and 0.2° are 0.7° apart.
+    # Across north, 359.5° and 0.2° differ by 0.7°.
     north, beside = (replace(PLACE, heading_deg=heading) for heading in (0.2, 359.5))
     assert agreed(replace(stars, best=north), replace(areas, best=beside), 1000).is_fix
 
@@ -292,7 +292,7 @@ def test_of_places_alike_the_one_where_class_areas_agree_is_taken_if_it_is_the_o
     unsure = Localization(Status.AMBIGUOUS, Method.CONSTELLATION, 30, SAID, best=PLACE, risk=0.5)
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, far)), around(20.0)).position == PLACE.position
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE, close)), around(20.0)) is None
-    # Only the mirrored image rivals it: nothing that a place could tell.
+    # Only the mirrored image is a rival; no place can decide between them.
     assert confirmed(AREAS, replace(unsure, alternatives=(PLACE,)), around(20.0)) is None
 
 

@@ -1,4 +1,4 @@
-"""Leveled images: a localizer that knows where the level image lies, and what is told of the image itself."""
+"""Localization of leveled images: the level pose is known, and results are those of the original image."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from semref.core.pipeline import localize_with
 LABELS = np.ones((200, 260), np.uint8)
 FOCAL = 225.0
 MIDDLE = (600100.0, 5200050.0)
-"""Where the made localizer puts the middle of the level image."""
+"""Position that the made localizer returns for the middle of the level image."""
 
 
 class Made:
-    """A localizer that remembers what it was asked and gives what it was made with."""
+    """Localizer that remembers its input and returns a given result."""
 
     def __init__(self, found):
         self.found = found
@@ -47,7 +47,7 @@ def test_of_a_level_camera_the_middle_is_the_place_and_the_nadir():
     ).localization
     assert made.shape == LABELS.shape
     assert found.position == found.nadir == pytest.approx(MIDDLE)
-    # The image's top points east: its upper left corner lies half its height east, half its width north.
+    # The image's top points east: its upper left corner is half its height east and half its width north.
     np.testing.assert_allclose(found.footprint[0], (MIDDLE[0] + 50, MIDDLE[1] + 65))
 
 
@@ -56,10 +56,10 @@ def test_a_camera_pitched_up_is_south_of_the_ground_at_its_center():
     found = localize_with(
         Made(fix(0.0, 2.0)), Search(Method.CONSTELLATION), SeenLabels(LABELS), Prior(), way
     ).localization
-    # A view to the top reaches farther beyond its center than before it: the center lies south of the middle.
+    # A view to the top reaches farther beyond its center than before it, so the center is south of the middle.
     assert found.position == pytest.approx((MIDDLE[0], MIDDLE[1] - 2.0 * way.middle.imag))
     assert way.middle.imag > 10
-    # A pixel at the center keeps its ground: the camera is f · cos 20°^1.5 pixels high, and tan 20° times that away.
+    # The ground size at the center is kept: the camera is f · cos 20°^1.5 pixels high, and tan 20° times that away.
     away = 2.0 * FOCAL * np.cos(np.radians(20)) ** 1.5 * np.tan(np.radians(20))
     assert found.position[1] - found.nadir[1] == pytest.approx(away)
     assert found.nadir[0] == pytest.approx(MIDDLE[0])
@@ -98,6 +98,6 @@ def test_shares_are_leveled_with_the_labels():
     height, width = made.shares.shares.shape[:2]
     pixels = np.array(LABELS.shape) / (50, 65)
     assert np.abs(np.array(made.shape) / pixels - (height, width)).max() <= 0.5
-    # What isn't seen is unknown; what is, has its share.
+    # Pixels that are not seen are unknown; the others have their share.
     middle = made.shares.shares[height // 2, width // 2]
     assert made.shares.shares.min() == 0 and middle == 200

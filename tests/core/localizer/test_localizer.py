@@ -1,4 +1,4 @@
-"""The published method from label image to position: what is found, and the sentence where nothing is."""
+"""The published method from label image to position, and its messages without a position."""
 
 import re
 from dataclasses import replace
@@ -39,7 +39,7 @@ def localizer_of(labels, settings=SETTINGS):
 
 
 def with_blocks(shape, *blocks):
-    """Labels with blocks (column, row, size, value)."""
+    """Return labels with blocks (column, row, size, value)."""
     labels = np.zeros(shape, np.uint8)
     for column, row, size, value in blocks:
         labels[row : row + size, column : column + size] = value
@@ -110,7 +110,7 @@ def test_an_image_cut_on_a_window_is_found_however_it_is_turned_by_right_angles(
 
 @pytest.mark.parametrize("factor", [2, 3, 5])
 def test_an_image_of_finer_pixels_is_found(factor):
-    """Plots of 5 to 12 pixels, each in a cell of its own: their centers of gravity do not hang on the pixels' size."""
+    """Plots of 5 to 12 pixels, each in its own cell, so that centers of gravity do not depend on the pixel size."""
     rng = np.random.default_rng(1)
     cells = [(column, row) for row in range(0, 160, 20) for column in range(0, 200, 20) if rng.random() < 0.9]
     plots = [
@@ -125,7 +125,7 @@ def test_an_image_of_finer_pixels_is_found(factor):
 
 
 def test_regular_plots_cut_on_a_window_have_distance_zero():
-    """All distances are tied; the map and the image must order the plots alike all the same."""
+    """All distances are tied; map and image must sort the plots in the same order."""
     plot = np.array([[0, 0], [5, 0], [0, 5]], np.int32)
     labels = np.zeros((160, 160), np.uint8)
     for row in range(3, 150, 12):
@@ -138,7 +138,7 @@ def test_regular_plots_cut_on_a_window_have_distance_zero():
 
 @pytest.mark.parametrize(("size", "side"), [(30, 5), (40, 7), (60, 20), (44, 25)])
 def test_objects_of_exactly_the_minimum_area_count_in_the_map_and_in_the_image(size, side):
-    """In these sizes the way to a fraction of the window's area and back ends a rounding error above the area."""
+    """In these sizes, a fraction of the window's area ends a rounding error above the area."""
     labels = np.zeros((size, size), np.uint8)
     for row in (4, 12, 20):
         labels[row : row + 2, : side + 1] = 2
@@ -148,7 +148,7 @@ def test_objects_of_exactly_the_minimum_area_count_in_the_map_and_in_the_image(s
 
 
 def test_an_image_that_no_vector_is_near_to_is_no_match():
-    """Ten plots around the middle of every window, but three in the image: seven columns of the vector differ."""
+    """Every window has ten plots around its middle, but the image has three: seven vector columns differ."""
     around = [(28 + round(20 * np.cos(a)), 28 + round(20 * np.sin(a)), 5, 5) for a in np.arange(10) * np.pi / 5]
     localizer, _ = localizer_of(with_blocks((60, 60), *around))
     image = with_blocks((60, 60), (5, 28, 5, 2), (28, 5, 5, 2), (50, 40, 5, 2))
@@ -191,7 +191,7 @@ def test_with_several_levels_images_of_each_window_size_are_found():
 
 
 def test_too_few_references_are_counted_only_where_windows_can_be_matched():
-    """Only the small windows have vectors here; in the large windows' terms the image has a third object."""
+    """Only small windows have vectors here; for large windows the image has a third object."""
     plots = [(42, 2, 4, 2), (52, 4, 4, 5), (46, 12, 4, 2)]
     localizer, windows = localizer_of(with_blocks((40, 60), *plots), BuildSettings(40.0, 40.0, 16.0, levels=(1.0, 2.0)))
     assert windows.names[windows.described].tolist() == ["40_0"]

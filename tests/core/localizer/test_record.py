@@ -1,4 +1,4 @@
-"""A localization as a row: its columns with and without a fix, and as a sentence of NMEA 0183."""
+"""Localizations as rows with and without a fix, and as sentences of NMEA 0183."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_a_fix_has_the_parts_of_its_radius():
 
 def test_a_sentence_has_its_checksum_and_never_sixty_minutes():
     moment = datetime(2026, 5, 1, 12, 34, 56, 789_000, timezone.utc)
-    # Checked by hand: the exclusive or of all characters between $ and *.
+    # Checked by hand: the checksum is the exclusive or of all characters between $ and *.
     text = gga_sentence(moment, -9.99999999999, 46.9999999999, 150)
     assert text.startswith("$GPGGA,123456.78,4700.00000,N,01000.00000,W,6,99,,,M,,M,,*")
     total = 0

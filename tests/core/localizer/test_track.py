@@ -1,4 +1,4 @@
-"""Jumps: as few fixes as possible are flagged, so that all others can be reached in time."""
+"""Jumps: as few fixes as possible are flagged, so that the others can be reached in time."""
 
 import numpy as np
 import pytest

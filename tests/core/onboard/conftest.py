@@ -1,4 +1,4 @@
-"""One made map and its onboard file for the tests of writing, reading and the format."""
+"""One made map and its onboard file, for the tests of reading, writing and the format."""
 
 from __future__ import annotations
 

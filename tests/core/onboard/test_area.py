@@ -1,4 +1,4 @@
-"""The part of a database in an area."""
+"""Cutting a database to an area."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ RING = np.array([(600200, 5199900), (600500, 5199900), (600500, 5199600), (60020
 
 @pytest.fixture(scope="module")
 def database():
-    """Of 800 × 640 m with a square landmark every 20 m."""
+    """Return a database of 800 × 640 m with a square landmark every 20 m."""
     labels = np.zeros((320, 400), np.uint8)
     for row in range(2, 316, 10):
         for column in range(2, 396, 10):

@@ -1,4 +1,4 @@
-"""Arrays out of a zip that anybody may have written."""
+"""Arrays from an untrusted zip."""
 
 import io
 import zipfile

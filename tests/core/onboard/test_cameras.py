@@ -1,4 +1,4 @@
-"""Cameras on board: table before photo before log, as in QGIS, and motion by the log."""
+"""Cameras on board: table before photo before log, as in QGIS, and motion from the log."""
 
 from __future__ import annotations
 

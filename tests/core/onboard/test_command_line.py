@@ -1,4 +1,4 @@
-"""``python -m core``: what it prints, how it ends, and that a copy of its folder is all it needs."""
+"""``python -m core``: output, exit codes, and that it needs only a copy of its folder."""
 
 from __future__ import annotations
 
@@ -152,7 +152,7 @@ def test_a_value_that_is_out_of_range_is_a_wrong_command_line(database, tmp_path
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
 def test_only_regular_files_of_a_bounded_size_are_read(database, tmp_path, capsys):
-    """A pipe would be waited for without end, /dev/zero fill the memory."""
+    """Reading a pipe would never end, and /dev/zero would fill the memory."""
     pipe, sparse = tmp_path / "pipe.png", tmp_path / "sparse.png"
     os.mkfifo(pipe)
     with open(sparse, "wb") as file:
@@ -166,7 +166,7 @@ def test_only_regular_files_of_a_bounded_size_are_read(database, tmp_path, capsy
 
 
 def test_a_fault_of_the_program_is_no_missing_fix(database, image, capsys, monkeypatch):
-    """Python's own exit code for a traceback is 1, which means that an image has no fix."""
+    """Python's exit code for a traceback is 1, which here means that an image has no fix."""
 
     def broken(*_, **__):
         raise ZeroDivisionError("by chance")

@@ -1,4 +1,4 @@
-"""``python -m core --device``: what the network runs on, and a word in the log where it runs on something else."""
+"""``python -m core --device``: the device of the network, and a warning if another one is used."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TABLE = class_table_from_csv("value,name\n" + "".join(f"{n},{name}\n" for n, nam
 
 @pytest.fixture
 def logged(tmp_path, monkeypatch, capsys):
-    """`logged(device)`: the lines of the log, where there is the CPU alone."""
+    """`logged(device)` returns the lines of the log where only the CPU exists."""
     import onnxruntime
 
     monkeypatch.setattr(onnxruntime, "get_available_providers", lambda: ["CPUExecutionProvider"])

@@ -1,4 +1,4 @@
-"""``python -m core watch --flight``: each image by all up to it, bounded, and on after a restart."""
+"""``python -m core watch --flight``: each image uses the earlier ones, with bounded memory and after a restart."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ ROOT = Path(__file__).resolve().parents[3]
 STEP = 60
 COUNT = 7
 FIRST = (90, 60)
-"""Row and column of the first image's first pixel; the flight goes east, tops up."""
+"""Row and column of the first image's first pixel; the flight goes east with the tops up."""
 
 
 def center(number):
-    """Map (x, y) of an image's center."""
+    """Return the map (x, y) of an image's center."""
     row, column = FIRST[0] + 8 * number, FIRST[1] + STEP * number
     return 600000 + column + SIZE / 2, 5200000 - row - SIZE / 2
 
@@ -59,7 +59,7 @@ def database(tmp_path_factory):
 
 @pytest.fixture(autouse=True)
 def home(tmp_path, monkeypatch):
-    """A user of its own, with a secret of its own."""
+    """Provide a new user with its own secret."""
     for name in ("XDG_CACHE_HOME", "XDG_DATA_HOME", "SEMREF_CACHE"):
         monkeypatch.setenv(name, str(tmp_path / "home"))
     return tmp_path / "home"
@@ -80,7 +80,7 @@ def put(folder, numbers, blank=()):
 
 @pytest.fixture
 def watch(database, folder, tmp_path):
-    """`watch(*arguments)` localizes the images in the folder; returns the exit code and the records."""
+    """`watch(*arguments)` processes the folder; returns the exit code and the records."""
 
     def run(*arguments):
         fixes = tmp_path / "fixes.jsonl"
@@ -109,11 +109,11 @@ def test_images_of_a_flight_have_the_track_and_what_they_rest_on(watch, folder):
 
 
 LENS = LensDistortion((0.95, 0.95), (0.0, 0.0), (-0.27, 0.11, -0.03))
-"""Like that of a Phantom 4, in a square image."""
+"""Like the lens of a Phantom 4, for a square image."""
 
 
 def bent(number):
-    """What a camera with LENS sees where ``cut`` is straight."""
+    """Return the view of a camera with LENS where ``cut`` is straight."""
     way = leveling(Attitude(0, 0), LENS.focal_xy[0] * SIZE, (SIZE, SIZE), LENS)
     rows, columns = np.mgrid[0:SIZE, 0:SIZE]
     straight = way.bent.straight(np.column_stack([columns.ravel(), rows.ravel()]) + 0.5).reshape(SIZE, SIZE, 2)
@@ -206,7 +206,7 @@ def test_a_damaged_state_is_reported_and_the_flight_starts_again(watch, folder, 
 
 
 def sign(path, data):
-    """Writes a state as one who has the key."""
+    """Write a state with the right key."""
     path.write_bytes(data + StateFile.at(str(path), None).code(data))
 
 
@@ -298,12 +298,12 @@ def test_a_folder_of_the_state_that_is_missing_ends_the_start_once(watch, folder
     assert "nowhere" in line and "does not exist" in line
 
 
-# --- who may write a state ---
+# --- ownership of the state ---
 
 
 @pytest.fixture(scope="module")
 def kept(database, tmp_path_factory):
-    """A folder with a user's secret, as ``home``, and with the state of three images."""
+    """Return a folder with a user's secret, as in ``home``, and with the state of three images."""
     made = tmp_path_factory.mktemp("flown")
     (made / "incoming").mkdir()
     put(made / "incoming", range(3))
@@ -317,7 +317,7 @@ def kept(database, tmp_path_factory):
 
 @pytest.fixture
 def flown(kept, home, folder, tmp_path):
-    """A state of three images; a fourth one has come since."""
+    """Return a state of three images; a fourth image arrived later."""
     shutil.copytree(kept / "home", home)
     put(folder, range(4))
     return Path(shutil.copy2(kept / "flight.npz", tmp_path))
@@ -354,7 +354,7 @@ def test_a_state_needs_the_key_that_the_onboard_file_needs(watch, folder, tmp_pa
             write_onboard(signed, onboard.database, onboard.lon_lat, key_file=key)
         watch("--state", state, *(["--database", signed, "--require-signature", key] if key else []))
         is_refused = "flight_state_not_used" in [told["event"] for told in events(capsys)]
-        # First none is there; then one of this user without a key; then the right one; then one of another key.
+        # First no state exists; then one of this user without a key; then the right one; then one of another key.
         assert is_refused == (number in (1, 3)), number
 
 
@@ -372,7 +372,7 @@ def test_the_secret_of_a_user_is_private_and_another_user_s_state_is_not_used(wa
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["g", ">i8", "?"])
 def test_other_types_of_numbers_in_a_state_are_numbers(watch, flown, capsys, kind):
-    """With long doubles, every later image was an error, because linear algebra does not support them."""
+    """Long doubles made every later image an error, because linear algebra refuses them."""
     arrays = arrays_of(flown)
     header = arrays.pop("header")
     write_arrays(flown, {"header": header, **{name: np.clip(a, 0, 9999).astype(kind) for name, a in arrays.items()}})
@@ -412,7 +412,7 @@ def test_a_disk_that_takes_no_state_is_reported_once_and_the_flight_goes_on(watc
     assert flown.read_bytes() == before and not list(flown.parent.glob(".*.part"))
 
 
-# --- what lies where the state is to be ---
+# --- other files at the path of the state ---
 
 
 def test_a_link_with_the_name_of_a_temporary_file_is_not_followed(watch, folder, tmp_path):
@@ -472,13 +472,13 @@ ODOMETRY = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
 
 
 def row(number):
-    """Of the odometry table: to the right and down, as the images go on."""
+    """Return a row of the odometry table: to the right and down, like the images."""
     return f"{number}.png,{STEP},-8,0,1\n" if number else "0.png,,,,\n"
 
 
 @pytest.fixture
 def blind(monkeypatch):
-    """Pixels give no motion."""
+    """Disable motion from pixels."""
     from semref.core.flight.pixel_motion import Motion
 
     monkeypatch.setattr("semref.core.onboard.flight.motion_between", lambda before, now: Motion(None))
@@ -537,7 +537,7 @@ def test_bad_tables_are_one_sentence_before_the_start(watch, folder, database, t
 
 
 def test_a_tilted_camera_of_a_table_is_leveled(watch, folder, tmp_path, monkeypatch):
-    """What is tilted on the image is where it was on the ground: as QGIS levels it."""
+    """The tilted image is at the same place on the ground as in QGIS."""
     put(folder, range(1))
     seen = []
     original = "semref.core.pipeline.level_labels"

@@ -1,4 +1,4 @@
-"""The onboard file's format: known by its members, hashed whole, and read by another language alike."""
+"""The onboard file's format: recognized by its members, hashed as a whole, and readable in JavaScript."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_a_damaged_onboard_file_is_recognized_by_its_members(written, tmp_path):
 
 
 def test_a_zip_with_an_unreadable_directory_is_no_onboard_file(written, tmp_path):
-    """It ends as a zip does, but its directory is no directory."""
+    """It ends like a zip, but its directory is damaged."""
     data = bytearray(written.read_bytes())
     start = data.rfind(b"PK\x05\x06")
     (directory,) = struct.unpack_from("<I", data, start + 16)

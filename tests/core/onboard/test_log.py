@@ -1,4 +1,4 @@
-"""The log of the command line: one JSON object a line."""
+"""The log of the command line: one JSON object per line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from semref.core.onboard.log import json_line, log_event, start_log
 
 @pytest.fixture
 def lines(capsys):
-    """`lines(level)` starts the log and gives a function that reads what was written since."""
+    """`lines(level)` starts the log and returns a function that reads the new lines."""
     logger = logging.getLogger("semref")
     before = logger.handlers, logger.level
 

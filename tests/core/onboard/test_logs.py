@@ -1,4 +1,4 @@
-"""A ground station's log that grows while images come."""
+"""A log of a ground station that grows while images arrive."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LONG_S = 30.0
 
 
 def attitude(time_s, heading_deg):
-    """A packet of a .tlog."""
+    """Return a packet of a .tlog."""
     content = struct.pack("<I6f", 1, 0.0, 0.0, math.radians(heading_deg), 1, 1, 1)
     head = bytes([len(content), 0, 0, 7, 1, 1]) + (30).to_bytes(3, "little")
     total = checksum(head + content + bytes([39]))
@@ -85,7 +85,7 @@ def test_an_entry_that_is_late_is_waited_for(path, start_s, monkeypatch):
 
     writer = threading.Thread(target=write)
     writer.start()
-    # Nearer to now, so that what is still to come may tell of it.
+    # Closer to the present, where later entries may still arrive.
     monkeypatch.setattr(logs.time, "time", lambda: start_s + 2.0)
     assert heading(log, start_s + 2) == pytest.approx(30, abs=0.01)
     writer.join()

@@ -1,4 +1,4 @@
-"""``python -m core watch --mavlink``: what an autopilot hears, read by pymavlink's own receiver."""
+"""``python -m core watch --mavlink``: messages for an autopilot, read by pymavlink."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def mavutil():
 
 @pytest.fixture
 def autopilot(mavutil):
-    """(where it listens, `heard(kind, wait=3)`: its next message of that kind, None after so many seconds)."""
+    """Return (address, `heard(kind, wait=3)`: the next message of that kind, or None after ``wait`` seconds)."""
     connection = mavutil.mavlink_connection("udpin:127.0.0.1:0", dialect="ardupilotmega")
     port = connection.port.getsockname()[1]
     yield f"udp:{port}", lambda kind, wait=3: connection.recv_match(type=kind, blocking=True, timeout=wait)
@@ -132,7 +132,7 @@ def test_a_slow_fix_is_a_command_with_longitude_latitude_and_accuracy(autopilot,
     assert (found.command, found.frame, found.target_system, found.target_component) == (43003, 0, 1, 1)
     assert (found.x, found.y) == (round(record()["latitude"] * 1e7), round(record()["longitude"] * 1e7))
     assert 0 <= found.param2 < 5 and math.isnan(found.z)
-    # The larger semi-axis of one standard deviation.
+    # The larger semi-axis at one standard deviation.
     expected = math.sqrt(np.linalg.eigvalsh([[9, 3], [3, 4]])[-1])
     assert found.param3 == pytest.approx(expected, rel=0.06)
 
@@ -151,7 +151,7 @@ def test_without_a_pose_only_a_heartbeat_is_sent(autopilot, lon_lat, message, la
 
 
 def test_a_turned_grid_turns_heading_and_covariance():
-    """A map with its y axis to the north-east."""
+    """The y axis of the map points north-east."""
 
     def transform(points_xy):
         u, v = (points_xy - [1000.0, 1000.0]).T
@@ -164,7 +164,7 @@ def test_a_turned_grid_turns_heading_and_covariance():
 
 
 def test_meters_on_the_ellipsoid():
-    """A degree of latitude and of longitude at 45°, after the tables of WGS 84."""
+    """Lengths of a degree of latitude and longitude at 45°, from tables of WGS 84."""
     assert meters_from((44.5, 9.0), (45.5, 9.0)) == pytest.approx((111_132, 0), abs=3)
     assert meters_from((45.0, 179.5), (45.0, -179.5)) == pytest.approx((0, 78_847), abs=3)
 

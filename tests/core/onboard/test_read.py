@@ -1,4 +1,4 @@
-"""Reading an onboard file: what comes back serves as the whole database does, and nothing else is taken for one."""
+"""Reading an onboard file: it works like the whole database, and other files are refused."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_a_truncated_file_is_refused(written, tmp_path, share):
 
 
 def test_a_flipped_bit_is_refused_or_changes_nothing(written, tmp_path):
-    """Times and attributes in the zip's directory mean nothing here; all else is covered by checksums."""
+    """Times and attributes in the zip's directory are not used; checksums cover the rest."""
     data, refused = written.read_bytes(), 0
     whole = members(written)
     random = np.random.default_rng(3)
@@ -181,7 +181,7 @@ def test_a_polynomial_that_leads_off_the_earth_is_refused(written, tmp_path, lon
 
 
 def with_array(path, source, name, array) -> str:
-    """A copy of a file with another array and the hash that belongs to it."""
+    """Return a copy of a file with another array and the matching hash."""
     files = {**members(source), f"{name}.npy": npy(array)}
     files["content_hash.npy"] = npy(np.frombuffer(digest({key[:-4]: data for key, data in files.items()}), np.uint8))
     return zipped(path, files)

@@ -1,4 +1,4 @@
-"""The ROS 2 node of the docs, run with a replacement for ROS: it publishes the localizer's results."""
+"""The ROS 2 node of the docs publishes the localizer's positions; ROS is simulated."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from onboard_area import CENTER, HERE, write_area
 
 
 class Stand(SimpleNamespace):
-    """A message: what is asked of it that it does not have is another one."""
+    """Message with attributes that appear when they are read."""
 
     def __getattr__(self, name):
         if name.startswith("__"):

@@ -1,4 +1,4 @@
-"""A signed onboard file is taken with its key alone; an unsigned one only where nobody asks for a signature."""
+"""A signed onboard file needs its key; an unsigned file is accepted only if no signature is required."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ KEY = bytes(range(32))
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """With a key, another one, and an area that is signed with the first and one that isn't."""
+    """Return a folder with two keys, an area signed with the first key, and an unsigned area."""
     folder = tmp_path_factory.mktemp("signed")
     (folder / "key").write_bytes(KEY)
     (folder / "other_key").write_bytes(KEY[::-1])
@@ -35,7 +35,7 @@ def folder(tmp_path_factory):
 
 
 def changed_by_a_stranger(folder, target, drops_signature=False) -> str:
-    """A file with another landmark and the content hash that belongs to it."""
+    """Return a file with another landmark and the matching content hash."""
     with zipfile.ZipFile(folder / "signed.npz") as archive:
         files = {name[:-4]: archive.read(name) for name in archive.namelist()}
     areas = bytearray(files["references_areas"])
@@ -131,7 +131,7 @@ def test_an_invalid_date_is_refused(folder, tmp_path, monkeypatch, text):
 
 
 def test_the_date_is_signed(folder, tmp_path):
-    """An older file stays valid; to set its date forward, the key is needed."""
+    """An older file stays valid; a later date needs the key."""
     database = read_onboard(str(folder / "unsigned.npz")).database
     dates = [datetime(year, 5, 1, tzinfo=timezone.utc) for year in (2025, 2026)]
     for date in dates:

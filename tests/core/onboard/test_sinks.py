@@ -1,4 +1,4 @@
-"""Outputs of a watch: no partial line stays, and the log reports an output that works again."""
+"""Sinks of a watch: no partial lines remain, and recovery is reported."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from semref.core.onboard.sinks import open_sink
 
 
 class FullAfter:
-    """A file of a disk that takes so many bytes more."""
+    """File on a disk with a limited number of free bytes."""
 
     def __init__(self, file, room):
         self.file, self.room = file, room

@@ -1,4 +1,4 @@
-"""The file of a flight's state: nobody else's, whole or not used, never in the way."""
+"""The state file of a flight: private, used only if complete, never blocking."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_another_key_is_refused(state):
 
 
 def test_a_key_of_an_onboard_file_signs_a_state_for_nothing_else(state, tmp_path):
-    """A signature of other bytes with the same key, as of an onboard file, is no code of a state."""
+    """A signature of other bytes with the same key, such as an onboard file's, is not valid for a state."""
     import hashlib
     import hmac
 

@@ -1,4 +1,4 @@
-"""Odometry and camera tables on board: read as images arrive, bounded; no error in them ends a flight."""
+"""Odometry and camera tables on board: read when an image arrives, bounded, and errors do not end a flight."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``python -m core watch``: what ends it (nothing in the folder, no sink), what it says."""
+"""``python -m core watch``: it ends only on request, and its output."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def folder(tmp_path):
 
 @pytest.fixture
 def watching(database, folder, repository, tmp_path):
-    """`watching(arguments)` starts a watch of `folder` as on board; it is ended with the test."""
+    """`watching(arguments)` starts a watch of `folder` as on board; the test ends it."""
     copy_core(repository, tmp_path)
     started = []
 
@@ -62,7 +62,7 @@ def watching(database, folder, repository, tmp_path):
 
 
 def put(folder, name, labels=HERE):
-    """Moves a complete image into the folder."""
+    """Move a complete image into the folder."""
     cv2.imwrite(str(folder.parent / "made.png"), labels)
     os.rename(folder.parent / "made.png", os.path.join(os.fsencode(folder), os.fsencode(name)))
 
@@ -92,7 +92,7 @@ def test_watch_sends_sentences_to_a_port_of_this_computer(database, tmp_path):
 
 
 def test_watch_takes_an_image_when_it_is_complete(monkeypatch):
-    """Size and time of change, look by look: an image that grows waits, one that is rewritten comes again."""
+    """Check size and change time at each look: a growing image waits, and a rewritten one is read again."""
     looks = iter(
         [{"b": (2, 10)}, {"b": (2, 10), "a": (3, 5)}, {"b": (2, 10), "a": (4, 9)}, {"b": (5, 11), "a": (4, 9)}]
         + 2 * [{"b": (5, 11), "a": (4, 9)}]
@@ -112,7 +112,7 @@ def test_watch_takes_images_as_they_come(watching, folder):
     assert process.poll() is None
 
 
-# --- what must not end it ---
+# --- faults that must not end it ---
 
 
 def test_names_that_are_no_text_links_to_themselves_and_pipes_do_not_end_it(watching, folder):
@@ -149,7 +149,7 @@ def test_a_folder_that_is_gone_is_waited_for(watching, folder, replaced_by_a_fil
         folder.write_text("no folder")
     told = json.loads(process.stderr.readline())
     assert (told["level"], told["event"], told["folder"]) == ("error", "folder_gone", "incoming")
-    # It is told once, not at each look.
+    # It is reported once, not at each look.
     time.sleep(3 * watch.LOOK_EVERY_S)
     folder.unlink(missing_ok=True)
     folder.mkdir()
@@ -195,7 +195,7 @@ def test_a_closed_stdout_ends_neither_the_sentences_nor_the_watching(watching, f
 
 
 def test_what_was_removed_from_the_folder_is_forgotten(folder):
-    """A watch of weeks must not grow."""
+    """A watch of weeks must not need more and more memory."""
     put(folder, "a.png")
     arriving = watch.arriving_images(str(folder), once=False)
     assert next(arriving) == str(folder / "a.png")
@@ -206,7 +206,7 @@ def test_what_was_removed_from_the_folder_is_forgotten(folder):
 
 
 def test_a_folder_that_returns_is_reported_once_and_its_images_are_new(monkeypatch):
-    """Look by look: it is there, gone twice, and there again."""
+    """At successive looks the folder is there, gone twice, and there again."""
     here, both = {"a": (1, 9)}, {"a": (1, 9), "b": (2, 3)}
     looks = iter([here, here, None, None, here, both, both, both])
 

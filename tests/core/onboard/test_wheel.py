@@ -1,4 +1,4 @@
-"""The wheel for the aircraft: built, installed into a fresh environment, and used by its command alone."""
+"""The wheel for the aircraft: built, installed into a new environment, and run by its command."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def done(*command, **more):
 
 @pytest.fixture(scope="module")
 def semref(repository, tmp_path_factory):
-    """Path of the command in a fresh environment, which has the packages of this one."""
+    """Return the path of the command in a new environment with the packages of this one."""
     if not all(importlib.util.find_spec(name) for name in ("setuptools", "wheel", "pip", "venv")):
         pytest.skip("setuptools, wheel and pip, which build a wheel, are not all here")
     folder = tmp_path_factory.mktemp("wheel")
@@ -55,7 +55,7 @@ def semref(repository, tmp_path_factory):
     (wheel,) = folder.glob("semref-*.whl")
     done(sys.executable, "-m", "venv", "--without-pip", environment)
     place = done(python_of(environment), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").strip()
-    # What is installed here: numpy and OpenCV.
+    # The installed packages: numpy and OpenCV.
     shown = [path for path in sys.path if path.endswith(("site-packages", "dist-packages"))]
     Path(place, "here.pth").write_text("\n".join(shown), encoding="utf-8")
     done(*pip, "--python", python_of(environment), "install", wheel, *WITHOUT_NETWORK, "--ignore-installed")

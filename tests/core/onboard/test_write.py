@@ -1,4 +1,4 @@
-"""Writing an onboard file: what is rounded and by how much, what it costs, and what it can't hold."""
+"""Writing an onboard file: rounding, size, and values that it can't store."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Blocks of tiles, put together, are the rows of the whole image."""
+"""Blocks of tiles together are the rows of the whole image."""
 
 import numpy as np
 import pytest

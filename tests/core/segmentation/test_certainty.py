@@ -1,4 +1,4 @@
-"""How sure a network is: percents fit the labels, the blending and networks of every kind."""
+"""Certainty of a network: percents agree with labels and tiling, for each kind of network."""
 
 import numpy as np
 import pytest
@@ -15,7 +15,7 @@ ALL = Certainty(of_label=True, of_each=True)
 
 @pytest.fixture
 def made(tmp_path):
-    """`made(network, **metadata)` opens a model of it."""
+    """`made(network, **metadata)` opens a model with that network."""
 
     def make(network=None, **more):
         return SegmentationModel(str(write_model(tmp_path / "m.onnx", network, metadata=metadata(**more))), 1)
@@ -24,14 +24,14 @@ def made(tmp_path):
 
 
 def ended_by(kind: str, network=None) -> writer.Network:
-    """The brightest color's network, with another layer behind it."""
+    """Return the brightest-color network with another last layer."""
     network = network or brightest_color()
     network.add(kind, **({"axis": 1} if kind == "Softmax" else {}))
     return network
 
 
 def segmented(model, image, overlap=0.25, wanted=ALL):
-    """(labels, percent of the label, percent of each) of an image."""
+    """Return (labels, percent of the label, percent of each class) of an image."""
     rows = [rows for _, rows in segment(model, image, VALUES, overlap, wanted) if rows is not None]
     labels = np.concatenate([r.labels_hw for r in rows])
     return labels, np.concatenate([r.percent_hw for r in rows]), np.concatenate([r.percents_chw for r in rows], axis=1)
@@ -42,7 +42,7 @@ def photo(shape=(150, 190), seed=1):
 
 
 def expected(photo_hw3):
-    """(3, H, W) softmax of red, blue and green, standardized as the metadata say."""
+    """Return the (3, H, W) softmax of red, blue and green, standardized by the metadata."""
     standardized = (photo_hw3.astype(np.float32) / 255 - 0.5) / 0.5
     return softmax(np.moveaxis(standardized[:, :, [0, 2, 1]], 2, 0))
 
@@ -128,7 +128,7 @@ def test_probabilities_are_known_by_their_sums():
 
 
 class Corner:
-    """The pixels above a slanting line."""
+    """Mask of the pixels above a slanting line."""
 
     def read(self, column, row, width, height):
         rows, columns = np.mgrid[row : row + height, column : column + width]

@@ -1,4 +1,4 @@
-"""The metadata key class_bias: read with checks, written, in a database's classes, under another sun."""
+"""The metadata key class_bias: reading, writing, a database's classes, and another position of the sun."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""What a network runs on: what was asked for, what is there, what starts; nothing else runs without a word."""
+"""Devices of a network: chosen, available and used; each replacement is reported."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ EVERY = [device.provider for device in AUTOMATIC]
 
 
 class FakeOnnxruntime:
-    """Has more providers than there are here; sessions on them run on the CPU and say otherwise."""
+    """onnxruntime with more providers than this machine has; sessions run on the CPU."""
 
     def __init__(self, monkeypatch, there, refused=(), left_out=(), fails=()):
         import onnxruntime
@@ -49,7 +49,7 @@ class FakeOnnxruntime:
 
 
 class Session:
-    """A session on the CPU that claims other providers; ``fails`` when it is run."""
+    """Session on the CPU that reports other providers; it can fail when it is run."""
 
     def __init__(self, session, providers, fails):
         self._session, self._providers, self._fails = session, providers, fails

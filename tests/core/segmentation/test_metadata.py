@@ -1,4 +1,4 @@
-"""What models say about themselves: Deepness's keys, our own, and what is wrong with them."""
+"""Metadata of models: Deepness's keys, our own keys, and invalid values."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Networks of every shape that is taken, and a sentence for each that isn't."""
+"""Networks of every supported shape, and a message for each unsupported one."""
 
 import sys
 
@@ -25,7 +25,7 @@ def load(tmp_path):
 
 
 def seen_by(model, photo=PHOTO):
-    """(H, W) class values: of each pixel the channel with the highest score."""
+    """Return (H, W) class values: the channel with the highest score."""
     scores = model.scores([photo])[0]
     return np.array(model.classes.values)[scores.argmax(0)]
 
@@ -86,7 +86,7 @@ def test_a_class_table_names_the_channels_of_a_model_that_does_not(load):
     np.testing.assert_array_equal(seen_by(load(table=table, metadata=metadata(class_names=None))), LABELS * 10)
 
 
-# --- what can't be used ---
+# --- unsupported models ---
 
 
 @pytest.mark.parametrize("content", [b"", b"hello", b"\x08\x08", bytes(range(256)) * 40])

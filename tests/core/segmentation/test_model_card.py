@@ -1,4 +1,4 @@
-"""What a model's file says of itself to people, also when it says nonsense."""
+"""Model cards, also with invalid content."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_what_is_no_regular_file_is_not_waited_for(tmp_path):
     "entry",
     [
         b"\xff\xff",
-        # The key and the text as numbers.
+        # Key and text are numbers.
         b"\x08\xff\xff\xff\xff\xff\xff\xff\xff\x7f\x10\xff\xff\xff\xff\xff\xff\xff\xff\x7f",
     ],
 )

@@ -1,4 +1,4 @@
-"""Networks and metadata as no exporter writes them: one sentence each, no traceback."""
+"""Networks and metadata that no exporter writes: one sentence each, no traceback."""
 
 from __future__ import annotations
 

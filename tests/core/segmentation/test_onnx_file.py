@@ -1,4 +1,4 @@
-"""What an ONNX file says about itself, read by hand."""
+"""The header of an ONNX file, read without onnx."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def test_weights_that_are_not_beside_the_model_are_named(tmp_path):
 
 
 def enlarging(mode):
-    """A file with a network that does nothing but enlarge, with corners or centers as ``mode`` says."""
+    """Return a file with a network that only enlarges; ``mode`` selects aligned corners or centers."""
     onnx = pytest.importorskip("onnx")
     nodes = [onnx.helper.make_node("Relu", ["x"], ["y"])]
     nodes += [onnx.helper.make_node("Resize", ["y"], ["z"], mode="linear", coordinate_transformation_mode=mode)]

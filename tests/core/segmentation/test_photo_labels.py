@@ -1,4 +1,4 @@
-"""The road from a photo to labels on its own pixels, whatever the network's resolution."""
+"""From a photo to labels on its own pixels, for any resolution of the network."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_a_model_with_a_temperature_gives_shares_and_the_same_labels(model, tmp_
 
 
 def camera(height_m: float) -> Camera:
-    """Of 100 pixels of focal length: PHOTO's pixels show a hundredth of the height."""
+    """Return a camera with a focal length of 100 pixels: pixels of PHOTO cover a hundredth of the height."""
     return Camera(lens=Lens("focal_length_px", 100.0), height=above_takeoff(height_m))
 
 

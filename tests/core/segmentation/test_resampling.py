@@ -1,4 +1,4 @@
-"""Photos at another resolution: exact means, the same whatever piece is read, and nothing made of missing data."""
+"""Resampled photos: exact means, independent of the piece that is read, without missing data."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_smaller_image_has_the_means_of_the_area_that_each_pixel_covers(shape_
     means = fine.reshape(shape_hw[0], 61, shape_hw[1], 97, 3).mean(axis=(1, 3))
     found, has_data = whole(ResampledImage(ArrayImage(PHOTO), shape_hw))
     assert has_data is None
-    # Half a level from rounding; where it is just half, the mean in floating point may fall to either side.
+    # Rounding allows half a level; ties may be rounded either way in floating point.
     assert np.abs(found - means).max() <= 0.5 + 1e-9
 
 

@@ -1,4 +1,4 @@
-"""Percents become shares of classes on a coarse grid, whatever rows they come in."""
+"""Percents become shares of classes on a coarse grid, for rows in any bands."""
 
 import numpy as np
 import pytest
@@ -8,12 +8,12 @@ from semref.core.segmentation.score_shares import ScoreShares
 from semref.core.segmentation.tiling import SegmentedRows
 
 VALUES = (3, 0, 7, 3)
-"""Two channels of class 3, one of no class."""
+"""Two channels of class 3, one without a class."""
 
 
 @pytest.fixture
 def seen():
-    """(4, 60, 90) percents."""
+    """Return (4, 60, 90) percents."""
     return percents(np.moveaxis(np.random.default_rng(3).dirichlet(np.ones(4), (60, 90)), 2, 0))
 
 
@@ -26,7 +26,7 @@ def added(seen, size_wh, bands):
 
 
 def true_shares(seen, size_wh):
-    """(h, w, 2): means of the probabilities of 3 and 7 over blocks of whole pixels."""
+    """Return (h, w, 2) means of the probabilities of classes 3 and 7 over blocks of whole pixels."""
     shares = seen / 100
     planes = np.stack([shares[0] + shares[3], shares[2]], axis=2)
     width, height = size_wh

@@ -1,4 +1,4 @@
-"""Sessions of onnxruntime: one provider or an error, never another one in silence."""
+"""Sessions of onnxruntime use the given provider or fail."""
 
 import pytest
 from made_models import write_model

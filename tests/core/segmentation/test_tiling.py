@@ -1,4 +1,4 @@
-"""Images to labels in tiles: every pixel once, no seams, no data stays no data, memory bounded by tiles."""
+"""Segmenting in tiles: every pixel once, no seams, no data stays no data, memory bounded by tiles."""
 
 import tracemalloc
 
@@ -110,7 +110,7 @@ def test_memory_does_not_grow_with_the_height_of_the_image(model, wanted):
 
 
 def test_blending_hides_what_a_tile_gets_wrong_at_its_border(tmp_path):
-    """Zeros around a tile darken the mean over 15 pixels; blended, only the border of the image itself suffers."""
+    """Zeros around a tile darken the mean over 15 pixels; with blending, this affects only the image border."""
     red = np.clip(np.random.default_rng(3).normal(155, 15, (200, 200)), 0, 255).astype(np.uint8)
     photo = np.dstack([red, red * 0, red * 0])
     wrong = {}
@@ -125,7 +125,7 @@ def test_blending_hides_what_a_tile_gets_wrong_at_its_border(tmp_path):
 
 
 class Undecided:
-    """A network whose scores depend on where in the tile a pixel lies: sums in another order give other labels."""
+    """Network with scores that depend on the place in the tile: another order of sums gives other labels."""
 
     tile_hw, tiles_at_once, runs_at_once, tells_how_sure = (64, 48), 1, 1, True
     probabilities = staticmethod(softmax)

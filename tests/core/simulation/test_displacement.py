@@ -1,4 +1,4 @@
-"""Displacements against the map: shifted classes, leaning roofs, displaced neighborhoods."""
+"""Displaced objects: shifted classes, leaning roofs, displaced neighborhoods."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from semref.core.simulation.noise import LabelNoise
 
 
 def squares(size=400):
-    """100 squares of classes 1 and 2 on class 7."""
+    """Return 100 squares of classes 1 and 2 on class 7."""
     labels = np.full((size, size), 7, np.uint8)
     for top in range(10, size - 20, 40):
         for left in range(10, size - 20, 40):
@@ -18,7 +18,7 @@ def squares(size=400):
 
 
 def moves(labels_hw, value):
-    """(n, 2) how far the squares of a class are from where they were."""
+    """Return (n, 2) displacements of the squares of a class."""
     before, after = (extract_landmarks(each, (value,), 50).centers_xy for each in (squares(), labels_hw))
     return np.array([center - before[np.hypot(*(before - center).T).argmin()] for center in after])
 

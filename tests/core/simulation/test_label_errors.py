@@ -1,4 +1,4 @@
-"""Errors of labels: every step does what it says, as much as it is asked for, and a seed repeats it."""
+"""Label noise: each step has the requested amount, and a seed repeats it."""
 
 import cv2
 import numpy as np
@@ -102,7 +102,7 @@ def test_an_image_of_one_class_stays_what_it_is(noise):
 
 
 def squares(size=400):
-    """100 squares of classes 1 and 2 on class 7."""
+    """Return 100 squares of classes 1 and 2 on class 7."""
     labels = np.full((size, size), 7, np.uint8)
     for top in range(10, size - 20, 40):
         for left in range(10, size - 20, 40):

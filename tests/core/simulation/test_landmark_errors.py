@@ -1,4 +1,4 @@
-"""Errors of landmarks: shares and spreads are as asked for, what is shared is shared, and a seed repeats it."""
+"""Landmark noise: shares and spreads as requested, shared errors are shared, and a seed repeats it."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ SIZE = 1000, 1000
 
 
 def squares(size=400):
-    """100 squares of classes 1 and 2 on class 7."""
+    """Return 100 squares of classes 1 and 2 on class 7."""
     labels = np.full((size, size), 7, np.uint8)
     for top in range(10, size - 20, 40):
         for left in range(10, size - 20, 40):

@@ -1,4 +1,4 @@
-"""The noise itself: impossible values are refused, lengths convert to pixels."""
+"""Noise settings: impossible values are refused, and lengths are converted to pixels."""
 
 import math
 

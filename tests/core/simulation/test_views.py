@@ -1,4 +1,4 @@
-"""Views: the truth holds pixel by pixel, whatever a view is cut from."""
+"""Views of a map have the true class at each pixel."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""All windows at once are described as each one by itself: against a plain OpenCV computation written here."""
+"""Windows described together equal each window described separately with plain OpenCV."""
 
 import math
 
@@ -15,11 +15,11 @@ WITHIN_FLOAT32 = 2e-6
 SLOW = pytest.mark.slow
 
 
-# The plain computation, from the description of the published method alone.
+# The plain computation follows only the description of the published method.
 
 
 def plain_objects(labels_hw, values, minimum_area):
-    """[(x, y, value)] of the regions with at least `minimum_area`, in pixel coordinates."""
+    """Return [(x, y, value)] of the regions with at least `minimum_area`, in pixel coordinates."""
     found = []
     for value in values:
         mask = (labels_hw == value).astype(np.uint8)
@@ -34,7 +34,7 @@ def plain_objects(labels_hw, values, minimum_area):
 
 
 def plain_vector(objects, size, values, references_per_vector):
-    """The vector as a list of 3·X floats; what differs by less than a millionth counts as tied."""
+    """Return the vector as 3·X floats; differences below a millionth count as ties."""
     polar = []
     for x, y, value in objects:
         x, y = x - size / 2, y - size / 2
@@ -52,7 +52,7 @@ def plain_vector(objects, size, values, references_per_vector):
 
 
 def plain_windows(labels_hw, size, stride, minimum_area, references_per_vector):
-    """{(column, row): (count, vector)} of every window that lies on the map."""
+    """Return {(column, row): (count, vector)} of every window on the map."""
     height, width = labels_hw.shape
     windows = {}
     for row in range(0, height - size + 1, stride):
@@ -67,7 +67,7 @@ def plain_windows(labels_hw, size, stride, minimum_area, references_per_vector):
 
 
 def described_windows(labels_hw, size, stride, minimum_area, references_per_vector=10):
-    """The same from SemRef."""
+    """Return the same from SemRef."""
     height, width = labels_hw.shape
     objects = extract_landmarks(labels_hw, VALUES, minimum_area)
     grid = WindowGrid(width, height, size, stride)
@@ -95,7 +95,7 @@ def nothing(seed, height, width):
 
 
 def blobs(seed, height, width, scale=1.5):
-    """Dense blobs of all classes, some with holes, from noise."""
+    """Return dense blobs of all classes from noise, some with holes."""
     noise = np.random.default_rng(seed).random((len(VALUES), height, width)).astype(np.float32)
     smooth = np.stack([cv2.GaussianBlur(layer, (0, 0), scale) for layer in noise])
     labels = np.array(VALUES, np.uint8)[smooth.argmax(axis=0)]
@@ -104,12 +104,12 @@ def blobs(seed, height, width, scale=1.5):
 
 
 def specks(seed, height, width):
-    """Every pixel a class by chance: lines, diagonals, single pixels, regions that touch at corners."""
+    """Return a random class at each pixel: lines, diagonals, single pixels, regions that touch at corners."""
     return np.random.default_rng(seed).choice(np.array((0, *VALUES), np.uint8), (height, width))
 
 
 def snakes(seed, height, width):
-    """Thin and thick lines right across the map over small blobs: regions that enter a window many times."""
+    """Return thin and thick lines across the map over small blobs: regions enter a window many times."""
     rng = np.random.default_rng(seed)
     labels = blobs(seed, height, width, 1.0)
     for _ in range(6):
@@ -119,7 +119,7 @@ def snakes(seed, height, width):
 
 
 def rings(seed, height, width):
-    """Rings in rings of one class, with islands in between: regions in holes of regions."""
+    """Return rings in rings of one class, with islands between: regions in holes of regions."""
     rng = np.random.default_rng(seed)
     labels = np.zeros((height, width), np.uint8)
     for _ in range(8):
@@ -132,7 +132,7 @@ def rings(seed, height, width):
 
 
 def corners(seed, height, width, step=8):
-    """Blocks around the places where windows have their corners: ending at, on and over the borders."""
+    """Return blocks around the corners of windows: ending at, on and over the borders."""
     rng = np.random.default_rng(seed)
     labels = np.zeros((height, width), np.uint8)
     for row in range(0, height, step):
@@ -144,7 +144,7 @@ def corners(seed, height, width, step=8):
 
 
 def combs(seed, height, width):
-    """Combs with teeth of 2 pixels: one region, but many where a window shows the teeth without the back."""
+    """Return combs with teeth of 2 pixels: one region, but many in a window without the back."""
     labels = np.zeros((height, width), np.uint8)
     for n, top in enumerate(range(1, height - 20, 20)):
         labels[top : top + 18, (n + seed) % 3 :: 3] = labels[top : top + 18, (n + seed + 1) % 3 :: 3] = VALUES[n % 3]
@@ -179,7 +179,7 @@ def test_vector_length_and_minimum_area_are_those_of_the_plain_computation(minim
 
 
 def test_regular_plots_are_described_in_the_window_as_in_the_image_cut_there():
-    """Equal triangles in rows have tied distances, and thirds as coordinates, which no float holds exactly."""
+    """Equal triangles in rows have tied distances, and coordinates in thirds, which no float stores exactly."""
     labels = np.zeros((160, 160), np.uint8)
     for row in range(3, 150, 12):
         for column in range(3, 150, 12):

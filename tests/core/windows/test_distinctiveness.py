@@ -68,7 +68,7 @@ def test_windows_that_all_overlap_are_infinitely_distinct():
 @pytest.mark.parametrize("pixel_size", [1.0, 0.1, 0.3])
 @pytest.mark.parametrize("axis", [0, 1])
 def test_windows_side_by_side_share_no_area_whatever_the_coordinates(pixel_size, axis):
-    """Map coordinates of six digits before the point leave rounding errors in the windows' centers."""
+    """Map coordinates of six digits before the point cause rounding errors in the windows' centers."""
     count = 60
     first_px = np.arange(count) * 128
     centers = np.full((count, 2), 5216789.3)

@@ -1,4 +1,4 @@
-"""The window grid: which windows lie on a map, and what sizes are refused."""
+"""The window grid: windows on a map, and refused sizes."""
 
 import re
 

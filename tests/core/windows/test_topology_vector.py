@@ -1,4 +1,4 @@
-"""The topology vector: by hand, as printed in the paper, unchanged by what must not change it; and its matching."""
+"""The topology vector and its matching: computed by hand, printed in the paper, and invariant."""
 
 import math
 
@@ -37,7 +37,7 @@ PAPER_TABLES = {
 
 
 def polar(*objects):
-    """Points and classes from (distance, angle in degrees from +x towards +y, class value)."""
+    """Return points and classes from (distance, angle in degrees from +x towards +y, class value)."""
     points = [
         (CENTER[0] + d * math.cos(math.radians(a)), CENTER[1] + d * math.sin(math.radians(a))) for d, a, _ in objects
     ]
@@ -153,7 +153,7 @@ def test_rounding_errors_do_not_decide_ties(seed, noise):
 
 @pytest.mark.parametrize("last_two", [[(30, 200, 3), (30, 200, 1)], [(30, 200, 1), (30, 200, 3)]])
 def test_of_two_objects_in_one_place_the_lower_rank_is_kept(last_two):
-    """Rings in rings have one center of gravity; the order they come in must not tell which of them counts."""
+    """Rings in rings share a center of gravity; their order must not decide which one counts."""
     rows = vector_rows([(10, 0, 2), (20, 90, 2), *last_two], references_per_vector=3)
     np.testing.assert_allclose(rows[2], [1 / 3, 2 / 3, 2 / 3], atol=1e-7)
 
@@ -182,7 +182,7 @@ def test_many_images_at_once_equal_each_by_itself(references_per_vector):
 
 
 def test_the_objects_of_a_vector_are_listed_in_its_order():
-    """Farthest first, then as the angles grow; those beyond X nearest are left out."""
+    """Farthest first, then by angle; objects beyond the X nearest are left out."""
     objects = [(10, 200, 1), (40, 100, 2), (30, 350, 3), (20, 20, 1), (90, 5, 2)]
     points, classes = polar(*objects)
     kept = vector_objects(points, classes, CENTER, (1, 2, 3), 4)

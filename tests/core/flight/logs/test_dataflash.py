@@ -1,4 +1,4 @@
-"""ArduPilot's onboard log."""
+"""Reading ArduPilot's onboard log (DataFlash)."""
 
 import struct
 

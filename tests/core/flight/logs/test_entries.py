@@ -1,4 +1,4 @@
-"""Messages gathered into telemetry."""
+"""Messages of a log become telemetry."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Logs are identified by their content."""
+"""Logs are recognized by their content."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""OpenDroneMap's geo.txt."""
+"""Reading OpenDroneMap's geo.txt."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Flight logs from strangers are read in linear time and bounded memory, and reading ends at a cancel."""
+"""Hostile flight logs are read in linear time and bounded memory, and a cancel stops the reading."""
 
 import contextlib
 import struct

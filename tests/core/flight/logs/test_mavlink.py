@@ -1,4 +1,4 @@
-"""Ground stations' logs."""
+"""Reading logs of ground stations (MAVLink)."""
 
 import math
 import struct

@@ -1,4 +1,4 @@
-"""DJI's subtitles of several generations."""
+"""Reading DJI's subtitles of several generations."""
 
 import numpy as np
 

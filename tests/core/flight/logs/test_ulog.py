@@ -1,4 +1,4 @@
-"""PX4's log."""
+"""Reading PX4's log (ULog)."""
 
 import math
 import struct
