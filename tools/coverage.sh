@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Branch coverage of core/ by tests/core, with what is not reached: tools/coverage.sh [pytest arguments]
+# Measures the branch coverage of core/ by tests/core and lists missing branches: tools/coverage.sh [pytest arguments]
 #
-# Ends with 1 below 95 %. Slow tests are among them, as some modules have no others; -m "not slow" leaves them out.
-# `python -m core` runs in processes of its own, which are not counted.
+# The exit status is 1 below 95 %. Slow tests also run, because some modules have only slow tests; -m "not slow" leaves
+# them out. Separate processes of `python -m core` do not count.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python=$PWD/.venv/bin/python

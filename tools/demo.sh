@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The main job on the sample area: sets up what is missing, makes the sample, builds a reference database from its
-# shapefile, and localizes its pictures; the layers stay in demo/.
+# Runs the main steps on the sample area: installs what is missing, creates the sample, builds a reference database from
+# its shapefile, and localizes its images. The layers are written to demo/.
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 "$tools/setup.sh"

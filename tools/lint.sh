@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Reads the code without running it: ruff (rules, format), mypy over core, then Bandit,
-# detect-secrets and flake8 over the unpacked zip, with the options of the plugin repository (which refuses what they
-# find).
+# Checks the code without running it: ruff (rules, format) and mypy, then Bandit, detect-secrets and flake8 on the
+# unpacked zip with the options of the plugin repository, which rejects a zip with findings.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 repository=$PWD
@@ -9,7 +8,7 @@ python=$repository/.venv/bin/python
 
 "$python" -m ruff check --quiet .
 "$python" -m ruff format --check --quiet . || {
-    echo "Lint: \`ruff format .\` would write some files otherwise." >&2
+    echo "Lint: some files are not formatted. Run \`ruff format .\`." >&2
     exit 1
 }
 "$python" -m mypy --no-error-summary
@@ -20,19 +19,19 @@ trap 'rm -rf "$unpacked"' EXIT
 "$python" -m zipfile -e "$unpacked/semref.zip" "$unpacked/plugin"
 cd "$unpacked/plugin"
 
-# What was found to be in order once is not read again: these three take most of the time.
+# These three take most of the time, so files that were clean are not checked again.
 known=$repository/.venv/linted
 state=$({
     find . -type f -print0 | sort --zero-terminated | xargs --null sha256sum
     cat "$repository/tools/lint.sh" "$repository/tools/requirements-dev.txt"
 } | sha256sum | cut -d' ' -f1)
 if grep -qsx "$state" "$known"; then
-    echo "Lint: nothing found; what ships is as it was found in order before."
+    echo "Lint: no findings. The shipped files have not changed since the last check."
     exit 0
 fi
 
 "$python" -m bandit --quiet --recursive .
-# E203 contradicts PEP 8 in slices, and so what ruff format writes; the plugin repository only mentions it.
+# E203 contradicts PEP 8 in slices and ruff format; the plugin repository only reports it.
 "$python" -m flake8 --isolated --max-line-length=120 --extend-ignore=E203 .
 "$python" -m detect_secrets scan --all-files --exclude-files 'metadata\.txt' . >"$unpacked/secrets.json"
 "$python" - "$unpacked/secrets.json" <<'PYTHON'
@@ -46,4 +45,4 @@ for file, findings in results.items():
 sys.exit(bool(results))
 PYTHON
 echo "$state" >>"$known"
-echo "Lint: nothing found."
+echo "Lint: no findings."

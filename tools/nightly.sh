@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What takes too long to run before every change: all tests on QGIS 3.40 and 3.44, core on the oldest wheels, and the
-# readers with odd inputs. Run it before an issue is called resolved.
+# Runs the checks that take too long for every change: all tests on QGIS 3.40 and 3.44, core on the oldest wheels, and
+# fuzzing of the readers. Run it before you close an issue.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tools/setup.sh

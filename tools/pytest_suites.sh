@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Runs the four test suites, each in the surroundings it needs:
+# Runs the four test suites, each in its environment:
 #
 #   tools/pytest_suites.sh PYTHON [pytest arguments]
 #
 # tests/core and tests/tools with QGIS, GDAL and Qt blocked, tests/qgis without a display, tests/gui in a virtual one.
-# Two at a time: core and tools beside qgis and gui; what the first two say is shown when all are through. A suite that
-# fails does not keep the next from running; the exit status tells whether any failed. Each tells its processor time.
-# With SEMREF_QUICK_CORE=yes the first three leave out slow tests.
+# Two suites run at a time: core and tools in parallel with qgis and gui. The output of the first two appears at the end.
+# After a failure the next suite still runs; the exit status is 1 if any suite failed. Each suite prints its processor
+# time. With SEMREF_QUICK_CORE=yes the first three leave out slow tests.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 python=$1
@@ -21,7 +21,7 @@ quick=()
 outcomes=$(mktemp -d)
 trap 'rm -rf "$outcomes"' EXIT
 
-# suite FOLDER PREFIX...; $leave_out, where set, are arguments of pytest for it
+# suite FOLDER PREFIX...; $leave_out, if set, has further pytest arguments
 leave_out=()
 suite() {
     local folder=$1 status=0
@@ -29,7 +29,7 @@ suite() {
     [ -d "$folder" ] || return 0
     echo "== $folder"
     time "$@" "$python" -m pytest "$folder" "${leave_out[@]}" "${arguments[@]}" </dev/null || status=$?
-    # A selection such as -k may well leave a suite empty; a suite without selection may not be.
+    # A suite may be empty with a selection such as -k, but not without one.
     if [ $status = $no_tests_collected ] && [ ${#arguments[@]} -gt 0 ]; then
         return 0
     fi
@@ -43,7 +43,7 @@ suite() {
     suite tests/tools env SEMREF_BLOCK_QGIS=1
     suite tests/training env SEMREF_BLOCK_QGIS=1
 } >"$outcomes/output" 2>&1 &
-# .ci/run has something else to do for the other core.
+# .ci/run uses the other core.
 [ -z "${SEMREF_ONE_AT_A_TIME:-}" ] || wait
 suite tests/qgis env QT_QPA_PLATFORM=offscreen
 suite tests/gui env --unset=QT_QPA_PLATFORM --unset=WAYLAND_DISPLAY \
@@ -56,6 +56,6 @@ if [ -e "$outcomes/failed" ]; then
     exit 1
 fi
 if [ ! -e "$outcomes/ran" ]; then
-    echo "No test was run: nothing fits ${arguments[*]:-tests/}." >&2
+    echo "No test was run: no test matches ${arguments[*]:-tests/}." >&2
     exit 1
 fi

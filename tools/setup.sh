@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what developing, testing and the demo need on Debian 12, and makes .venv beside the code.
-# Safe to run again: what is there stays, and nothing is asked of the network then.
+# Installs everything for development, tests and the demo on Debian 12, and creates .venv next to the code.
+# You can run it again: it keeps what exists, and then needs no network.
 set -euo pipefail
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -45,7 +45,7 @@ install_packages() {
         fail "apt-get could not install ${missing[*]}; see its message above."
 }
 
-# Everything a venv depends on; another value means it must be made anew.
+# Everything that the environment depends on. After a change the environment is created again.
 venv_state() {
     local versions
     versions=$("$python" -c 'import sys, numpy; print(sys.version.split()[0], numpy.__version__)') ||
@@ -68,12 +68,12 @@ make_venv() {
 [ -r /etc/debian_version ] || fail "this script knows Debian's package names only; see the README for what is needed."
 install_packages
 [ -x "$python" ] || fail "$python is missing; install python3."
-# Two scripts started at once must not make the same virtual environment.
+# Two scripts at the same time must not create the same virtual environment.
 exec 9>"$repository/.git/semref-setup.lock" 2>/dev/null || exec 9>/dev/null
 flock 9 2>/dev/null || true
 state=$(venv_state)
 if [ "$(cat "$venv/state" 2>/dev/null)" != "$state" ]; then
-    echo "Making the virtual environment $venv"
+    echo "Creating the virtual environment $venv"
     make_venv "$state"
 fi
 "$venv/bin/python" -c 'import cv2, numpy, qgis.core' 2>/dev/null ||

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Runs lanes of commands side by side, the commands of a lane one after the other:
+# Runs lanes of commands in parallel, the commands of a lane one after the other:
 #
 #   tools/side_by_side.sh "TITLE: COMMAND" ["TITLE: COMMAND"…] [-- "TITLE: COMMAND"…]…
 #
-# Prints lane after lane as if they had run in that order, each line as soon as it is its turn, then how long each
-# command took. One that fails does not keep the next from running; the exit status tells whether any failed.
+# Prints the output of lane after lane, as early as possible in this order, then the time of each command. After a
+# failure the next command still runs; the exit status is 1 if any command failed.
 set -euo pipefail
 set -m # a process group for each lane, so that an end ends what it started
 
@@ -39,7 +39,7 @@ start_lane() {
     commands=()
 }
 
-# show NUMBER: prints a log while it grows; the lane's end without a status is a failure
+# show NUMBER: prints a log while it grows; a lane that ends without a status has failed
 show() {
     local log=$work/$1.log status=$work/$1.status shown=0 size ended
     touch "$log"

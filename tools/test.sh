@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Sets up what is missing, lints, and runs all tests: tools/test.sh [pytest arguments]
+# Installs what is missing, checks the code, and runs all tests: tools/test.sh [pytest arguments]
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 "$tools/setup.sh"

@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Runs the tests on a newer QGIS, in a Debian root made once and kept:
+# Runs the tests on a newer QGIS, in a Debian root that is created once:
 #
 #   tools/test_in_root.sh trixie|forky [pytest arguments]
 #   tools/test_in_root.sh trixie|forky -- COMMAND [arguments]   any command, in a copy of the working tree
 #
-# Roots lie in $SEMREF_ROOTS (default ~/.cache/semref/roots); one that lacks packages of the list below gets them, and
-# one that is removed is made anew.
-# A root that cannot be made is said and skipped (exit 0); a test that fails in one fails.
+# Roots are in $SEMREF_ROOTS (default ~/.cache/semref/roots). The script adds missing packages of the list below, and
+# creates a removed root again. If a root cannot be created, the script prints the reason and skips the tests (exit 0).
 set -euo pipefail
 
 packages=(
@@ -19,7 +18,7 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 data=${SEMREF_DATA:-$repository/../shared/data}
 roots=${SEMREF_ROOTS:-$HOME/.cache/semref/roots}
 name=${1:-}
-# Displays are numbered apart: roots have lock files of their own, but share sockets with the machine.
+# Each root has its own display numbers, because roots have separate lock files but share sockets with the machine.
 case $name in
     trixie) script=trixie display=120 ;;
     forky) script=sid display=140 ;; # an older debootstrap does not know forky; sid's script makes it
@@ -39,8 +38,8 @@ if [ "$(id -u)" != 0 ]; then
         "$0" "$name" "$@"
 fi
 
-# Own mount and process namespaces: mounts vanish and stray processes end with the command, however it ends.
-# Where the machine does not permit them, the command runs without /proc.
+# With separate mount and process namespaces, mounts and processes end with the command.
+# If the machine does not permit them, the command runs without /proc.
 isolate() {
     if unshare --mount --pid --fork true 2>/dev/null; then
         unshare --mount --pid --fork --kill-child "$@"
@@ -49,7 +48,7 @@ isolate() {
     fi
 }
 
-# in_root ROOT COMMAND...; $bind_data, where set, is the folder of the root that shows the data.
+# in_root ROOT COMMAND...; $bind_data, if set, is the folder of the root for the data.
 in_root() {
     isolate bash -c '
         root=$1 data=$2 target=$3
@@ -73,17 +72,17 @@ install_packages() {
     printf '%s\n' "${packages[@]}" >"$1/etc/semref-packages"
 }
 
-# A subshell: its trap must not outlive it.
+# In a subshell, so that the trap ends with it.
 make_root() (
     rm -rf --one-file-system "$roots/.$name."* # what a killed run left
     building=$(mktemp -d "$roots/.$name.XXXXXX") || exit 1
     trap 'rm -rf --one-file-system "$building"' EXIT
     chmod 755 "$building"
     debootstrap --variant=minbase "$name" "$building" "" "/usr/share/debootstrap/scripts/$script" || exit 1
-    # No service is to start in a root.
+    # Services must not start in a root.
     printf '#!/bin/sh\nexit 101\n' >"$building/usr/sbin/policy-rc.d"
     chmod 755 "$building/usr/sbin/policy-rc.d"
-    # Indexes of testing expire after a week, so a mirror that lags would stop the tests. Signatures stay checked.
+    # Indexes of testing expire after a week, so a slow mirror would stop the tests. Signatures are still checked.
     echo 'Acquire::Check-Valid-Until "false";' >"$building/etc/apt/apt.conf.d/90semref"
     install_packages "$building" || exit 1
     mv "$building" "$root"
@@ -96,7 +95,7 @@ prepare_root() {
     flock 9
     if [ ! -d "$root" ]; then
         command -v debootstrap >/dev/null || skip "debootstrap is not installed (apt-get install debootstrap)."
-        echo "Making a Debian $name root in $root (some minutes, once; log: $log)" >&2
+        echo "Creating a Debian $name root in $root (some minutes, once; log: $log)" >&2
         make_root >"$log" 2>&1 </dev/null || skip "the root cannot be made today; last line of $log: $(tail -n 1 "$log")"
     elif ! printf '%s\n' "${packages[@]}" | cmp -s - "$root/etc/semref-packages"; then
         install_packages "$root" >"$log" 2>&1 </dev/null ||
@@ -119,7 +118,7 @@ if [ -d "$data" ]; then
 fi
 
 inside=${work#"$root"}
-# pip's index as this machine reaches it: the test of a QGIS without packages installs them.
+# pip's index of this machine, for the test of a QGIS without packages.
 pip=()
 for name_of_variable in PIP_INDEX_URL PIP_TRUSTED_HOST PIP_DEFAULT_TIMEOUT; do
     [ -z "${!name_of_variable:-}" ] || pip+=("$name_of_variable=${!name_of_variable}")
@@ -128,7 +127,7 @@ if [ -r "${PIP_CERT:-}" ]; then
     cp "$PIP_CERT" "$work/pip.crt"
     pip+=(PIP_CERT="$inside/pip.crt")
 fi
-# The command is not the first process of its namespace: the shell is, because Xvfb tells nothing to a first process.
+# The shell is the first process of the namespace, because Xvfb does not signal a first process.
 run() {
     in_root "$root" env -i PATH=/usr/local/bin:/usr/bin:/bin:/usr/sbin:/sbin LANG=C.UTF-8 CI="${CI:-}" \
         HOME="$inside/home" TMPDIR="$inside/tmp" SEMREF_DATA="$inside/shared/data" PYTHONDONTWRITEBYTECODE=1 \
@@ -146,5 +145,5 @@ import sys
 import numpy
 from qgis.core import Qgis
 print(f"QGIS {Qgis.QGIS_VERSION}, Python {sys.version.split()[0]}, numpy {numpy.__version__}")')"
-# What is slow in tests/core has no QGIS in it, and runs on this machine.
+# Slow tests of tests/core need no QGIS and run on this machine.
 run env SEMREF_QUICK_CORE=yes bash tools/pytest_suites.sh /usr/bin/python3 "$@"

@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Runs tests/core with the newest wheels of what it needs, and with the oldest supported ones on Python 3.9:
+# Runs tests/core with the newest wheels, and with the oldest supported wheels on Python 3.9:
 #
 #   tools/test_newest.sh [newest|oldest] [pytest arguments]
 #
-# Without a word: both, without the slow tests. The newest run paints what ui/ has of its own with PyQt6, too. A Python 3.9
-# is looked for on PATH and under ~/.pyenv; SEMREF_NEWEST_PYTHON names another Python for the newest run. Each has a
-# virtual environment of its own, remade when older than a week. What can't be had today is said and skipped (exit 0).
+# Without an argument both run, without slow tests. The newest run also paints widgets of ui/ with PyQt6. The script finds
+# Python 3.9 on PATH or in ~/.pyenv; SEMREF_NEWEST_PYTHON names another Python for the newest run. Each run has its own
+# virtual environment, created again after a week. If wheels are missing, the script prints this and skips (exit 0).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 folder=${SEMREF_VERSIONS:-$PWD/.versions}
 newest=(numpy opencv-python-headless pillow onnxruntime shapely onnx jinja2 pytest)
 qt=PyQt6
-# Debian 11's and older numpy; the first wheels that hold what SemRef uses.
+# numpy of Debian 11 or older; the first wheels with everything that SemRef uses.
 oldest=(
     numpy==1.21.6 opencv-python-headless==4.6.0.66 pillow==9.1.0 shapely==2.0.0 onnxruntime==1.15.1
     onnx==1.14.1 'protobuf<4.25' jinja2==3.0.3 pytest==8.4.2
@@ -36,7 +36,7 @@ make_venv() { # NAME PYTHON REQUIREMENT...
     "$python" -m venv "$folder/$name"
     install_wheels "$name" "$@" || return 1
     if [ "$name" = newest ] && ! install_wheels "$name" "$qt"; then
-        echo "SKIPPED: there is no wheel of $qt for $python today; nothing is looked up or painted with Qt 6." >&2
+        echo "SKIPPED: tests with Qt 6 were not run: there is no wheel of $qt for $python today." >&2
     fi
     touch "$folder/$name/complete"
 }
@@ -61,13 +61,13 @@ test_with() { # NAME PYTHON [pytest arguments]
     if make_venv "$name" "$python" "${wheels[@]}"; then
         run_tests "$name" "$@" || status=1
     else
-        echo "SKIPPED: tests with the $name wheels were not run: they can't be installed today; pip's reason is above." >&2
+        echo "SKIPPED: tests with the $name wheels were not run: pip cannot install them today. See its message above." >&2
     fi
 }
 
 which=${1:-both}
 [ $# = 0 ] || shift
-case $which in newest | oldest | both) ;; *) echo "Say newest, oldest or nothing." >&2; exit 2 ;; esac
+case $which in newest | oldest | both) ;; *) echo "Use newest, oldest or no argument." >&2; exit 2 ;; esac
 status=0
 if [ "$which" != oldest ]; then
     test_with newest "${SEMREF_NEWEST_PYTHON:-python3}" "$@"
