@@ -111,9 +111,9 @@ class GeoreferenceImages(SemRefAlgorithm):
         from ..layers.positions import read_matches, read_positions
 
         positions = values.source(self.POSITIONS)
-        found = read_positions(positions, values.source(self.FOOTPRINTS), self.POSITIONS, self.FOOTPRINTS)
+        found = read_positions(positions, values.source(self.FOOTPRINTS))
         placed = [image for image in found if image.has_place]
-        points = read_matches(values.source(self.MATCHES), positions, placed, self.MATCHES)
+        points = read_matches(values.source(self.MATCHES), positions, placed)
         file_of = self._files(values)
         names = unique_names([image.path for image in placed], ".tif" if self._format(values) == GEOTIFF else "")
         written = 0

@@ -88,7 +88,6 @@ class RepairAnnotation(AnnotationAlgorithm):
     def work(self, values: Values, outputs: Outputs, feedback: QgsProcessingFeedback) -> None:
         from ...core.annotation.merging import MergeSettings
         from ...core.annotation.repair import AnnotationRepair
-        from ..layers.annotation_features import fields_of
         from ..layers.class_styles import repaired_renderer
 
         lookup = self.classes(values, feedback)
@@ -105,7 +104,7 @@ class RepairAnnotation(AnnotationAlgorithm):
         # Outputs are made last: a cancel before leaves nothing behind.
         check_canceled(feedback)
         renderer = repaired_renderer(lookup, self._source)
-        fields = fields_of(self._source)
+        fields = self._source.features.fields()
         with outputs.layer(self.OUTPUT, fields, POLYGON, crs, renderer=renderer, is_own=False) as sink:
             for polygon in repair.polygons:
                 sink.add_row(geometry_of(polygon.wkb), reading.attributes[polygon.feature])

@@ -319,7 +319,7 @@ class TrainModel(AnnotationAlgorithm):
             image = ground.image(run.folder)
             self._cut(values, image, ground, run, feedback)
             base = {"base_model": os.path.basename(job.base_model)} if job.base_model else {}
-            job = replace(job, ground={**ground.told(image), **base})
+            job = replace(job, ground={**ground.metadata(image), **base})
         passed = (time.monotonic() - began) / (60 * job.minutes) if job.minutes else 0.0
         job = replace(job, minutes=job.minutes * max(1 - passed, SHORTEST_SHARE))
         job.write(run.folder / JOB)
@@ -387,13 +387,13 @@ class TrainModel(AnnotationAlgorithm):
 
     def _ground(self, values: Values, feedback: QgsProcessingFeedback) -> TrainingGround:
         """What is to be seen of the image, which is drawn first where it is no file."""
-        from ..layers.training_ground import TrainingGround, opened
+        from ..layers.training_ground import TrainingGround, open_drawing
 
         layer, extent = self._image, self._image_extent
         resolution_cm = values.optional_number(self.RESOLUTION)
         resolution_m = None if resolution_cm is None else resolution_cm / 100
         if self._photo is not None:
-            layer, extent = opened(self._photo.file(resolution_m, feedback), self.IMAGE)
+            layer, extent = open_drawing(self._photo.file(resolution_m, feedback))
             resolution_m = None
         drawn = None
         if self._labels is None and not self._is_rest_unknown(values):

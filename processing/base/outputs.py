@@ -23,7 +23,7 @@ from ...storage.replaceable import require_closed
 from ...storage.vector_files import content_digest, copy_database, feature_count, lacks_spatial_index
 from ..compat import make_field
 from ..layers.database_layers import OPENED, open_when_done
-from ..layers.layer_metadata import Note, keep_in_database
+from ..layers.layer_metadata import Note, save_in_database
 from ..layers.output_style import Look, raster_style_when_loaded, style_in_file, style_in_memory, style_when_loaded
 from . import parameters
 
@@ -126,7 +126,7 @@ class Outputs:
         """
         with self.file(key) as temporary:
             yield temporary
-            if not keep_in_database(temporary, self._note(key)):
+            if not save_in_database(temporary, self._note(key)):
                 raise ParameterError(
                     "{name} can't be written; choose another place, or see whether the disk is full.", name=key
                 )

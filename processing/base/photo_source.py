@@ -68,7 +68,7 @@ class PhotoSource:
                 )
             self._layer = drawable(layer)
         else:
-            self._file = image_layer(layer, key)
+            self._file = image_layer(layer)
 
     def open(self, resolution_m: float | None, feedback: QgsProcessingFeedback) -> SourceImage:
         """The photo; a layer that is no file is drawn with pixels of that size.

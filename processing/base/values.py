@@ -191,13 +191,13 @@ class Values:
         """What worker threads need of a label map's layer. Raises LabelMapError."""
         from ..layers.layer_inputs import label_map_layer
 
-        return label_map_layer(self.raster(key), key)
+        return label_map_layer(self.raster(key))
 
     def image(self, key: str) -> RasterLayer:
         """What worker threads need of an image's layer. Raises ImageError."""
         from ..layers.layer_inputs import image_layer
 
-        return image_layer(self.raster(key), key)
+        return image_layer(self.raster(key))
 
     def vector(self, key: str) -> QgsVectorLayer | None:
         """A vector layer, also where only some of its features are wanted; None for one that can't be read."""

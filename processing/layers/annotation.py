@@ -1,4 +1,4 @@
-"""Annotation layers: polygons with a class field, as people have them, made ready for burning into a label map."""
+"""Read land-cover layers: polygons with a class field, prepared for rasterizing."""
 
 from __future__ import annotations
 
@@ -32,16 +32,17 @@ from ..compat import POLYGON_GEOMETRY, is_null
 from ..translation import tr
 
 _NO_PRIORITY = float("-inf")
-"""Features without a priority lie below all others."""
+"""Priority of features without a value; all others cover them."""
 
 
 @dataclass(frozen=True)
 class AnnotationSource:
-    """A snapshot of an annotation layer that a worker thread may read while the layer is edited or removed.
+    """A snapshot of a land-cover layer that a worker thread may read while the layer is edited or removed.
 
-    ``styled``: the classes of the layer's categorised renderer (raw values, label, color), if it classifies
-    ``class_field``; ``unstyled_allowed``: whether that renderer has a category for all other values; ``class_of_all``:
-    the class of every feature where no field is used.
+    Attributes:
+        styled: Classes of the layer's categorized renderer (raw values, label, color), if it uses the class field.
+        unstyled_allowed: Whether that renderer has a category for all other values.
+        class_of_all: Class of all features, if no field is used.
     """
 
     name: str
@@ -58,12 +59,12 @@ class AnnotationSource:
     class_of_all: str = ""
 
     def raw_class(self, feature: QgsFeature) -> object:
-        """What a feature has for its class, NULL for nothing; ``class_lookup`` gives its value."""
+        """Return the content of a feature's class field; ``class_lookup`` maps it to a class value."""
         return self.class_of_all or feature.attribute(self.class_index)
 
     @property
     def class_expression(self) -> str:
-        """What a style classifies by: the field, or the class of all as a text."""
+        """Expression for a style: the class field, or the class of all features as text."""
         if self.class_of_all:
             return QgsExpression.quotedString(self.class_of_all)
         return self.features.fields().at(self.class_index).name()
@@ -71,7 +72,7 @@ class AnnotationSource:
 
 @dataclass
 class AnnotationCounts:
-    """What happened to the features on their way into the label map."""
+    """Numbers of features that were used, repaired or skipped while rasterizing."""
 
     used: int = 0
     repaired: int = 0
@@ -86,12 +87,12 @@ class AnnotationCounts:
     unknown: Counter = field(default_factory=Counter)
 
     def sentences(self) -> list[tuple[bool, str]]:
-        """(is a warning, sentence) for everything that is worth saying."""
+        """Return (is a warning, sentence) for the log."""
         used = tr("Used: {features}, {multipart} of them multipart.")
-        said = [(False, used.format(features=_features(self.used), multipart=self.multipart))]
+        found = [(False, used.format(features=_features(self.used), multipart=self.multipart))]
         repaired = tr("Repaired invalid geometry: {features}, {polygons} polygons.")
         if self.repaired:
-            said.append((True, repaired.format(features=_features(self.repaired), polygons=self.repaired_parts)))
+            found.append((True, repaired.format(features=_features(self.repaired), polygons=self.repaired_parts)))
         for warns, number, sentence in (
             (True, self.empty, tr("Skipped, without geometry: {features}.")),
             (True, self.without_area, tr("Skipped, without area: {features}.")),
@@ -101,8 +102,8 @@ class AnnotationCounts:
             (False, self.three_dimensional, tr("Heights (Z) left out: {features}.")),
         ):
             if number:
-                said.append((warns, sentence.format(features=_features(number))))
-        return said
+                found.append((warns, sentence.format(features=_features(number))))
+        return found
 
 
 def _features(number: int) -> str:
@@ -112,24 +113,26 @@ def _features(number: int) -> str:
 def annotation_source(
     layer: QgsVectorLayer | None, definition: object, class_field: str, priority_field: str, class_of_all: str = ""
 ) -> AnnotationSource:
-    """Takes what is needed out of a layer, in the thread it lives in. Raises AnnotationError.
+    """Copy the needed data of a layer, in the layer's thread. Raises AnnotationError.
 
-    ``definition``: the parameter's value; "selected features only" and a filter expression in it are heeded.
-    ``class_of_all``: the class of every feature; the class field is not used then.
+    Args:
+        layer: The land-cover layer.
+        definition: Value of the parameter, which may limit the features to selected or filtered ones.
+        class_field: Name of the class field.
+        priority_field: Name of the priority field; empty without one.
+        class_of_all: Class of all features; the class field is then not used.
     """
     if layer is None or not layer.isValid():
-        raise AnnotationError("INPUT is not a vector layer that can be read; choose a polygon layer.")
+        raise AnnotationError("The land-cover layer can't be read. Choose a polygon layer.")
     if layer.geometryType() != POLYGON_GEOMETRY:
         kind = QgsWkbTypes.displayString(layer.wkbType())
-        raise AnnotationError(
-            "“{layer}” holds {kind} geometry; an annotation layer holds polygons.", layer=layer.name(), kind=kind
-        )
+        raise AnnotationError("“{layer}” has {kind} geometry. Choose a polygon layer.", layer=layer.name(), kind=kind)
     fields = layer.fields()
-    class_index = -1 if class_of_all else _field_index(layer, class_field, "CLASS_FIELD")
-    priority_index = _field_index(layer, priority_field, "PRIORITY_FIELD") if priority_field else -1
+    class_index = -1 if class_of_all else _field_index(layer, class_field)
+    priority_index = _field_index(layer, priority_field) if priority_field else -1
     if priority_index >= 0 and not fields.at(priority_index).isNumeric():
         raise AnnotationError(
-            "The priority field “{priority_field}” does not hold numbers; choose one that does.",
+            "The priority field “{priority_field}” is not numeric. Choose a numeric field.",
             priority_field=priority_field,
         )
     request = QgsFeatureRequest()
@@ -159,22 +162,21 @@ def annotation_source(
 
 
 def _extent(layer: QgsVectorLayer) -> QgsRectangle:
-    """Where a layer lies. Raises AnnotationError where infinite coordinates make QGIS's providers raise anything."""
+    """Return the extent of a layer. Raises AnnotationError for infinite coordinates, which break providers."""
     try:
         return layer.extent()
     except Exception:
         raise AnnotationError(
-            "{layer} has places that are no numbers; remove the features that have them.", layer=layer.name()
+            "{layer} has features with infinite coordinates. Delete these features.", layer=layer.name()
         ) from None
 
 
-def _field_index(layer: QgsVectorLayer, name: str, key: str) -> int:
+def _field_index(layer: QgsVectorLayer, name: str) -> int:
     index = layer.fields().lookupField(name)
     if index < 0:
         names = [field.name() for field in layer.fields()]
         raise AnnotationError(
-            "{key}: “{layer}” has no field “{name}”; its fields are {names}.",
-            key=key,
+            "“{layer}” has no field “{name}”. Choose one of its fields: {names}.",
             layer=layer.name(),
             name=name,
             names=names,
@@ -200,22 +202,22 @@ def _styled_classes(layer: QgsVectorLayer, class_field: str) -> tuple[tuple[Styl
 
 
 def class_lookup(source: AnnotationSource, given: ClassTable | None, canceled: Callable[[], bool]) -> ClassLookup:
-    """The classes of an annotation: from the given table, else the layer's style, else the field's distinct values."""
+    """Return the classes of a layer: from the given table, or the layer's style, or the field's distinct values."""
     if given is not None:
         return ClassLookup(given)
     found = source.styled or [((value,), str(value), "") for value in _distinct_values(source, canceled)]
     if not found and not canceled():
-        raise AnnotationError("“{source}” has no feature with a class; fill its class field first.", source=source.name)
+        raise AnnotationError("No feature of “{source}” has a class. Fill the class field first.", source=source.name)
     return lookup_of(found, source.class_is_number)
 
 
 def class_texts(source: AnnotationSource, canceled: Callable[[], bool]) -> list[FoundClass]:
-    """Every class that the layer's features or its style have, as the class field holds it; raises AnnotationError."""
+    """Return all classes of the layer's features and style, as in the class field. Raises AnnotationError."""
     styles = {raw_text(raw): (label, color) for raws, label, color in source.styled for raw in raws}
     texts = [raw_text(value) for value in _distinct_values(source, canceled)]
     texts += [text for text in styles if text not in texts]
     if not texts and not canceled():
-        raise AnnotationError("“{source}” has no feature with a class; fill its class field first.", source=source.name)
+        raise AnnotationError("No feature of “{source}” has a class. Fill the class field first.", source=source.name)
     is_value = source.class_is_number and all(text.isdigit() and 1 <= int(text) <= 255 for text in texts)
     return [FoundClass(t, *styles.get(t, (t, "")), int(t) if is_value else None) for t in texts]
 
@@ -244,7 +246,7 @@ def burn_polygons(
     transform: QgsCoordinateTransform | None,
     counts: AnnotationCounts,
 ) -> Iterator[list[BurnPolygon]]:
-    """The polygons of each feature, one list a feature (empty when it is skipped); ``counts`` is kept up to date."""
+    """Yield the polygons of each feature, an empty list for a skipped one, and update ``counts``."""
     for feature in source.features.getFeatures(source.request):
         raw = source.raw_class(feature)
         geometry = feature.geometry()
@@ -269,7 +271,7 @@ def burn_polygons(
 
 
 def drawing_priority(feature: QgsFeature, source: AnnotationSource, draw_order: float) -> float:
-    """Higher lies on top: the priority field if there is one, else the class's draw order."""
+    """Return the priority of a feature: the priority field if there is one, otherwise the class's draw order."""
     if source.priority_index < 0:
         return draw_order
     raw = feature.attribute(source.priority_index)
@@ -279,10 +281,13 @@ def drawing_priority(feature: QgsFeature, source: AnnotationSource, draw_order: 
 def _parts(
     geometry: QgsGeometry, transform: QgsCoordinateTransform | None, counts: AnnotationCounts
 ) -> list[tuple[bytes, tuple[float, float, float, float]]]:
-    """Valid single polygons of a feature. GDAL would fill the parts of a multipolygon by even and odd."""
+    """Return (WKB, bounds) of the valid single polygons of a feature.
+
+    GDAL would fill overlapping parts of a multipolygon by the even-odd rule.
+    """
     if QgsWkbTypes.hasZ(geometry.wkbType()):
         counts.three_dimensional += 1
-    # GDAL burns no arcs.
+    # GDAL can't rasterize arcs.
     geometry.convertToStraightSegment()
     if transform is not None:
         try:

@@ -1,4 +1,4 @@
-"""Annotation layers as features to check and repair: nothing skipped, nothing repaired, everything told."""
+"""Read all features of a land-cover layer to check and repair them, without skipping any."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from qgis.core import (
     QgsCsException,
     QgsFeature,
     QgsFeatureRequest,
-    QgsFields,
     QgsGeometry,
     QgsRectangle,
     QgsWkbTypes,
@@ -38,7 +37,7 @@ from .reference_systems import WGS84, transformed_box
 
 @dataclass
 class AnnotationReading:
-    """The features of a layer in a metric CRS, what is wrong with them one by one, and their attributes if wanted."""
+    """Features of a layer in a metric CRS, findings about single features, and their attributes if wanted."""
 
     features: list[AnnotatedFeature] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
@@ -53,7 +52,7 @@ def read_features(
     reading: AnnotationReading,
     with_attributes: bool = False,
 ) -> Iterator[int]:
-    """Fills ``reading``, with geometries in ``crs`` (metric); yields the number of features read."""
+    """Fill ``reading`` with geometries in the metric ``crs``; yield the number of features read."""
     transform = QgsCoordinateTransform(source.crs, crs, transform_context) if crs != source.crs else None
     area = _AreaOfUse(source, transform_context)
     request = QgsFeatureRequest(source.request)
@@ -79,15 +78,10 @@ def read_features(
             reading.attributes.append(feature.attributes())
 
 
-def fields_of(source: AnnotationSource) -> QgsFields:
-    """The fields of the layer."""
-    return source.features.fields()
-
-
 def _class_value(
     feature: QgsFeature, source: AnnotationSource, lookup: ClassLookup, about: dict, findings: list[Finding]
 ) -> int:
-    """The class value, NOTHING without one that counts; appends what is wrong with it."""
+    """Return the class value, NOTHING without a known class; append findings about it."""
     raw = source.raw_class(feature)
     if is_null(raw) or not raw_text(raw):
         findings.append(Finding(NO_CLASS, ERROR, **about))
@@ -102,7 +96,7 @@ def _class_value(
 
 
 def _placed(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) -> QgsGeometry | None:
-    """The geometry without arcs in the metric CRS; None without a geometry or where it can't be reprojected."""
+    """Return the geometry without arcs in the metric CRS; None without geometry or if it can't be reprojected."""
     if geometry.isNull():
         return None
     placed = QgsGeometry(geometry)
@@ -116,12 +110,12 @@ def _placed(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) -> 
 
 
 class _AreaOfUse:
-    """Where a layer's CRS is meant to be used."""
+    """Area of use of a layer's CRS."""
 
     def __init__(self, source: AnnotationSource, transform_context: QgsCoordinateTransformContext) -> None:
         self._bounds = source.crs.bounds()
         self._to_degrees = QgsCoordinateTransform(source.crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
-        # Nearly always the whole layer lies inside: no feature has to be looked at.
+        # Usually the whole layer is inside, and no feature must be checked.
         whole = transformed_box(self._to_degrees, source.extent)
         self._all_inside = self._bounds.isEmpty() or self._bounds.contains(whole)
 

@@ -1,4 +1,4 @@
-"""Areas that a user draws: polygons, or corridors along lines and around points."""
+"""Areas of a layer: polygons, or corridors along lines and around points."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ from ...storage.rasterize import AreaMask
 from .reference_systems import describe_crs
 
 _SEGMENTS = 12
-"""Of a quarter of a circle, where a corridor turns."""
+"""Segments of a quarter circle where a corridor turns."""
 
 
 @dataclass(frozen=True)
 class DrawnArea:
-    """Geometries taken out of a layer, and their CRS."""
+    """Geometries of a layer and their CRS."""
 
     geometries: tuple[QgsGeometry, ...]
     crs: QgsCoordinateReferenceSystem
 
     @property
     def extent(self) -> QgsRectangle:
-        """Around all of it, in its CRS; an empty one without geometries."""
+        """Extent in its CRS; empty without geometries."""
         extent = QgsRectangle()
         for geometry in self.geometries:
             extent.combineExtentWith(geometry.boundingBox())
@@ -44,7 +44,7 @@ class DrawnArea:
 
     @property
     def fingerprint(self) -> str:
-        """Another one for another area."""
+        """Hash of the area."""
         found = sha256(self.crs.authid().encode())
         for geometry in self.geometries:
             found.update(geometry.asWkb().data())
@@ -52,7 +52,7 @@ class DrawnArea:
 
 
 def drawn_area(source: QgsProcessingFeatureSource | None) -> DrawnArea | None:
-    """Takes the geometries out of a layer, in the thread it lives in; None without one."""
+    """Copy the geometries of a layer, in the layer's thread; None without a layer."""
     if source is None:
         return None
     geometries = (feature.geometry() for feature in source.getFeatures())
@@ -66,26 +66,36 @@ def area_rings(
     extent: tuple[float, float, float, float],
     transform_context: QgsCoordinateTransformContext,
 ) -> list[np.ndarray]:
-    """Rings (n, 2) in ``crs`` of all that lies within ``distance`` of an area and in ``extent`` (x_min, y_min, …).
+    """Return rings (n, 2) in ``crs`` of an area with a buffer, cut at an extent.
 
-    Raises ParameterError when nothing does.
+    Args:
+        area: The area.
+        distance: Width of the buffer, map units of ``crs``.
+        crs: Target CRS.
+        extent: (x_min, y_min, x_max, y_max) in ``crs``.
+        transform_context: The project's transform context.
+
+    Raises:
+        ParameterError: No ring remains.
     """
-    # Repaired first, as a crossing outline would be buffered wrongly.
+    # Repair first: a buffer of a self-crossing outline would be wrong.
     moved = [
         part.buffer(distance, _SEGMENTS)
-        for part in _moved(
+        for part in _reproject(
             area,
             crs,
             transform_context,
-            Sentence("CLIP does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(area.crs)),
+            Sentence(
+                "The clip layer does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(area.crs)
+            ),
         )
     ]
     whole = QgsGeometry.unaryUnion(moved).intersection(QgsGeometry.fromRect(QgsRectangle(*extent)))
     rings = [ring for polygon in _polygons(whole) for ring in polygon]
     if not rings:
         raise ParameterError(
-            "The area of CLIP is empty or lies outside the database’s map; choose another one, or for lines and "
-            "points a larger DISTANCE than {distance:g}.",
+            "The clip layer is empty or outside the database’s map. Choose another layer, or for lines and points a "
+            "larger distance than {distance:g} m.",
             distance=distance,
         )
     return [np.array([(point.x(), point.y()) for point in ring]) for ring in rings]
@@ -94,9 +104,9 @@ def area_rings(
 def area_extent(
     area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> QgsRectangle:
-    """The box around an area in another CRS. Raises ParameterError."""
+    """Return the extent of an area in another CRS. Raises ParameterError."""
     box = QgsRectangle()
-    for geometry in _moved(area, crs, context, _mask_refusal(area)):
+    for geometry in _reproject(area, crs, context, _mask_refusal(area)):
         box.combineExtentWith(geometry.boundingBox())
     return box
 
@@ -108,13 +118,14 @@ def area_mask(
     shape_hw: tuple[int, int],
     context: QgsCoordinateTransformContext,
 ) -> AreaMask:
-    """The pixels of an image that lie in an area of polygons.
+    """Return the mask of the pixels inside the polygons of an area.
 
     Args:
-        crs: Of the image.
+        area: The area.
+        crs: CRS of the image.
         geotransform: GDAL's six numbers of the image.
         shape_hw: (height, width) of the image.
-        context: How the project transforms coordinates.
+        context: The project's transform context.
 
     Raises:
         ParameterError: No polygon touches the image.
@@ -125,23 +136,27 @@ def area_mask(
     height, width = shape_hw
     image = QgsRectangle(0, -height, width, 0)
     polygons = []
-    for geometry in _moved(area, crs, context, _mask_refusal(area)):
+    for geometry in _reproject(area, crs, context, _mask_refusal(area)):
         geometry.transform(upwards)
         parts = (part for part in geometry.asGeometryCollection() if part.area() > 0)
         polygons += [part.asWkb().data() for part in parts if part.boundingBox().intersects(image)]
     if not polygons:
-        raise ParameterError("No polygon of MASK lies on the image; choose another layer, or leave MASK out.")
+        raise ParameterError(
+            "No polygon of the mask layer overlaps the image. Choose another mask layer, or leave the field empty."
+        )
     return AreaMask(polygons)
 
 
 def _mask_refusal(area: DrawnArea) -> Sentence:
-    return Sentence("MASK does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(area.crs))
+    return Sentence(
+        "The mask layer does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(area.crs)
+    )
 
 
-def _moved(
+def _reproject(
     area: DrawnArea, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext, refusal: Sentence
 ) -> list[QgsGeometry]:
-    """An area's geometries in another CRS, repaired; without arcs. Raises ParameterError with ``refusal``."""
+    """Return an area's geometries in another CRS, valid and without arcs. Raises ParameterError with ``refusal``."""
     to_map = QgsCoordinateTransform(area.crs, crs, context)
     moved = []
     for given in area.geometries:

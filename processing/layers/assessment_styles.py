@@ -1,4 +1,4 @@
-"""How expected success looks on a map and in reports: five steps of the evenly perceived ramp cividis, with words."""
+"""Styles of expected success on maps and in reports: five steps of the color ramp cividis."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from ..messages.numbers import shown
 from .styles import style_renderer
 
 COLORS = ("#00204d", "#46516c", "#7c7b78", "#bcad6c", "#ffea46")
-"""Expected success from hardly ever to very reliably: cividis (Nuñez et al. 2018) at even steps, dark to light."""
+"""Colors from the lowest to the highest expected success: cividis (Nuñez et al. 2018) in even steps."""
 
 
 def success_classes(threshold: float) -> list[tuple[float, float, str, str]]:
-    """(from, to, color, legend text) of five classes of success 0…1; the upper two are good enough."""
-    # OpenCV is not there when the plugin starts.
+    """Return (from, to, color, legend text) of five classes of success 0…1; the upper two are above the threshold."""
+    # OpenCV may be missing when the plugin starts.
     from ...core.assessment.squares import verdict_edges
 
     edges = verdict_edges(threshold)
@@ -26,18 +26,18 @@ def success_classes(threshold: float) -> list[tuple[float, float, str, str]]:
 
 
 def cells_renderer(threshold: float, footprint: float, is_only: bool) -> QgsGraduatedSymbolRenderer:
-    """Return squares colored by success; of several footprints in one layer those of ``footprint`` alone."""
+    """Return a renderer of squares by success; for several footprints in a layer, only of ``footprint``."""
     value = "success" if is_only else f'if("footprint" = {footprint!r}, "success", NULL)'
     return _graduated("cells", value, threshold)
 
 
 def route_renderer(threshold: float) -> QgsGraduatedSymbolRenderer:
-    """Return stretches of a route colored by success."""
+    """Return a renderer of route stretches by success."""
     return _graduated("route", "success", threshold)
 
 
 def _graduated(name: str, value: str, threshold: float) -> QgsGraduatedSymbolRenderer:
-    """The symbol of a style in five steps; its uppermost layer has the color of the step."""
+    """Return a renderer with the symbol of a style file; the color of its top symbol layer shows the success."""
     style = style_renderer(name)
     ranges = []
     for low, high, color, text in success_classes(threshold):
@@ -45,7 +45,7 @@ def _graduated(name: str, value: str, threshold: float) -> QgsGraduatedSymbolRen
         uppermost = symbol.symbolLayer(symbol.symbolLayerCount() - 1)
         (uppermost.subSymbol() or uppermost).setColor(QColor(color))
         ranges.append(QgsRendererRange(low, high, symbol, text))
-    # From good to bad, as a legend is read.
+    # The legend begins with the best class.
     renderer = QgsGraduatedSymbolRenderer(value, ranges[::-1])
     renderer.setUsingSymbolLevels(style.usingSymbolLevels())
     return renderer

@@ -1,4 +1,4 @@
-"""Styles that depend on a class table, and those that rasters have beside them."""
+"""Styles that depend on a class table, and style files beside rasters."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from ...core.labels.class_table import ClassTable
 from ...storage.database.reader import stored_style
 from ...storage.database.schema import REFERENCE_FIELDS, WINDOW_FIELDS
 from ...storage.replaceable import MARK_OF_NOTE
-from .layer_metadata import Note, keep_beside
+from .layer_metadata import Note, save_beside
 from .styles import STYLES, apply_style, name_columns
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 def database_styles(table: ClassTable) -> dict[str, str]:
-    """QML of the default style of each layer of a database, by table name."""
+    """Return the default style of each layer of a database as QML by table name."""
     windows, references = _fields_only("Polygon", WINDOW_FIELDS), _fields_only("Point", REFERENCE_FIELDS)
     apply_style(windows, "windows")
     references.setRenderer(references_renderer(table))
@@ -41,7 +41,7 @@ def database_styles(table: ClassTable) -> dict[str, str]:
 
 
 def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorLayer:
-    # Of fields a style has titles by name, and no types.
+    # A style has titles of fields by name, but no types.
     columns = "&".join(f"field={name}" for name, _ in fields)
     return QgsVectorLayer(f"{geometry}?{columns}", "style", "memory")
 
@@ -49,7 +49,7 @@ def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorL
 def _titled(layer: QgsVectorLayer) -> str:
     name_columns(layer)
     document, categories = QDomDocument(), QgsMapLayer.StyleCategory
-    # The other categories hold colors that QGIS draws by lot.
+    # Other categories contain random colors.
     shown = categories.Symbology | categories.CustomProperties | categories.Fields
     error = layer.exportNamedStyle(document, QgsReadWriteContext(), shown)
     if document.isNull():
@@ -58,7 +58,7 @@ def _titled(layer: QgsVectorLayer) -> str:
 
 
 def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
-    """Dots colored by class; the legend shows the reference classes by name."""
+    """Return a renderer of dots in class colors; the legend shows the reference classes by name."""
     categories = []
     for c in table.references:
         symbol = QgsMarkerSymbol.createSimple(
@@ -69,7 +69,7 @@ def references_renderer(table: ClassTable) -> QgsCategorizedSymbolRenderer:
 
 
 def annotation_renderer(table: ClassTable, class_field: str, priority_field: str = "") -> QgsCategorizedSymbolRenderer:
-    """Polygons in the class colors, without outlines; higher priorities on top where a field has them."""
+    """Return a renderer of polygons in class colors without outlines, drawn in the order of a priority field."""
     categories = []
     for c in table:
         symbol = QgsFillSymbol.createSimple({"color": c.color, "outline_style": "no"})
@@ -82,7 +82,7 @@ def annotation_renderer(table: ClassTable, class_field: str, priority_field: str
 
 
 def repaired_renderer(lookup: ClassLookup, source: AnnotationSource) -> QgsCategorizedSymbolRenderer:
-    """An annotation in its class colors, by the values that its class column has."""
+    """Return a renderer of a land-cover layer in class colors by the values of its class column."""
     categories = []
     for one in lookup.table:
         symbol = QgsFillSymbol.createSimple({"color": one.color, "outline_style": "no"})
@@ -92,8 +92,8 @@ def repaired_renderer(lookup: ClassLookup, source: AnnotationSource) -> QgsCateg
 
 
 def label_style(table: ClassTable) -> str:
-    """QML of a raster of class values: class colors and names, 0 transparent."""
-    # As text: Qt writes the attributes of an element in another order in each process.
+    """Return the style of a label map as QML: class colors and names, 0 transparent."""
+    # As text: Qt writes the attributes of an element in random order.
     entries = (
         f'    <paletteEntry value="{one.value}" color="{one.color}" label="{escape(one.name)}" alpha="255"/>\n'
         for one in table
@@ -104,24 +104,25 @@ def label_style(table: ClassTable) -> str:
 
 
 def write_label_map_style(path: str, table: ClassTable, note: Note | None = None) -> str:
-    """Write the style that QGIS finds beside a label map: only the map's own classes, 0 transparent.
+    """Write the style beside a label map: the map's classes only, 0 transparent.
 
-    Without it the legend lists all 256 entries of the GeoTIFF's color table.
+    Without a style the legend would list all 256 entries of the GeoTIFF's color table.
 
     Args:
-        path: Of the label map.
-        note: Metadata of the map, also written beside it.
+        path: The label map.
+        table: Its classes.
+        note: Metadata of the map, written beside it as well.
 
     Returns:
         The style as QML.
     """
     if note is not None:
-        keep_beside(path, QgsRasterLayer(path, "note"), note)
+        save_beside(path, QgsRasterLayer(path, "note"), note)
     return _write_beside(path, label_style(table))
 
 
 def write_percent_style(path: str, band: int = 1) -> str:
-    """Write the style that QGIS finds beside a raster of percent, dark for doubt; returns it as QML."""
+    """Write the style beside a raster of probabilities, dark for low ones; return it as QML."""
     qml = (STYLES / "percent.qml").read_text(encoding="utf-8")
     return _write_beside(path, qml.replace('band="1"', f'band="{band}"'))
 
@@ -133,7 +134,7 @@ def _write_beside(path: str, qml: str) -> str:
 
 
 def apply_overview_style(layer: QgsRasterLayer, database: str) -> None:
-    """Gives an overview layer the style in its database; QGIS itself does so for vector layers only."""
+    """Apply the style in a database to its overview layer; QGIS itself does this for vector layers only."""
     qml = stored_style(database, "overview")
     document = QDomDocument()
     if qml and document.setContent(qml):

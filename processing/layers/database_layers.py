@@ -1,4 +1,4 @@
-"""A reference database on the map: its layers with their own styles, as one group, and rasters that are opened."""
+"""Show a reference database on the map: its layers with their styles as one group. Place new layers."""
 
 from __future__ import annotations
 
@@ -26,38 +26,38 @@ from .layer_tree import leave_group, move, place_at_bottom
 from .styles import name_columns
 
 OVERVIEW = "overview"
-"""The table that is a layer without a note, below the others."""
+"""Table of the overview, the lowest layer."""
 
 _SUFFIX = ".gpkg"
 _KEPT: list[QgsProcessingLayerPostProcessorInterface] = []
 _MOST_KEPT = 40
-"""Post-processors of the last layers: QGIS takes no care of their Python half."""
+"""Number of the latest post-processors to keep: QGIS does not keep their Python objects."""
 
 
 class Opened(QObject):
-    """``database``: the path of one that a user had an algorithm open; ``raster``: that of one that was written."""
+    """Signals: ``database``, path of a database that an algorithm opened; ``raster``, path of a written raster."""
 
     database = pyqtSignal(str)
     raster = pyqtSignal(str)
 
 
 OPENED = Opened()
-"""Whoever shows databases follows it."""
+"""The dock connects to these signals."""
 
 
 def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLayer | None = None) -> QgsLayerTreeGroup:
-    """Adds references, windows and overview, from top to bottom, and gives their group; only references are visible.
+    """Add references, windows and overview as a group and return it; only the references are visible.
 
     Args:
-        path: Of the database.
-        project: Where to.
-        references: The layer of that table where the project has it already.
+        path: The database.
+        project: The project.
+        references: Existing layer of the references; None to add it.
 
     Raises:
-        DatabaseError: Nothing was added.
+        DatabaseError: The file is not a database; nothing was added.
     """
     if not Path(path).is_file():
-        # Not at the top: it loads numpy, and QGIS starts without.
+        # Imported here: QGIS must start without loading numpy.
         from ...storage.database.connection import no_database
 
         raise no_database(path)
@@ -71,11 +71,11 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
         raise DatabaseError(
             "{path} is not a SemRef reference database; choose one made by “Build reference database”.", path=path
         )
-    # Not at the top: it brings GDAL's arrays, and the dock shall open at once.
+    # Imported here: the dock must open without loading GDAL's arrays.
     from .class_styles import apply_overview_style
 
     apply_overview_style(added[-1], path)
-    _tell_of(added[-1], added[-2])
+    _copy_metadata(added[-2], added[-1])
     project.addMapLayers(added, False)
     shown = added if references is None else [references, *added]
     root = project.layerTreeRoot()
@@ -93,48 +93,45 @@ def add_database_to_map(path: str, project: QgsProject, references: QgsVectorLay
     for node in group.findLayers():
         node.setExpanded(False)
         node.setItemVisibilityChecked(node.layerId() == shown[0].id())
-    # After the styles: these have the language of whoever built the database.
+    # After the styles, which have the language of the database's creator.
     for layer in shown:
         if isinstance(layer, QgsVectorLayer):
             name_columns(layer)
     return group
 
 
-def _tell_of(overview: QgsRasterLayer, windows: QgsVectorLayer) -> None:
-    """Has the overview tell what made the database: QGIS reads the note of no raster in a GeoPackage."""
-    told = windows.metadata()
-    told.setTitle(overview.name())
-    told.setAbstract(tr("The label map reduced to the most frequent class of each block."))
-    overview.setMetadata(told)
+def _copy_metadata(windows: QgsVectorLayer, overview: QgsRasterLayer) -> None:
+    """Copy the history to the overview, because QGIS reads no metadata of rasters in a GeoPackage."""
+    metadata = windows.metadata()
+    metadata.setTitle(overview.name())
+    metadata.setAbstract(tr("The label map reduced to the most frequent class of each block."))
+    overview.setMetadata(metadata)
 
 
 def database_file(layer: QgsMapLayer) -> str:
-    """The reference database that a layer is of, by the names of its tables; empty for any other layer."""
+    """Return the path of the reference database that a layer belongs to; empty for another layer."""
     path, table = _file_and_table(layer)
     return path if path.endswith(_SUFFIX) and table in (REFERENCES, WINDOWS, OVERVIEW) else ""
 
 
 def database_layers(path: str, project: QgsProject) -> list[QgsMapLayer]:
-    """Those of a database that the project has."""
+    """Return the layers of a database in the project."""
     wanted = os.path.realpath(path)
     found = [(layer, database_file(layer)) for layer in project.mapLayers().values()]
     return [layer for layer, file in found if file and os.path.realpath(file) == wanted]
 
 
 def reload_database(path: str, project: QgsProject) -> None:
-    """Shows what a database holds now that it was replaced."""
+    """Reload the layers of a database that was replaced."""
     _reload(database_layers(path, project))
 
 
 def reload_raster(path: str, project: QgsProject) -> None:
-    """Show what a raster file holds now that it was replaced."""
+    """Reload the layers of a raster file that was replaced."""
     rasters = [layer for layer in project.mapLayers().values() if isinstance(layer, QgsRasterLayer)]
-    _reload([layer for layer in rasters if _is_of(layer, path)])
-
-
-def _is_of(layer: QgsRasterLayer, path: str) -> bool:
-    file = _file_and_table(layer)[0]
-    return bool(file) and os.path.realpath(file) == os.path.realpath(path)
+    files = [_file_and_table(layer)[0] for layer in rasters]
+    wanted = os.path.realpath(path)
+    _reload([layer for layer, file in zip(rasters, files) if file and os.path.realpath(file) == wanted])
 
 
 def _reload(layers: list[QgsMapLayer]) -> None:
@@ -145,12 +142,13 @@ def _reload(layers: list[QgsMapLayer]) -> None:
 
 
 def open_when_done(path: str, labels: object, output: str, context: QgsProcessingContext) -> None:
-    """Has QGIS open a database when the algorithm that wrote it is done, as it opens layers; scripts open nothing.
+    """Open a database in QGIS when its algorithm is done. Scripts without a project open nothing.
 
     Args:
-        path: Of the database.
-        labels: LABELS as given: where the same run opens that file as well, it joins the group of the database.
-        output: The key of the output.
+        path: The database.
+        labels: Value of LABELS; if the run opens this file as well, it becomes part of the database's group.
+        output: Key of the output.
+        context: Context of the run.
     """
     if context.project() is None:
         return
@@ -165,14 +163,14 @@ def open_when_done(path: str, labels: object, output: str, context: QgsProcessin
 def set_post_processor(
     details: QgsProcessingContext.LayerDetails, processor: QgsProcessingLayerPostProcessorInterface
 ) -> None:
-    """Have QGIS call a post-processor with the layer when it has opened it, and keep it alive until then."""
+    """Set the post-processor that QGIS calls after opening a layer, and keep it alive until then."""
     _KEPT.append(processor)
     del _KEPT[:-_MOST_KEPT]
     details.setPostProcessor(processor)
 
 
 class _Opener(QgsProcessingLayerPostProcessorInterface):
-    """QGIS opens one layer and calls this with it, in the main thread."""
+    """Opens the other layers of a database after QGIS opened the references."""
 
     def __init__(self, path: str, labels: str) -> None:
         super().__init__()
@@ -183,7 +181,7 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
         project = context.project()
         others = [other for other in database_layers(self._path, project) if other.id() != layer.id()]
         if others:
-            # Updated in place: the project has it already.
+            # The project already has this database, which was updated.
             if any(_file_and_table(other)[1] == REFERENCES for other in others):
                 project.removeMapLayer(layer.id())
             reload_database(self._path, project)
@@ -193,7 +191,7 @@ class _Opener(QgsProcessingLayerPostProcessorInterface):
         OPENED.database.emit(self._path)
 
     def take_labels(self, project: QgsProject) -> None:
-        """Moves the label map of the same run into the group, invisible, once both are in the project."""
+        """Move the label map of the same run into the group, hidden, when both are in the project."""
         group = next((database_group(layer, project) for layer in database_layers(self._path, project)), None)
         found = [layer for layer in project.mapLayers().values() if self._labels and layer.source() == self._labels]
         if group is not None and found:
@@ -208,8 +206,8 @@ def _openers() -> list[_Opener]:
 
 
 def place_new_layer(layer: QgsMapLayer, project: QgsProject | None) -> None:
-    """Moves a layer that QGIS has just opened to its place: never into the group of another database."""
-    # QGIS 3.40 opens all layers of a run before it passes on the first one.
+    """Move a new layer to its place, never into the group of another database."""
+    # QGIS 3.40 opens all layers of a run before it calls the first post-processor.
     if project is None or any(opener.taken == layer.id() for opener in _openers()):
         return
     if isinstance(layer, QgsRasterLayer):
@@ -221,7 +219,7 @@ def place_new_layer(layer: QgsMapLayer, project: QgsProject | None) -> None:
 
 
 def database_group(layer: QgsMapLayer, project: QgsProject) -> QgsLayerTreeGroup | None:
-    """The group of a layer, if it is that of a database."""
+    """Return the group of a layer if it is the group of a database."""
     node = project.layerTreeRoot().findLayer(layer.id())
     group = None if node is None else node.parent()
     if group is None or group.parent() is None:
@@ -241,6 +239,6 @@ def _table_source(path: str, table: str) -> str:
 
 
 def _overview_source(path: str) -> str:
-    """What QGIS opens the overview by; GDAL's name of a part of a file can't hold every path."""
+    """Return the overview's source for QGIS; GDAL's name of a table can't contain every path."""
     is_plain = '"' not in path and ":" not in Path(path).name and ":" not in str(Path(path).parent)[2:]
     return f"GPKG:{path}:overview" if is_plain else f"{path}|option:TABLE=overview"

@@ -1,4 +1,4 @@
-"""What QGIS downloads for a drawing: over http or https alone, and each answer of bounded size."""
+"""Limit QGIS's downloads for a drawing to http and https, and each reply to a maximum size."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...core import limits
 
 _SCHEMES = {"http", "https"}
 _OF_RASTERS = re.compile(r"Qgs(Wms|Wcs|Ams|ArcGis|Xyz)")
-"""Classes of QGIS that ask for tiles and maps; requests of others are left alone."""
+"""QGIS classes that request tiles and maps; other requests are not limited."""
 
 
 @dataclass
@@ -25,21 +25,20 @@ class Downloads:
     """Downloads for one drawing.
 
     Attributes:
-        schemes: Of addresses that may be asked.
-        refused: An address of another scheme that a server sent QGIS to; empty for none.
-        is_too_large: Whether an answer was larger than ``limits.ANSWER_BYTES``.
+        schemes: Allowed schemes of addresses.
+        refused: Address with another scheme from a redirect; empty without one.
+        is_too_large: Whether a reply was larger than ``limits.ANSWER_BYTES``.
     """
 
     schemes: set[str] = field(default_factory=lambda: set(_SCHEMES))
     refused: str = ""
     is_too_large: bool = False
     looks: list[Callable[[], None]] = field(default_factory=list)
-    """What replies call, kept alive: a reply and its function refer to each other, and Python's garbage collector
-    would end their connection."""
+    """Slots of replies. They are kept here, because Python's garbage collector would delete a reply and its slot."""
 
     @property
     def is_broken(self) -> bool:
-        """Whether the server sent what is not taken."""
+        """Whether a reply or an address was refused."""
         return self.is_too_large or bool(self.refused)
 
 
@@ -48,9 +47,9 @@ _installed: list[object] = []
 
 
 def install() -> None:
-    """Makes QGIS's network manager call this module, once a session; for the main thread.
+    """Register this module at QGIS's network manager, once per session, in the main thread.
 
-    It is never removed: other threads may be going through the list of what is called.
+    It is never removed, because other threads may be iterating over the registered functions.
     """
     if not _installed:
         _installed.append(QgsNetworkAccessManager.setRequestPreprocessor(_check_request))
@@ -59,10 +58,10 @@ def install() -> None:
 
 @contextmanager
 def watched_downloads(*layers: QgsMapLayer) -> Iterator[Downloads]:
-    """Watches downloads until the block ends, after ``install``.
+    """Limit downloads until the block ends; call ``install`` before.
 
     Args:
-        layers: What is drawn. Where the user named tiles on the disk, files may be asked for as well.
+        layers: The drawn layers. If one of them uses tiles on disk, files are allowed as well.
     """
     downloads = Downloads()
     if any("=file:" in unquote(layer.source()).lower() for layer in layers):
@@ -75,9 +74,9 @@ def watched_downloads(*layers: QgsMapLayer) -> Iterator[Downloads]:
 
 
 def _check_request(request: QNetworkRequest) -> None:
-    """Takes the address out of a request that a redirect made, or that follows too large an answer.
+    """Remove the address of a request after a redirect to a refused scheme, or after a refused reply.
 
-    It runs in the thread that asks.
+    Runs in the requesting thread.
     """
     for downloads in tuple(_watched) if _is_for_raster(request) else ():
         if request.url().scheme().lower() not in {*downloads.schemes, ""}:
@@ -87,23 +86,23 @@ def _check_request(request: QNetworkRequest) -> None:
 
 
 def _limit_reply(request: QNetworkRequest, reply: QNetworkReply) -> None:
-    """Ends a reply that grows too large, in the thread that asks."""
+    """Abort a reply that becomes too large, in the requesting thread."""
     watching = tuple(_watched)
     if not watching or not _is_for_raster(request):
         return
 
     def look() -> None:
-        # QGIS reads a reply only when it is whole.
+        # QGIS reads only complete replies.
         watched = tuple(_watched)
         if reply.bytesAvailable() >= limits.ANSWER_BYTES or any(downloads.is_too_large for downloads in watched):
             for downloads in watched:
                 downloads.is_too_large = True
             reply.abort()
 
-    # Qt reads no further than this ahead, however fast the server is.
+    # Limits Qt's buffer for fast servers.
     reply.setReadBufferSize(2 * limits.ANSWER_BYTES)
-    # Not downloadProgress: Qt leaves out some of its signals, perhaps that for the bytes that fill the buffer, after
-    # which QGIS would wait for its timeout.
+    # Not downloadProgress: Qt omits some of its signals, maybe the one that fills the buffer. QGIS would then wait for
+    # its timeout.
     watching[0].looks.append(look)
     reply.readyRead.connect(look)
 
@@ -112,6 +111,6 @@ def _is_for_raster(request: QNetworkRequest) -> bool:
     try:
         name = QNetworkRequest.Attribute(QgsNetworkRequestParameters.RequestAttributes.AttributeInitiatorClass)
     except ValueError:
-        # PyQt6 knows Qt's own attributes alone.
+        # PyQt6 supports only Qt's own attributes.
         return True
     return _OF_RASTERS.match(str(request.attribute(name) or "")) is not None

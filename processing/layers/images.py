@@ -1,4 +1,4 @@
-"""How large the pixels of a photo are on the ground."""
+"""Ground size of the pixels of a photo."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from ..compat import is_metric
 
 
 def stated_crs(path: str) -> QgsCoordinateReferenceSystem:
-    """The CRS in a raster file; an invalid one for none."""
+    """Return the CRS in a raster file; invalid without one."""
     return QgsCoordinateReferenceSystem.fromWkt(open_raster(path).GetProjection())
 
 
 def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[float, float] | None:
-    """Ground meters along a row and a column of a pixel, measured in the middle; None without georeference."""
+    """Return the ground size of a pixel along a row and a column, m, in the center; None without georeference."""
     transform = image.geotransform
     if transform is None or not crs.isValid():
         return None
@@ -37,7 +37,7 @@ def pixel_size_m(image: GdalImage, crs: QgsCoordinateReferenceSystem) -> tuple[f
 
 
 def stated_pixel_size_m(path: str) -> tuple[float, float] | None:
-    """The same of a file; None also where it can't be read, which whoever reads it says."""
+    """Return ``pixel_size_m`` of a file; None also for an unreadable file, which later reading reports."""
     try:
         crs = stated_crs(path)
         return pixel_size_m(GdalImage(path), crs) if crs.isValid() else None

@@ -1,4 +1,4 @@
-"""Raster layers: what worker threads need of them, taken out in the thread they live in."""
+"""Copy the data of raster layers that worker threads need, in the layers' thread."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .reference_systems import describe_crs
 
 @dataclass(frozen=True)
 class RasterLayer:
-    """A raster layer as the main thread knows it: GDAL's source, CRS, and the classes of its style, if any."""
+    """Data of a raster layer: GDAL's source, CRS, and the classes of its style, if any."""
 
     path: str
     crs: QgsCoordinateReferenceSystem
@@ -25,29 +25,27 @@ class RasterLayer:
 
     @property
     def file(self) -> RasterFile:
-        """The same for rooms without QGIS."""
+        """The same data without QGIS's types."""
         return RasterFile(self.path, wkt_for_gdal(self.crs), is_metric(self.crs), self.styled_classes)
 
 
-def label_map_layer(layer: QgsRasterLayer | None, name: str) -> RasterLayer:
-    """Takes what is needed out of a layer. Raises LabelMapError."""
-    return _taken(layer, LabelMapError("{key} is not a raster that can be read; choose a label map.", key=name))
+def label_map_layer(layer: QgsRasterLayer | None) -> RasterLayer:
+    """Copy the data of a label map layer. Raises LabelMapError."""
+    return _raster_layer(layer, LabelMapError("The label map can't be read. Choose a raster file."))
 
 
-def image_layer(layer: QgsRasterLayer | None, name: str) -> RasterLayer:
-    """Takes what is needed out of a layer. Raises ImageError."""
-    return _taken(
-        layer, ImageError("{key} is not a raster that can be read; choose a photo or an orthophoto.", key=name)
-    )
+def image_layer(layer: QgsRasterLayer | None) -> RasterLayer:
+    """Copy the data of an image layer. Raises ImageError."""
+    return _raster_layer(layer, ImageError("The image can't be read. Choose a photo or an orthophoto."))
 
 
-def _taken(layer: QgsRasterLayer | None, unreadable: SemRefError) -> RasterLayer:
+def _raster_layer(layer: QgsRasterLayer | None, unreadable: SemRefError) -> RasterLayer:
     if layer is None or not layer.isValid():
         raise unreadable
     if layer.providerType() != "gdal":
         raise type(unreadable)(
             Sentence(
-                "“{layer}” comes from {provider}; save it as GeoTIFF first.",
+                "“{layer}” is not a local raster file, but a layer of {provider}. Save it as GeoTIFF first.",
                 layer=layer.name(),
                 provider=layer.providerType(),
             )
@@ -62,34 +60,35 @@ def _styled_classes(layer: QgsRasterLayer) -> tuple[LandCoverClass, ...]:
     found: dict[int, LandCoverClass] = {}
     for entry in renderer.classes():
         value = int(entry.value)
-        # 0 is unlabeled whatever the palette calls it; labels repeat in palettes that were made automatically.
+        # 0 is always unlabeled. Labels may repeat in automatic palettes.
         if 0 < value <= 255:
             found[value] = LandCoverClass(value, entry.label or str(value), entry.color.name())
     names = [c.name for c in found.values()]
-    # A color table has all 256 values, of which a map uses a few: where no class has a name, the pixels tell.
+    # Without names the palette may list all 256 values; the pixel values then give the classes.
     is_named = any(c.name != str(c.value) for c in found.values())
     return tuple(found.values()) if is_named and len(set(names)) == len(names) else ()
 
 
 def require_one_crs(reference: RasterLayer, predicted: RasterLayer) -> None:
-    """Raises LabelMapError for two maps in different CRS; a map without one is taken to have the other's."""
+    """Raise LabelMapError for two maps in different CRS; a map without CRS is assumed to have the other's."""
     if reference.crs.isValid() and predicted.crs.isValid() and reference.crs != predicted.crs:
         raise LabelMapError(
-            "REFERENCE is in {crs}, but PREDICTED is in {predicted_crs}; warp one of them to the other's CRS.",
+            "The reference map is in {crs}, but the predicted map in {predicted_crs}. Warp one map to the CRS of the "
+            "other.",
             crs=describe_crs(reference.crs),
             predicted_crs=describe_crs(predicted.crs),
         )
 
 
 def map_frame(labels: GdalLabels, layer: RasterLayer) -> MapFrame:
-    """CRS and geotransform of a label map; raises LabelMapError unless metric, north up, with square pixels."""
+    """Return the grid of a label map. Raises LabelMapError unless it is metric and north up with square pixels."""
     if not layer.crs.isValid():
         raise LabelMapError(
-            "{path} has no coordinate reference system; assign a metric one to the layer.", path=layer.path
+            "{path} has no coordinate reference system. Assign a metric CRS to the layer.", path=layer.path
         )
     if not is_metric(layer.crs):
         raise LabelMapError(
-            "{path} is in {crs}, which does not measure in meters; rasterize or warp it to a projected CRS in meters.",
+            "{path} is in {crs}, which is not in meters. Rasterize or warp it to a projected CRS in meters.",
             path=layer.path,
             crs=describe_crs(layer.crs),
         )

@@ -1,7 +1,7 @@
-"""Metadata of a layer: title, abstract, what made it and when, and the licenses of what it was made from.
+"""Metadata of a layer: title, abstract, history, and the licenses of its sources.
 
-QGIS shows it under Properties ▸ Metadata and Information; in a GeoPackage it is in ``gpkg_metadata``, beside a
-raster in ``NAME.qmd``.
+QGIS shows it under Properties ▸ Metadata and Information. It is stored in ``gpkg_metadata`` of a GeoPackage, or in
+``NAME.qmd`` beside a raster.
 """
 
 from __future__ import annotations
@@ -28,29 +28,26 @@ from qgis.core import (
 from qgis.PyQt.QtXml import QDomDocument
 
 from ...core import limits
-from ...storage.qgis_metadata import QGIS_STANDARD, metadata_text
 from ...storage.replaceable import MARK_OF_NOTE
 from ...storage.vector_files import leave_wal
 from ..translation import tr
 
+_QGIS_STANDARD = "http://mrcc.com/qgis.dtd"
+"""Standard of QGIS's metadata in a GeoPackage."""
+
+_STEPS_TO_READ = 200_000
+"""Limit of SQLite's steps; reading metadata takes some hundred, unless a file was made to be slow."""
+
 _LONGEST_COMMAND = 20_000
-"""Characters of a command: a run of thousands of images names each."""
+"""Characters of a command; the command of a run may name thousands of images."""
 
 _LAYERS = "source", "vector", "raster", "multilayer"
 
 _MOST_LINES = 50
-"""Of a history; each update of a database adds one."""
+"""Lines of a history; each update of a database adds one."""
 
 REFERENCES, WINDOWS = "references", "windows"
-"""The tables of a database that are layers with a note."""
-
-SENTENCES_OF_TITLES = {REFERENCES: "Landmarks", WINDOWS: "Windows"}
-
-SENTENCES_OF_TABLES = {
-    REFERENCES: "The landmarks of the whole map: center of gravity, class and area of each region of their classes.",
-    WINDOWS: "The windows that slide over the map, each described by the topology vector of its landmarks.",
-}
-"""What a database's layers are, by table."""
+"""Tables of a database that are layers with metadata."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +55,8 @@ class Note:
     """Metadata of a layer.
 
     Attributes:
-        history: Lines, the oldest first. A run adds one: when, by which version, and the call that makes it again.
-        sources: Of the inputs that name licenses or rights: title, with these in brackets.
+        history: Lines, the oldest first. Each run adds a line with time, version and Python command.
+        sources: Titles of the inputs with licenses or rights, which follow in brackets.
     """
 
     title: str = ""
@@ -68,7 +65,7 @@ class Note:
     sources: str = ""
 
     def metadata(self, layer: QgsMapLayer) -> QgsLayerMetadata:
-        """For QGIS; ``layer`` gives CRS and extent. Of a long history the first line and the newest stay."""
+        """Return QGIS's metadata with the CRS and extent of ``layer``; a long history is cut after its first line."""
         lines = list(self.history)
         made = QgsLayerMetadata()
         made.setType("dataset")
@@ -87,7 +84,7 @@ class Note:
         return made
 
     def after(self, known: QgsLayerMetadata) -> Note:
-        """Of a layer that this run changed: it stays what it was, and what made it before is its history, too."""
+        """Return the metadata of an updated layer: its old abstract and history, with the line of this run."""
         return replace(
             self,
             abstract=known.abstract() or self.abstract,
@@ -99,11 +96,11 @@ class Note:
 def note_of_run(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext, version: str
 ) -> Note:
-    """History and sources of what a run will write; call it where layers live, after they were read."""
+    """Return history and sources for the outputs of a run; call it in the layers' thread after reading the layers."""
     try:
         command = algorithm.asPythonCommand(parameters, context)
     except Exception:
-        # QGIS raises anything for values that it can't write down; the layer is worth more than its history.
+        # QGIS raises errors for values that it can't express; the run continues without the full command.
         command = f"processing.run({algorithm.id()!r}, …)"
     if len(command) > _LONGEST_COMMAND:
         command = f"{command[:_LONGEST_COMMAND]}…"
@@ -113,19 +110,19 @@ def note_of_run(
 
 
 def _each_once(texts: Iterable[str]) -> str:
-    """The sources that some texts name, in their order, as one text."""
+    """Join texts of sources without duplicates."""
     return "; ".join(dict.fromkeys(source for text in texts for source in text.split("; ") if source))
 
 
 def _source(title: str, one: QgsLayerMetadata) -> str:
-    """What an input says of licenses; what SemRef made of others says it of them."""
+    """Return an input's title with its licenses, or the sources of a layer that SemRef made."""
     return f"{title} ({', '.join([*one.licenses(), *one.rights()])})" if one.licenses() else "; ".join(one.rights())
 
 
 def _inputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> Iterator[tuple[str, QgsLayerMetadata]]:
-    """(title, metadata) of the inputs that are loaded layers, or files with a note; no layer is loaded for this."""
+    """Yield (title, metadata) of inputs that are loaded layers or files with metadata, without loading layers."""
     for definition in algorithm.parameterDefinitions():
         value = parameters.get(definition.name())
         if definition.isDestination() or definition.type() not in (*_LAYERS, "file"):
@@ -138,50 +135,78 @@ def _inputs(
                 layer = QgsProcessingUtils.mapLayerFromString(one, context, False)
             known = _of_layer(layer) if layer is not None else _of_file(one) if isinstance(one, str) else None
             if known is not None:
-                # A database's note is of one of its layers, so that it is called by its file.
+                # The metadata of a database belong to one of its layers, so use the name of the file.
                 title = "" if definition.type() == "file" else known.title()
                 yield title or (layer.name() if layer is not None else Path(one).stem), known
 
 
 def _of_layer(layer: QgsMapLayer) -> QgsLayerMetadata:
-    """Return the metadata of a layer. A layer that only an algorithm loaded has not read the file beside it."""
+    """Return the metadata of a layer, or of its file: layers of algorithms have not read the file beside it."""
     known = layer.metadata()
     return known if known.title() or known.licenses() or known.rights() else _of_file(layer.source()) or known
 
 
 def _of_file(source: str) -> QgsLayerMetadata | None:
-    """Return the metadata that QGIS stored for a file without a layer: beside a raster, in a GeoPackage; else None."""
-    text = metadata_text(source)
+    """Return the metadata that QGIS stored for a file, or None."""
+    text = _metadata_text(source)
     document, known = QDomDocument(), QgsLayerMetadata()
-    # Qt 6.5 and later have another type of answer; false in both where it is no XML.
+    # Qt 6.5 and later return another type, which is also false for invalid XML.
     if not text or not document.setContent(text) or not known.readMetadataXml(document.documentElement()):
         return None
     return known
 
 
-def keep_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:
-    """Writes a note into a GeoPackage; ``layer``: the one at ``destination``. Whether it is there."""
+def _metadata_text(source: str) -> str:
+    """Return QGIS's metadata XML of a file, from its .qmd file or its GeoPackage; empty without one.
+
+    Args:
+        source: Path of the file, for a layer of a GeoPackage with ``|layername=NAME``; otherwise the first metadata
+            count.
+    """
+    path, _, rest = source.partition("|")
+    with contextlib.suppress(OSError, ValueError, sqlite3.Error):
+        if path.lower().endswith(".gpkg") and Path(path).is_file():
+            return _note_in_geopackage(path, rest.partition("layername=")[2].partition("|")[0])
+        beside = Path(path).with_suffix(".qmd")
+        if beside.is_file() and beside.stat().st_size <= limits.METADATA_BYTES:
+            return beside.read_text(encoding="utf-8")
+    return ""
+
+
+def _note_in_geopackage(path: str, table: str) -> str:
+    """Return the metadata XML of a table, or the first one without a name. Raises sqlite3.Error, ValueError."""
+    uri = f"{Path(path).resolve().as_uri()}?mode=ro&immutable=1"
+    with contextlib.closing(sqlite3.connect(uri, uri=True)) as connection:
+        connection.execute("PRAGMA trusted_schema=OFF")
+        connection.set_progress_handler(lambda: 1, _STEPS_TO_READ)
+        row = connection.execute(
+            "SELECT m.metadata FROM gpkg_metadata m JOIN gpkg_metadata_reference r ON r.md_file_id = m.id "
+            "WHERE m.md_standard_uri = ? AND length(m.metadata) <= ? AND (? = '' OR r.table_name = ?) "
+            "ORDER BY m.id LIMIT 1",
+            (_QGIS_STANDARD, limits.METADATA_BYTES, table, table),
+        ).fetchone()
+    return str(row[0]) if row else ""
+
+
+def save_in_file(destination: str, layer: QgsMapLayer, note: Note) -> bool:
+    """Write metadata of the layer at ``destination`` into its GeoPackage; return whether they are complete."""
     path = destination.split("|")[0]
     with contextlib.closing(sqlite3.connect(path)) as connection:
-        # A file of one layer is named by its path alone, of which QGIS would find no layer to write about.
+        # QGIS needs the name of the layer, also for a file with one layer.
         table = connection.execute("SELECT table_name FROM gpkg_contents WHERE data_type = 'features'").fetchone()
     whole = destination if "layername=" in destination or table is None else f"{path}|layername={table[0]}"
-    if not _holds_notes(whole, path):
+    # For a folder like “maps.tar” QGIS assumes an archive, and can't write metadata.
+    if QgsProviderRegistry.instance().decodeUri("ogr", whole).get("path") != path:
         return True
     QgsProviderRegistry.instance().saveLayerMetadata("ogr", whole, note.metadata(layer))
     with contextlib.closing(sqlite3.connect(path)) as connection:
         query = "SELECT metadata FROM gpkg_metadata WHERE md_standard_uri = ? ORDER BY id DESC LIMIT 1"
-        row = connection.execute(query, (QGIS_STANDARD,)).fetchone()
+        row = connection.execute(query, (_QGIS_STANDARD,)).fetchone()
     return row is not None and str(row[0]).rstrip().endswith("</qgis>")
 
 
-def _holds_notes(destination: str, path: str) -> bool:
-    """Whether QGIS finds the file to write a note into; in a folder such as “maps.tar” it looks for an archive."""
-    return QgsProviderRegistry.instance().decodeUri("ogr", destination).get("path") == path
-
-
-def keep_beside(path: str, layer: QgsMapLayer, note: Note) -> None:
-    """Writes a note where QGIS finds it beside a raster."""
+def save_beside(path: str, layer: QgsMapLayer, note: Note) -> None:
+    """Write metadata beside a raster."""
     layer.setMetadata(note.metadata(layer))
     beside = Path(path).with_suffix(".qmd")
     layer.saveNamedMetadata(str(beside))
@@ -189,28 +214,25 @@ def keep_beside(path: str, layer: QgsMapLayer, note: Note) -> None:
     beside.write_text(text.replace("</qgis>", f"{MARK_OF_NOTE}</qgis>"), encoding="utf-8")
 
 
-def keep_in_database(path: str, note: Note) -> bool:
-    """Writes a note into a reference database, to each of its layers; whether they are there.
-
-    Of one that was changed, lines are added to the history that it has.
-    """
-    kept = True
+def save_in_database(path: str, note: Note) -> bool:
+    """Write metadata of each layer of a reference database, after its old history; return whether they are complete."""
+    saved = True
     try:
         for table, title, abstract in _tables():
             source = f"{path}|layername={table}"
             layer = QgsVectorLayer(source, table, "ogr")
             own = replace(note, title=title, abstract=f"{abstract}\n\n{note.abstract}").after(layer.metadata())
-            kept = layer.isValid() and keep_in_file(source, layer, own) and kept
+            saved = layer.isValid() and save_in_file(source, layer, own) and saved
             del layer
         leave_wal(path)
         _drop_copies(path)
     except sqlite3.Error:
         return False
-    return kept
+    return saved
 
 
 def _drop_copies(path: str) -> None:
-    """Removes what GDAL writes of one table's note while that of the next is written: the same again, as its own."""
+    """Remove the copies of metadata that GDAL writes when the next table's metadata are written."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         copies = connection.execute(
             "SELECT id FROM gpkg_metadata WHERE md_standard_uri = 'http://gdal.org' "
@@ -221,7 +243,16 @@ def _drop_copies(path: str) -> None:
 
 
 def _tables() -> tuple[tuple[str, str, str], ...]:
-    """(table, title, what it holds) of a database's layers that can hold a note."""
-    return tuple(
-        (table, tr(SENTENCES_OF_TITLES[table]), tr(SENTENCES_OF_TABLES[table])) for table in (REFERENCES, WINDOWS)
+    """Return (table, title, abstract) of a database's layers with metadata."""
+    return (
+        (
+            REFERENCES,
+            tr("Landmarks"),
+            tr("The landmarks of the whole map: center of gravity, class and area of each region of their classes."),
+        ),
+        (
+            WINDOWS,
+            tr("Windows"),
+            tr("The windows that slide over the map, each described by the topology vector of its landmarks."),
+        ),
     )

@@ -1,4 +1,4 @@
-"""Where new layers are placed among the layers of the project."""
+"""Place new layers in the project's layer tree."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from qgis.core import QgsLayerTree, QgsLayerTreeGroup, QgsLayerTreeNode, QgsMapL
 
 
 def place_on_top(layer: QgsMapLayer, project: QgsProject) -> None:
-    """Adds a layer to the project above everything else."""
+    """Add a layer to the project above all others."""
     project.addMapLayer(layer, False)
     project.layerTreeRoot().insertLayer(0, layer)
 
 
 def place_at_bottom(layer: QgsMapLayer, project: QgsProject) -> None:
-    """Moves a new layer of the project below all others except map tiles: it covers nothing of the user's."""
+    """Move a new layer below all others except map tiles, so that it covers no layer of the user."""
     node = project.layerTreeRoot().findLayer(layer.id())
     if node is not None:
         root = project.layerTreeRoot()
@@ -23,14 +23,14 @@ def place_at_bottom(layer: QgsMapLayer, project: QgsProject) -> None:
 
 
 def leave_group(layer: QgsMapLayer, group: QgsLayerTreeGroup | None, project: QgsProject) -> None:
-    """Moves a layer that QGIS put into ``group``, because a layer of it was selected, to the place above it."""
+    """Move a layer that QGIS added to the selected ``group`` to the position above the group."""
     node = project.layerTreeRoot().findLayer(layer.id())
     if group is not None and node is not None and node.parent() is group:
         move(node, group.parent(), group.parent().children().index(group))
 
 
 def move(node: QgsLayerTreeNode, group: QgsLayerTreeGroup, index: int) -> QgsLayerTreeNode:
-    """Moves a node to a place in a group; gives the new node."""
+    """Move a node to an index in a group; return the new node."""
     moved = node.clone()
     group.insertChildNode(index, moved)
     node.parent().removeChildNode(node)
@@ -38,6 +38,6 @@ def move(node: QgsLayerTreeNode, group: QgsLayerTreeGroup, index: int) -> QgsLay
 
 
 def _is_drawn(node: QgsLayerTreeNode) -> bool:
-    """Whether it is a raster that is no file, such as map tiles."""
+    """Whether a node is a raster without a file, such as map tiles."""
     layer = node.layer() if QgsLayerTree.isLayer(node) else None
     return isinstance(layer, QgsRasterLayer) and layer.providerType() != "gdal"

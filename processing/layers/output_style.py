@@ -1,4 +1,4 @@
-"""Vector outputs come with a look: in the file where it can hold one, and on the layer that QGIS loads."""
+"""Style vector outputs: in the GeoPackage, and on the layer that QGIS loads."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ...storage.vector_files import STYLE_OF_SEMREF, leave_wal
 from .database_layers import place_new_layer, set_post_processor
-from .layer_metadata import Note, keep_in_file
+from .layer_metadata import Note, save_in_file
 from .styles import apply_style, name_columns
 
 
 @dataclass(frozen=True)
 class Look:
-    """What a layer comes with.
+    """Style and metadata of a layer.
 
     Attributes:
-        style: Name of its file in ``resources/styles``; empty for none.
-        renderer: In place of the file's, where it depends on classes or a threshold.
-        is_timed: Whether features have times, by which QGIS's temporal controller can play the layer.
-        is_own: Whether the columns are SemRef's; those of the user's own layers keep their names.
-        note: What the layer tells about itself.
+        style: Name of its file in ``resources/styles``; empty without one.
+        renderer: Replaces the file's renderer if it depends on classes or a threshold.
+        is_timed: Whether features have times for QGIS's temporal controller.
+        is_own: Whether the columns are SemRef's; columns of the user's layers keep their names.
+        note: Metadata of the layer.
     """
 
     style: str = ""
@@ -39,8 +39,8 @@ class Look:
     is_own: bool = True
     note: Note | None = field(default=None, compare=False)
 
-    def give(self, layer: QgsVectorLayer) -> None:
-        """Has a layer look so; columns get their titles, and keys in them their words."""
+    def apply(self, layer: QgsVectorLayer) -> None:
+        """Style a layer; columns get their titles, and keys in them their texts."""
         if self.is_own:
             name_columns(layer, with_editors=True)
         if self.style:
@@ -52,10 +52,10 @@ class Look:
 
 
 def style_in_file(destination: str, look: Look) -> bool:
-    """Gives a layer in a GeoPackage its look, as its default; other files can't hold one.
+    """Write the style of a layer into its GeoPackage as the default; other formats are skipped.
 
     Returns:
-        Whether all is there that should be: on a full disk QGIS leaves a style out without a word.
+        Whether the style is complete. On a full disk QGIS omits it without an error.
     """
     path = destination.split("|")[0]
     if Path(path).suffix.lower() != ".gpkg" or not Path(path).is_file():
@@ -64,10 +64,10 @@ def style_in_file(destination: str, look: Look) -> bool:
     noted = True
     try:
         if layer.isValid():
-            look.give(layer)
+            look.apply(layer)
             _remove_style(path, destination.partition("layername=")[2].partition("|")[0])
             layer.saveStyleToDatabase("SemRef", STYLE_OF_SEMREF, True, "")
-            noted = look.note is None or keep_in_file(destination, layer, look.note)
+            noted = look.note is None or save_in_file(destination, layer, look.note)
         del layer
         leave_wal(path)
         return noted and _has_style(path)
@@ -76,7 +76,7 @@ def style_in_file(destination: str, look: Look) -> bool:
 
 
 def _remove_style(path: str, table: str) -> None:
-    """Remove the style of an older layer of that name: QGIS asks in a window before it replaces one, and waits."""
+    """Remove the style of an older layer of that name: QGIS would ask in a window before replacing it."""
     with contextlib.closing(sqlite3.connect(path)) as connection, connection:
         if connection.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone():
             query = "DELETE FROM layer_styles WHERE f_table_name = ? AND styleName = 'SemRef'"
@@ -84,27 +84,27 @@ def _remove_style(path: str, table: str) -> None:
 
 
 def style_in_memory(destination: str, look: Look, context: QgsProcessingContext) -> None:
-    """Gives a layer that is no file its look; one that lies elsewhere is left as it is."""
+    """Style a layer in memory; other layers are not changed."""
     layer = context.getMapLayer(destination)
     if isinstance(layer, QgsVectorLayer) and layer.providerType() == "memory":
-        look.give(layer)
+        look.apply(layer)
 
 
 def _has_style(path: str) -> bool:
-    """Whether the style that was written last is whole."""
+    """Whether the last written style is complete."""
     with contextlib.closing(sqlite3.connect(path)) as connection:
         row = connection.execute("SELECT styleQML FROM layer_styles ORDER BY id DESC LIMIT 1").fetchone()
     return row is not None and str(row[0]).rstrip().endswith("</qgis>")
 
 
 def style_when_loaded(destination: str, look: Look, context: QgsProcessingContext) -> None:
-    """Gives the layer that QGIS will load its look."""
+    """Style the layer that QGIS will load."""
     if context.willLoadLayerOnCompletion(destination):
         set_post_processor(context.layerToLoadOnCompletionDetails(destination), _Styler(look))
 
 
 def raster_style_when_loaded(path: str, qml: str, context: QgsProcessingContext) -> None:
-    """Gives the raster that QGIS will load its look, whatever style is beside it."""
+    """Style the raster that QGIS will load, also if another style is beside it."""
     if context.willLoadLayerOnCompletion(path):
         set_post_processor(context.layerToLoadOnCompletionDetails(path), _RasterStyler(qml))
 
@@ -129,6 +129,6 @@ class _Styler(QgsProcessingLayerPostProcessorInterface):
 
     def postProcessLayer(self, layer, context, feedback):
         if isinstance(layer, QgsVectorLayer):
-            self._look.give(layer)
+            self._look.apply(layer)
             place_new_layer(layer, context.project())
             layer.triggerRepaint()

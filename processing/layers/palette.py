@@ -1,31 +1,31 @@
-"""The colors that maps and reports share: what a color means on one, it means in the other.
+"""The colors of maps and reports, which have the same meanings in both.
 
-All are told apart by the color-blind (deuteranopia and protanopia), by lightness where not by hue; where a color
-matters, a shape, a dash or a width says the same.
+Color-blind people (deuteranopia and protanopia) can distinguish them by hue or lightness. A shape, a dash or a width
+always repeats the meaning of a color.
 """
 
 FIX = "#0067a5"
-"""Positions that the image itself gives; the first series of a chart."""
+"""Positions of the images themselves; the first series of a chart."""
 
 FLIGHT = "#c65102"
-"""Positions that the flight gives; the second series."""
+"""Positions from the flight; the second series."""
 
 GOOD = "#00795c"
 BAD = "#b3261e"
-"""Errors, wrong fixes, and fixes that were outvoted."""
+"""Errors, wrong positions and rejected positions."""
 
 WARNING = "#e08a00"
-"""Warnings, and places that are possible but not decided."""
+"""Warnings and possible positions."""
 
 INFORMATION = "#4a7fb5"
 FOURTH = "#a3508c"
 """The fourth series of a chart."""
 
 INK, SOFT_INK, LINE = "#1c2126", "#5d6770", "#d5dade"
-"""Of text, of what stands beside it, and of lines in tables."""
+"""Text, secondary text, and lines in tables."""
 
 CASING = "#ffffff"
-"""Around marks, so that they show on forest, water, photos and landmarks alike."""
+"""Outline of marks, so that they are visible on forest, water, photos and landmarks."""
 
 DARK = {
     FIX: "#56b4e9",

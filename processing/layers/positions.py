@@ -1,4 +1,4 @@
-"""Fixes as “Localize images” wrote them, read again: where each image lies, and its landmarks that agree."""
+"""Read the positions, footprints and matches that “Localize images” wrote."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ if TYPE_CHECKING:
     from qgis.core import QgsFeature, QgsPointXY, QgsProcessingFeatureSource, QgsVectorLayer
 
 NEEDED = ("image", "status", "heading", "pixel_size")
-"""Columns of positions without which nothing can be laid on the ground."""
+"""Columns of positions that georeferencing needs."""
 
 
 @dataclass(frozen=True)
 class PositionRow:
-    """One row of the positions.
+    """A row of the positions.
 
     Attributes:
-        path: The image as the row names it.
-        status: As the row has it.
-        position: Map (x, y) of the image's center; None without a fix.
-        heading_deg: Of the image's top, clockwise from grid north; None where the method tells none.
-        pixel_size: Map units; None where the method tells none.
-        was_leveled: Whether the camera was tilted, so that position, heading and size alone don't tell the ground.
-        ground: (4, 2) corners of the ground it shows, upper left first, clockwise; None where no footprint was given.
-        is_by_areas: Whether map correlation placed it: landmarks may agree with that, but tell it less well.
+        path: Path of the image in the row.
+        status: Status in the row.
+        position: Map (x, y) of the image's center; None without a position.
+        heading_deg: Direction of the image's top, clockwise from grid north; None if the method gives none.
+        pixel_size: In m; None if the method gives none.
+        was_leveled: Whether the camera was tilted, so that the footprint needs more than position, heading and size.
+        ground: (4, 2) corners of the footprint, upper left first, clockwise; None without footprint.
+        is_by_areas: Whether the position is from map correlation, which is more accurate than the matched landmarks.
     """
 
     path: str
@@ -54,14 +54,14 @@ class PositionRow:
         return None not in (self.position, self.heading_deg, self.pixel_size)
 
     def corners(self, shape_hw: tuple[int, int]) -> np.ndarray:
-        """(4, 2) map coordinates of the corners of an image of that (height, width), as ``ground``."""
+        """Return the (4, 2) corners of an image with (height, width) pixels, in the order of ``ground``."""
         if self.ground is not None:
             return self.ground
         height, width = shape_hw
         return image_corners(self.position, self.heading_deg, self.pixel_size, width, height)
 
     def in_pixels(self, east: float, north: float) -> tuple[float, float]:
-        """(right, down) in the image, pixels, of a way on the ground in map units; of a level image."""
+        """Convert an offset on the ground in m to (right, down) pixels of a level image."""
         heading = np.radians(self.heading_deg)
         right = east * np.cos(heading) - north * np.sin(heading)
         up = east * np.sin(heading) + north * np.cos(heading)
@@ -69,59 +69,55 @@ class PositionRow:
 
 
 def folder_of(layer: QgsVectorLayer) -> str | None:
-    """Return the folder of a layer's file, in which the names in it are followed; None for a temporary layer."""
+    """Return the folder of a layer's file, where image names are looked up; None for a temporary layer."""
     path = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source()).get("path") or ""
     is_temporary = layer.providerType() == "memory" or named_file(path, [QgsProcessingUtils.tempFolder()])
     return None if is_temporary else os.path.dirname(path)
 
 
 def read_positions(
-    source: QgsProcessingFeatureSource, footprints: QgsProcessingFeatureSource | None, key: str, footprints_key: str
+    source: QgsProcessingFeatureSource, footprints: QgsProcessingFeatureSource | None
 ) -> list[PositionRow]:
-    """The rows of the positions, in their order.
+    """Return the rows of the positions in their order.
 
     Args:
-        footprints: The footprints of the same run; None for none.
-        key: Of the positions, for errors.
-        footprints_key: Of the footprints, for errors.
+        source: The positions.
+        footprints: The footprints of the same run, or None.
 
     Raises:
         ParameterError: A layer lacks a column, the positions are in degrees, or the footprints in another CRS.
     """
-    _require(source, NEEDED, key)
+    _require(source, NEEDED)
     if source.sourceCrs().isGeographic() or not source.sourceCrs().isValid():
         name = source.sourceCrs().authid() or source.sourceCrs().description()
         raise ParameterError(
-            "{key}: “{source}” is in {crs}, which does not measure in meters; take the positions as “Localize images” "
-            "wrote them, in the database’s CRS.",
-            key=key,
+            "“{source}” is in {crs}, which is not in meters. Choose the positions layer of “Localize images” in the "
+            "database’s CRS.",
             source=source.sourceName(),
             crs=name,
         )
     grounds = {}
     if footprints is not None:
-        _require(footprints, ("image",), footprints_key)
-        _require_same_crs(footprints, source, footprints_key)
+        _require(footprints, ("image",))
+        _require_same_crs(footprints, source)
         for feature in footprints.getFeatures():
             corners = _corners(feature)
             if corners is not None:
                 grounds[feature["image"]] = corners
-    return [_found(feature, grounds) for feature in source.getFeatures()]
+    return [_row(feature, grounds) for feature in source.getFeatures()]
 
 
 def read_matches(
     source: QgsProcessingFeatureSource | None,
     positions: QgsProcessingFeatureSource,
     images: Sequence[PositionRow],
-    key: str,
 ) -> dict[str, list[ControlPoint]]:
-    """The landmarks of each image that agree with the map, by the image's path.
+    """Return the matched landmarks of each image by the image's path.
 
     Args:
-        source: The matches of the same run; None for none.
-        positions: The positions that ``images`` come from.
-        images: Those with a place.
-        key: Of the matches, for errors.
+        source: The matches of the same run, or None.
+        positions: The layer of the positions.
+        images: Rows with position, heading and pixel size.
 
     Raises:
         ParameterError: The layer lacks a column, or is in another CRS.
@@ -129,8 +125,8 @@ def read_matches(
     points: dict[str, list[ControlPoint]] = {}
     if source is None:
         return points
-    _require(source, ("image", "image_column", "image_row", "seen_x", "seen_y"), key)
-    _require_same_crs(source, positions, key)
+    _require(source, ("image", "image_column", "image_row", "seen_x", "seen_y"))
+    _require_same_crs(source, positions)
     by_path = {image.path: image for image in images}
     for feature in source.getFeatures():
         image = by_path.get(feature["image"])
@@ -144,32 +140,30 @@ def read_matches(
     return points
 
 
-def _require(source: QgsProcessingFeatureSource, names: tuple[str, ...], key: str) -> None:
+def _require(source: QgsProcessingFeatureSource, names: tuple[str, ...]) -> None:
     lacking = [name for name in names if source.fields().lookupField(name) < 0]
     if lacking:
         missing = ", ".join(lacking)
         raise ParameterError(
-            "{key}: “{source}” lacks {missing}; choose what “Localize images” wrote, with all its columns.",
-            key=key,
+            "“{source}” lacks the columns {missing}. Choose a layer of “Localize images” with all its columns.",
             source=source.sourceName(),
             missing=missing,
         )
 
 
-def _require_same_crs(source: QgsProcessingFeatureSource, other: QgsProcessingFeatureSource, key: str) -> None:
+def _require_same_crs(source: QgsProcessingFeatureSource, other: QgsProcessingFeatureSource) -> None:
     if source.sourceCrs() != other.sourceCrs():
         one, two = source.sourceCrs().authid(), other.sourceCrs().authid()
         raise ParameterError(
-            "{key}: “{source}” is in {crs}, but the positions are in {positions_crs}; take the layers of one run of "
+            "“{source}” is in {crs}, but the positions are in {positions_crs}. Choose the layers of one run of "
             "“Localize images”.",
-            key=key,
             source=source.sourceName(),
             crs=one,
             positions_crs=two,
         )
 
 
-def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> PositionRow:
+def _row(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> PositionRow:
     point = _point(feature)
     path = _text(feature, "image")
     return PositionRow(
@@ -185,7 +179,7 @@ def _found(feature: QgsFeature, grounds: dict[str, np.ndarray]) -> PositionRow:
 
 
 def _point(feature: QgsFeature) -> QgsPointXY | None:
-    """The place of a point, also of one that was made a multipoint; None without one."""
+    """Return a point, also of a multipoint; None without geometry."""
     if not feature.hasGeometry() or feature.geometry().isEmpty():
         return None
     return feature.geometry().boundingBox().center()
@@ -196,7 +190,7 @@ def _text(feature: QgsFeature, name: str) -> str:
 
 
 def _number(feature: QgsFeature, name: str) -> float | None:
-    """A column's number; None for NULL and what is none."""
+    """Return a number of a column; None for NULL and other values."""
     value: Any = feature[name]
     try:
         number = float(value)
@@ -206,7 +200,7 @@ def _number(feature: QgsFeature, name: str) -> float | None:
 
 
 def _corners(feature: QgsFeature) -> np.ndarray | None:
-    """The four corners in the order they were written; None for another shape."""
+    """Return the (4, 2) corners in the written order; None for another shape."""
     geometry = feature.geometry()
     rings = geometry.asMultiPolygon()[0] if geometry.isMultipart() else geometry.asPolygon()
     ring = rings[0] if rings else []

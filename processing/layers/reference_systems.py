@@ -1,4 +1,4 @@
-"""Coordinate reference systems: metric ones for label maps, longitude and latitude for results."""
+"""Coordinate reference systems: metric CRS for label maps, longitude and latitude for results."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _UPS_NORTH, _UPS_SOUTH = 32661, 32761
 
 
 def describe_crs(crs: QgsCoordinateReferenceSystem) -> str:
-    """“EPSG:32632 WGS 84 / UTM zone 32N” – for messages."""
+    """Return “EPSG:32632 WGS 84 / UTM zone 32N” for messages."""
     return f"{crs.authid()} {crs.description()}".strip() or "unnamed CRS"
 
 
 def transformed_box(transform: QgsCoordinateTransform, box: QgsRectangle) -> QgsRectangle:
-    """Return the box around ``box`` in the other CRS; null where that has no such place."""
+    """Return the box around ``box`` in the other CRS; null if it can't be transformed."""
     try:
         return transform.transformBoundingBox(box)
     except QgsCsException:
@@ -38,7 +38,7 @@ def transformed_box(transform: QgsCoordinateTransform, box: QgsRectangle) -> Qgs
 
 
 def transformed_point(transform: QgsCoordinateTransform, point: QgsPointXY) -> QgsPointXY | None:
-    """Return the point in the other CRS; None where that has no such place."""
+    """Return the point in the other CRS; None if it can't be transformed."""
     try:
         return QgsPointXY(transform.transform(point))
     except QgsCsException:
@@ -46,7 +46,7 @@ def transformed_point(transform: QgsCoordinateTransform, point: QgsPointXY) -> Q
 
 
 def database_crs(database: ReferenceDatabase) -> QgsCoordinateReferenceSystem:
-    """The CRS that a database is in. Raises DatabaseError for one that can't be read."""
+    """Return the CRS of a database. Raises DatabaseError if it can't be read."""
     crs = QgsCoordinateReferenceSystem.fromWkt(database.parameters.crs)
     if not crs.isValid():
         raise DatabaseError("{path} has no readable parameter crs; build it again.", path=database.source)
@@ -59,18 +59,19 @@ def metric_crs(
     extent: QgsRectangle,
     transform_context: QgsCoordinateTransformContext,
 ) -> QgsCoordinateReferenceSystem:
-    """The CRS for a label map: ``target`` if given, else ``source`` if it is metric, else a UTM zone for ``extent``.
+    """Return the CRS for a label map: ``target`` if valid, or ``source`` if metric, or a UTM zone for ``extent``.
 
-    Raises ParameterError when ``target`` is not metric or ``source`` is unknown.
+    Raises:
+        ParameterError: ``target`` is not metric, or ``source`` is unknown.
     """
     if not source.isValid():
         raise ParameterError(
-            "The annotation layer has no coordinate reference system; set one in the layer's properties."
+            "The land-cover layer has no coordinate reference system. Set the CRS in the layer properties."
         )
     if target.isValid():
         if not is_metric(target):
             raise ParameterError(
-                "{crs} does not measure in meters; choose a projected CRS in meters as TARGET_CRS.",
+                "{crs} is not in meters. Choose a projected CRS in meters as target CRS.",
                 crs=describe_crs(target),
             )
         return target
@@ -80,12 +81,12 @@ def metric_crs(
 def utm_zone(
     crs: QgsCoordinateReferenceSystem, extent: QgsRectangle, transform_context: QgsCoordinateTransformContext
 ) -> QgsCoordinateReferenceSystem:
-    """The UTM zone (near the poles UPS) of the middle of ``extent``, on WGS 84."""
+    """Return the UTM zone, or UPS near the poles, of the center of ``extent``, on WGS 84."""
     to_degrees = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
     middle = transformed_point(to_degrees, extent.center())
     if middle is None or not (abs(middle.x()) <= 360 and abs(middle.y()) <= 90):
         raise ParameterError(
-            "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.",
+            "The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.",
             crs=describe_crs(crs),
         )
     longitude, latitude = middle.x(), middle.y()
@@ -105,14 +106,15 @@ def meters_from(
     crs: QgsCoordinateReferenceSystem,
     transform_context: QgsCoordinateTransformContext,
 ) -> float | None:
-    """How far a place is from a box on the ground, 0 within it; None for a CRS that tells no longitude and latitude.
+    """Return the distance of a place from a box in m, 0 inside; None for a CRS without longitude and latitude.
 
-    The box is taken as one of longitudes and latitudes, a little larger than it is.
+    The box is replaced by its bounds in longitude and latitude, which are slightly larger.
 
     Args:
         lon_lat: Longitude and latitude, degrees.
         extent: (x_min, y_min, x_max, y_max) of the box.
-        crs: Of the box.
+        crs: CRS of the box.
+        transform_context: The project's transform context.
     """
     degrees = QgsCoordinateReferenceSystem(WGS84)
     transform = QgsCoordinateTransform(crs, degrees, transform_context)
@@ -134,7 +136,7 @@ def meters_from(
 def longitudes_latitudes(
     points: np.ndarray, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(N, 2) map coordinates → longitudes (N,), latitudes (N,) in degrees, EPSG:4326; NaN for an unplaced CRS."""
+    """Return longitudes (N,) and latitudes (N,) in degrees of (N, 2) map coordinates; NaN for a local CRS."""
     transform = QgsCoordinateTransform(crs, QgsCoordinateReferenceSystem(WGS84), transform_context)
     if not transform.isValid():
         nowhere = np.full(len(points), np.nan)
@@ -148,7 +150,7 @@ def fitted_lon_lat(
     crs: QgsCoordinateReferenceSystem,
     transform_context: QgsCoordinateTransformContext,
 ) -> LonLatPolynomial | None:
-    """Longitude and latitude over ``extent`` (x_min, y_min, x_max, y_max) as polynomials; None where that can't be."""
+    """Fit longitude and latitude over ``extent`` (x_min, y_min, x_max, y_max) by polynomials; None if impossible."""
     try:
         return fit_lon_lat(lambda points: longitudes_latitudes(points, crs, transform_context), extent)
     except QgsCsException:

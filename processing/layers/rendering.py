@@ -1,4 +1,4 @@
-"""Layers that are no file – map tiles, web maps, virtual rasters of services – drawn by QGIS into one."""
+"""Draw layers that are not files with QGIS: map tiles, web maps, layers of services."""
 
 from __future__ import annotations
 
@@ -35,25 +35,25 @@ from .downloads import Downloads, install, watched_downloads
 from .reference_systems import describe_crs, transformed_box, utm_zone
 
 TILE_PX = 1024
-"""Edge of what is drawn at a time; a cancel ends the drawing of one within CANCEL_EVERY_MS."""
+"""Edge of a drawn tile; a cancel takes effect within CANCEL_EVERY_MS."""
 
 CANCEL_EVERY_MS = 200
 
 PICTURE_DPI = 192
-"""Of a map's picture on paper, by which symbols and texts have their size."""
+"""Resolution of a map's picture on paper, which sets the size of symbols and texts."""
 
 TRUE_TO_SCALE = 0.01
-"""A CRS whose meters are off by more than this share (as those of web maps are: a third in Europe) is not drawn in."""
+"""Largest relative scale error of a CRS for drawing. In Europe, the scale of web maps is off by about a third."""
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """What is drawn.
+    """A planned drawing.
 
     Attributes:
-        layer: What ``drawable`` gave.
-        crs: Metric, true to scale.
-        frame: Where the pixels lie.
+        layer: Result of ``drawable``.
+        crs: Metric CRS, true to scale.
+        frame: Pixel grid.
     """
 
     layer: QgsRasterLayer
@@ -62,12 +62,12 @@ class Drawing:
 
 
 def needs_drawing(layer: QgsRasterLayer | None) -> bool:
-    """Whether a layer is no raster that GDAL reads from a file."""
+    """Whether a layer must be drawn, because GDAL can't read it from a file."""
     return layer is not None and layer.isValid() and layer.providerType() != "gdal"
 
 
 def drawable(layer: QgsRasterLayer) -> QgsRasterLayer:
-    """A copy of a layer to be drawn in another thread, opaque and smooth; for the thread that the layer lives in."""
+    """Return an opaque, smooth copy of a layer for drawing in another thread; call it in the layer's thread."""
     install()
     copy = layer.clone()
     copy.setOpacity(1.0)
@@ -83,23 +83,23 @@ def plan_drawing(
     pixel_size_m: float,
     context: QgsCoordinateTransformContext,
 ) -> Drawing:
-    """What shall be drawn of a layer.
+    """Plan the drawing of a layer.
 
     Args:
-        layer: What ``drawable`` gave.
-        extent: The ground wanted.
+        layer: Result of ``drawable``.
+        extent: Extent to draw.
         extent_crs: Its CRS.
-        pixel_size_m: Meters.
-        context: How the project transforms coordinates.
+        pixel_size_m: Pixel size in m.
+        context: The project's transform context.
 
     Raises:
-        ImageError: The extent can't be brought to a metric CRS, or is too large.
+        ImageError: The extent can't be transformed to a metric CRS, or is too large.
     """
     crs = _true_crs(extent, extent_crs, context)
     ground = transformed_box(QgsCoordinateTransform(extent_crs, crs, context), extent)
     if ground.isEmpty() or not ground.isFinite():
         raise ImageError(
-            "The extent for “{layer}” does not fit its CRS {crs}; choose another one.",
+            "The extent for “{layer}” does not fit its CRS {crs}. Choose another extent.",
             layer=layer.name(),
             crs=describe_crs(extent_crs),
         )
@@ -107,8 +107,8 @@ def plan_drawing(
     if width * height > limits.DRAWN_PIXELS:
         most = limits.DRAWN_PIXELS // 1_000_000
         raise ImageError(
-            "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million; "
-            "choose a smaller EXTENT, or get the image as a file from whoever offers it.",
+            "“{layer}” would be drawn with {width} × {height} pixels, which is more than {most_million} million. "
+            "Choose a smaller extent, or download the image as a file from its provider.",
             layer=layer.name(),
             width=width,
             height=height,
@@ -121,16 +121,17 @@ def plan_drawing(
 def draw(
     drawing: Drawing, path: str, context: QgsCoordinateTransformContext, canceled: Callable[[], bool]
 ) -> Generator[tuple[str, float], None, None]:
-    """Draws into a GeoTIFF; yields (what is being done, share done 0…1) tile by tile.
+    """Draw into a GeoTIFF; yield (current step, share done 0…1) after each tile.
 
     Args:
-        path: Of the new file.
-        context: How the project transforms coordinates.
-        canceled: Asked several times a second; once True the drawing ends early.
+        drawing: The planned drawing.
+        path: The new file.
+        context: The project's transform context.
+        canceled: Called several times a second; True ends the drawing.
 
     Raises:
-        ImageError: Nothing of the layer shows there.
-        LabelMapError: The file can't be written.
+        ImageError: The layer shows nothing in the extent, or its server fails.
+        UnwritableError: The file can't be written.
     """
     name, settings = drawing.layer.name(), _settings([drawing.layer], drawing.crs, context)
     height, width = drawing.frame.shape_hw
@@ -152,13 +153,13 @@ def draw(
         raise ImageError("“{layer}” can’t be drawn: {reason}.", layer=name, reason=problems[0])
     if not anything:
         raise ImageError(
-            "Nothing of “{layer}” shows in the extent: there is no ground of it, or its server does not answer.",
+            "“{layer}” shows nothing in the extent. Choose another extent, or check whether its server answers.",
             layer=name,
         )
 
 
 def _require_plain_answers(layer: str, downloads: Downloads) -> None:
-    """Raise ImageError where a server sent what is not taken."""
+    """Raise ImageError if a reply or redirect was refused."""
     if downloads.is_too_large:
         raise ImageError(
             "The server of “{layer}” answered with more than {most_mb} MB for one tile; SemRef stopped reading it.",
@@ -174,10 +175,10 @@ def _require_plain_answers(layer: str, downloads: Downloads) -> None:
 
 
 def styled_copy(layer: QgsMapLayer) -> QgsMapLayer:
-    """A copy of a layer to be drawn in another thread as it is styled; for the thread that the layer lives in."""
+    """Return a copy of a layer with its style for drawing in another thread; call it in the layer's thread."""
     install()
     if QgsProject.instance().mapLayer(layer.id()) is None:
-        # QGIS opens files for algorithms without their style.
+        # QGIS opens the files of algorithms without their style.
         layer.loadDefaultStyle()
     return layer.clone()
 
@@ -190,15 +191,15 @@ def map_picture(
     context: QgsCoordinateTransformContext,
     canceled: Callable[[], bool],
 ) -> bytes:
-    """A JPEG of layers as they are styled, the first on top.
+    """Return a JPEG of styled layers, the first on top.
 
     Args:
-        layers: What ``styled_copy`` gave.
-        extent: The ground wanted.
+        layers: Results of ``styled_copy``.
+        extent: Extent to draw.
         crs: Its CRS.
-        width_px: Of the picture.
-        context: How the project transforms coordinates.
-        canceled: Asked several times a second; once True the drawing ends early.
+        width_px: Width of the picture.
+        context: The project's transform context.
+        canceled: Called several times a second; True ends the drawing.
 
     Raises:
         ImageError: A layer can't be drawn.
@@ -222,9 +223,9 @@ def map_picture(
 def _settings(
     layers: Sequence[QgsMapLayer], crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> QgsMapSettings:
-    """What all pieces of a drawing share.
+    """Return the settings for all tiles of a drawing.
 
-    The layers are passed to QGIS once: PyQt can take a Python object for deleted while the network thread calls Python.
+    The layers are passed to QGIS once: PyQt may treat a Python object as deleted while the network thread calls Python.
     """
     settings = QgsMapSettings()
     settings.setLayers(list(layers))
@@ -238,7 +239,7 @@ def _settings(
 def _draw_piece(
     settings: QgsMapSettings, canceled: Callable[[], bool], downloads: Downloads, layer: str
 ) -> tuple[QImage, list[str]]:
-    """Draw one piece: the picture and the messages of what failed."""
+    """Draw one tile; return the picture and the messages of errors."""
     job = QgsMapRendererSequentialJob(settings)
     loop, timer = QEventLoop(), QTimer()
     job.finished.connect(loop.quit)
@@ -256,7 +257,7 @@ def _draw_piece(
     timer.stop()
     if time.monotonic() > end and not canceled():
         raise ImageError(
-            "The server of “{layer}” took longer than {most_s} s for one part; try again later or choose another "
+            "The server of “{layer}” took longer than {most_s} s for one tile. Try again later, or choose another "
             "layer.",
             layer=layer,
             most_s=int(limits.DRAWING_S),
@@ -277,14 +278,14 @@ def _pixels(image: QImage, shape_hw: tuple[int, int]) -> np.ndarray:
 def _true_crs(
     extent: QgsRectangle, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext
 ) -> QgsCoordinateReferenceSystem:
-    """The extent's CRS where it is metric and its meters are such, else the UTM zone."""
+    """Return the extent's CRS if it is metric and true to scale, otherwise the UTM zone."""
     if is_metric(crs) and abs(_scale(extent.center(), crs, context) - 1) <= TRUE_TO_SCALE:
         return crs
     return utm_zone(crs, extent, context)
 
 
 def _scale(place: QgsPointXY, crs: QgsCoordinateReferenceSystem, context: QgsCoordinateTransformContext) -> float:
-    """Meters on the ground of a map unit eastwards."""
+    """Return the ground length, m, of a map unit to the east."""
     measure = QgsDistanceArea()
     measure.setSourceCrs(crs, context)
     measure.setEllipsoid(crs.ellipsoidAcronym() or "EPSG:7030")

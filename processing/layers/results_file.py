@@ -1,5 +1,4 @@
-"""Results of *Localize images* or *Localize flight* as one GeoPackage: positions, footprints, possible places, matches
-and the track, each a table."""
+"""Results of *Localize images* or *Localize flight* as one GeoPackage with a table for each layer."""
 
 from __future__ import annotations
 
@@ -13,14 +12,14 @@ TABLES = ("positions", "footprints", "possible_places", "matches", "track")
 
 
 def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:
-    """Writes them with their styles and what they tell about themselves.
+    """Write layers with their styles and metadata.
 
     Args:
-        path: Of the GeoPackage.
-        layers: One for each of TABLES, None for one that there is not.
+        path: The GeoPackage.
+        layers: A layer or None for each of TABLES.
 
     Raises:
-        ParameterError: It can't be written.
+        ParameterError: The GeoPackage can't be written.
     """
     with written_beside(path, ".gpkg", TABLES) as temporary:
         action = QgsVectorFileWriter.CreateOrOverwriteFile
@@ -35,12 +34,12 @@ def write_results(path: str, layers: tuple[QgsVectorLayer | None, ...]) -> None:
             if code != QgsVectorFileWriter.NoError:
                 raise ParameterError("{path} can't be written: {reason}.", path=path, reason=reason.rstrip("."))
             action = QgsVectorFileWriter.CreateOrOverwriteLayer
-            _keep_style(f"{temporary}|layername={table}", layer)
+            _save_style(f"{temporary}|layername={table}", layer)
         leave_wal(temporary)
 
 
-def _keep_style(destination: str, layer: QgsVectorLayer) -> None:
-    """Gives the written layer the style of the one it was written from, as its default."""
+def _save_style(destination: str, layer: QgsVectorLayer) -> None:
+    """Save the style of ``layer`` as the default style of the written layer."""
     written, style = QgsVectorLayer(destination, "written", "ogr"), QgsMapLayerStyle()
     style.readFromLayer(layer)
     style.writeToLayer(written)
@@ -48,9 +47,9 @@ def _keep_style(destination: str, layer: QgsVectorLayer) -> None:
 
 
 def open_results(path: str) -> tuple[QgsVectorLayer | None, ...]:
-    """The layers of TABLES, None for one that the file lacks. Raises ParameterError for a file without positions."""
+    """Return the layers of TABLES, None for a missing one. Raises ParameterError for a file without positions."""
     layers = [QgsVectorLayer(f"{path}|layername={table}", table, "ogr") for table in TABLES]
     found = tuple(layer if layer.isValid() else None for layer in layers)
     if found[0] is None or found[0].fields().lookupField("status") < 0:
-        raise ParameterError("{path} holds no results of “Localize images”; localize the images again.", path=path)
+        raise ParameterError("{path} has no results of “Localize images”. Localize the images again.", path=path)
     return found

@@ -1,4 +1,4 @@
-"""Planned routes: lines of a layer or of a waypoint file, brought to a database's CRS."""
+"""Planned routes: lines of a layer or of a waypoint file, transformed to a database's CRS."""
 
 from __future__ import annotations
 
@@ -23,7 +23,13 @@ from .reference_systems import WGS84, describe_crs
 
 @dataclass(frozen=True)
 class Route:
-    """Lines, each (n, 2) x, y of ``crs``; longitude, latitude of waypoint files. name: of the layer or file."""
+    """A route.
+
+    Attributes:
+        lines: Lines, each (n, 2) x, y in ``crs``.
+        crs: CRS of the layer; WGS 84 for waypoint files.
+        name: Name of the layer or file.
+    """
 
     lines: tuple[np.ndarray, ...]
     crs: QgsCoordinateReferenceSystem
@@ -31,30 +37,29 @@ class Route:
 
 
 def route_of_source(source: QgsProcessingFeatureSource) -> Route:
-    """The lines of a layer, in the thread it lives in."""
+    """Read the lines of a layer, in the layer's thread. Raises ParameterError without lines."""
     lines = []
     for feature in source.getFeatures():
         geometry = feature.geometry()
         parts = [] if geometry.isNull() else geometry.asGeometryCollection()
-        # Of curves the lines that they are drawn as.
+        # Curves become the lines that QGIS draws.
         for part in (part for part in parts if part.type() == LINE_GEOMETRY):
             lines.append(np.array([(point.x(), point.y()) for point in part.asPolyline()], np.float64).reshape(-1, 2))
-    return _checked(Route(tuple(lines), source.sourceCrs(), source.sourceName()), "ROUTE")
+    return _require_lines(Route(tuple(lines), source.sourceCrs(), source.sourceName()))
 
 
 def read_route(path: str) -> Route:
-    """The route of a waypoint file. Raises ParameterError for a file without one."""
-    return _checked(
-        Route(tuple(read_waypoint_file(path)), QgsCoordinateReferenceSystem(WGS84), os.path.basename(path)), path
-    )
+    """Read the route of a waypoint file. Raises ParameterError for a file without route."""
+    lines = tuple(read_waypoint_file(path))
+    return _require_lines(Route(lines, QgsCoordinateReferenceSystem(WGS84), os.path.basename(path)))
 
 
 def lines_in(
     route: Route, crs: QgsCoordinateReferenceSystem, transform_context: QgsCoordinateTransformContext
 ) -> list[np.ndarray]:
-    """The route's lines in another CRS. Raises ParameterError when they can't be there."""
+    """Return the route's lines in another CRS. Raises ParameterError if they can't be transformed."""
     if not route.crs.isValid():
-        raise ParameterError("ROUTE has no CRS; set its layer's CRS.")
+        raise ParameterError("The route layer has no CRS. Set the CRS of the layer.")
     transform = QgsCoordinateTransform(route.crs, crs, transform_context)
     moved = []
     try:
@@ -63,17 +68,20 @@ def lines_in(
             moved.append(np.array([(point.x(), point.y()) for point in points]))
     except QgsCsException:
         raise ParameterError(
-            "ROUTE does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(route.crs)
+            "The route does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(route.crs)
         ) from None
     if not all(np.isfinite(line).all() for line in moved):
-        raise ParameterError("ROUTE does not fit its CRS {crs}; correct the CRS.", crs=describe_crs(route.crs))
+        raise ParameterError(
+            "The route does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(route.crs)
+        )
     return moved
 
 
-def _checked(route: Route, name: str) -> Route:
+def _require_lines(route: Route) -> Route:
+    """Return the route without single points. Raises ParameterError if nothing remains."""
     lines = tuple(line for line in route.lines if len(line) > 1)
     if not lines:
         raise ParameterError(
-            "{name} has no route: no line, and fewer than two waypoints; choose another one.", name=name
+            "{name} has no route: it has no line and fewer than two waypoints. Choose another route.", name=route.name
         )
     return Route(lines, route.crs, route.name)

@@ -1,7 +1,7 @@
-"""Styles of SemRef's layers: files of ``resources/styles`` in the user's language.
+"""Styles of SemRef's layers: the files of ``resources/styles`` in the user's language.
 
-In a file, these are translated: aliases, labels of categories and rules, titles of a form's pages, and ``_('…')``
-in the expressions of names and map tips.
+Translated parts of a file are aliases, labels of categories and rules, titles of form pages, and ``_('…')`` in the
+expressions of display names and map tips.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ..translation import tr
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 
 _TITLES = {"alias": "name", "attributeEditorContainer": "name", "category": "label", "rule": "label"}
-"""Attributes that are translated, by element."""
+"""Translated attributes by element."""
 
 _TEXT = re.compile(r"_\('([^']+)'\)")
 
@@ -32,7 +32,7 @@ _TEMPORAL = _CATEGORY.Temporal
 
 
 def style_document(name: str) -> QDomDocument:
-    """Return the style file ``name`` with its texts in the user's language."""
+    """Return the translated style file ``name``."""
     document = QDomDocument()
     document.setContent((STYLES / f"{name}.qml").read_text(encoding="utf-8"))
     for tag, attribute in _TITLES.items():
@@ -46,7 +46,7 @@ def style_document(name: str) -> QDomDocument:
 
 
 def _translate_expressions(element: QDomElement, escaped: Callable[[str], str]) -> None:
-    """Replace each ``_('…')`` by its translation between quotes, as it may stand inside [% %]."""
+    """Replace each ``_('…')`` by its quoted translation, which is also valid inside [% %]."""
 
     def quoted(found: re.Match) -> str:
         text = escaped(tr(found[1]))
@@ -57,7 +57,7 @@ def _translate_expressions(element: QDomElement, escaped: Callable[[str], str]) 
 
 
 def apply_style(layer: QgsVectorLayer, name: str, is_timed: bool = False) -> None:
-    """Give a layer the style file ``name``; ``is_timed``: QGIS's temporal controller plays it, if the file says how."""
+    """Apply the style file ``name`` to a layer, with its settings for the temporal controller if ``is_timed``."""
     layer.importNamedStyle(style_document(name), _LOOK | _FORMS | _TEMPORAL if is_timed else _LOOK | _FORMS)
 
 
@@ -68,9 +68,9 @@ def style_renderer(name: str) -> QgsFeatureRenderer:
 
 
 def name_columns(layer: QgsVectorLayer, with_editors: bool = False) -> None:
-    """Give columns their titles, keys in them their words, and with ``with_editors`` texts and pictures their editors.
+    """Set the titles of columns and the texts of keys in them; ``with_editors``: also editors of texts and pictures.
 
-    The columns' own names are public and stay as they are.
+    The columns' names are public and do not change.
     """
     layer.importNamedStyle(style_document("columns"), _FIELDS | _FORMS if with_editors else _FIELDS)
     for name, words in column_words(layer.fields().names()).items():

@@ -1,4 +1,4 @@
-"""The ground a network learns from, as QGIS knows it: what image, annotation and the wanted extent share."""
+"""The training ground in QGIS: the intersection of image, labels and the wanted extent."""
 
 from __future__ import annotations
 
@@ -40,16 +40,16 @@ def require_common_ground(
     crs: QgsCoordinateReferenceSystem,
     context: QgsCoordinateTransformContext,
 ) -> None:
-    """Raises ParameterError where the image and what is called ``name`` show different ground.
+    """Raise ParameterError if the image and the labels ``name`` do not overlap.
 
-    Where one of them has no CRS they are compared later, by their sizes in pixels.
+    If one of them has no CRS, their sizes in pixels are compared later.
     """
     if not (image.crs().isValid() and crs.isValid()):
         return
     moved = transformed_box(QgsCoordinateTransform(crs, image.crs(), context), extent)
     if moved.isEmpty() or not moved.intersects(image.extent()):
         raise ParameterError(
-            "{image} and {labels} show different ground; choose an image and labels of the same place, and check "
+            "{image} and {labels} don't overlap. Choose an image and labels of the same place, and check "
             "their CRS and the extent.",
             image=image.name(),
             labels=name,
@@ -63,10 +63,10 @@ def classes_on(
     context: QgsCoordinateTransformContext,
     canceled: Callable[[], bool],
 ) -> set[int]:
-    """Values of the classes that an annotation has within the boxes of ``parts``, of two or more only two."""
+    """Return class values of a land-cover layer inside all boxes of ``parts``, at most two of them."""
     shared = source.extent
     for rectangle, crs in parts:
-        moved = _moved(rectangle, QgsCoordinateTransform(crs, source.crs, context))
+        moved = _transform(rectangle, QgsCoordinateTransform(crs, source.crs, context))
         shared = shared if moved is None else shared.intersect(moved)
     found: set[int] = set()
     if shared.isEmpty():
@@ -81,52 +81,53 @@ def classes_on(
     return found
 
 
-def _moved(rectangle: QgsRectangle, transform: QgsCoordinateTransform) -> QgsRectangle | None:
-    """None where the CRS can't tell, such as that of a map of the world, or is unknown."""
+def _transform(rectangle: QgsRectangle, transform: QgsCoordinateTransform) -> QgsRectangle | None:
+    """Transform a box; None if the CRS is unknown or the transform fails, as for a world map."""
     moved = transformed_box(transform, rectangle)
     return moved if transform.isValid() and moved.isFinite() and not moved.isNull() else None
 
 
 def require_two_classes(counts: Sequence[int] | np.ndarray, table: ClassTable) -> None:
-    """Raises TrainingError where labels are of one class alone; what is unlabeled counts as unknown.
+    """Raise TrainingError if only one class is labeled. Unlabeled ground counts as unknown.
 
     Args:
-        counts: (256,) pixels, or features, of each value.
+        counts: (256,) pixels or features per value.
+        table: The classes.
     """
     labeled = [entry.name for entry in table if entry.value and counts[entry.value]]
     if len(labeled) == 1:
         raise TrainingError(
-            "Only one class ({name}) is labeled, and ground without a label counts as unknown: there is nothing to "
-            "tell apart. Label another class, or let ground without a label be a class of its own.",
+            "Only one class ({name}) is labeled, and unlabeled ground counts as unknown, so the network can't learn to "
+            "distinguish classes. Label another class, or treat unlabeled ground as a class.",
             name=labeled[0],
         )
 
 
 def named_layer(layer: QgsRasterLayer) -> RasterLayer:
-    """A layer that is no file yet: it stands for the drawing that will be made of it."""
+    """Return a placeholder for a layer that will be drawn into a file."""
     return RasterLayer(layer.name(), layer.crs(), ())
 
 
-def opened(path: str, key: str) -> tuple[RasterLayer, QgsRectangle]:
-    """A file that was just drawn, and its extent; for the thread that drew it."""
+def open_drawing(path: str) -> tuple[RasterLayer, QgsRectangle]:
+    """Return a drawn file and its extent, in the thread that drew it."""
     layer = QgsRasterLayer(path)
-    return image_layer(layer, key), layer.extent()
+    return image_layer(layer), layer.extent()
 
 
 @dataclass(frozen=True)
 class TrainingGround:
-    """What is to be seen of an image.
+    """The part of an image for training, and how to resample it.
 
     Attributes:
         layer: The image.
-        extent: Of the image, in its CRS.
-        name: What the image is called.
-        labels: What annotation or label map is called.
-        pixel_size: Meters; None for the image's own.
-        wanted: What the user wants of it, in the image's CRS; an empty one for all.
-        drawn: Where labels may be; None for everywhere.
-        context: How this project transforms coordinates.
-        area: What alone is learned from; None for all.
+        extent: Extent of the image in its CRS.
+        name: Name of the image.
+        labels: Name of the land-cover layer or label map.
+        pixel_size: In m; None for the image's own.
+        wanted: Extent that the user chose, in the image's CRS; empty for all.
+        drawn: Extent of the labels; None for no limit.
+        context: The project's transform context.
+        area: Area that training is limited to; None for no limit.
     """
 
     layer: RasterLayer
@@ -141,24 +142,26 @@ class TrainingGround:
 
     @property
     def crs(self) -> QgsCoordinateReferenceSystem:
-        """In meters, wherever the image has a CRS at all."""
+        """CRS in meters, or an invalid one if the image has none."""
         crs = self.layer.crs
         if not crs.isValid() or is_metric(crs):
             return crs
         return metric_crs(crs, QgsCoordinateReferenceSystem(), self.extent, self.context)
 
     def image(self, folder: Path) -> RasterFile:
-        """The image as it is learned from; ``folder`` takes what describes it. Raises ParameterError, LabelMapError."""
+        """Return the prepared image, with its VRT in ``folder``. Raises ParameterError, LabelMapError."""
         crs = self.crs
         changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
         return seen_ground(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
 
     def mask(self, image: RasterFile) -> AreaMask | None:
-        """The pixels that are learned from of what ``image`` gave; None for all. Raises ParameterError."""
+        """Return the mask of the training area on the prepared image; None for all. Raises ParameterError."""
         if self.area is None:
             return None
         if not is_placed(image):
-            raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
+            raise ParameterError(
+                "The image has no georeference, so the mask layer can't be used. Leave the mask layer empty."
+            )
         frame = frame_of(image)
         return area_mask(self.area, self.crs, frame.geotransform, frame.shape_hw, self.context)
 
@@ -171,7 +174,7 @@ class TrainingGround:
             shared = shared.intersect(part)
         if shared.isEmpty():
             raise ParameterError(
-                "{image} and {labels} show different ground; choose an image and labels of the same place, and check "
+                "{image} and {labels} don't overlap. Choose an image and labels of the same place, and check "
                 "their CRS and the extent.",
                 image=self.name,
                 labels=self.labels,
@@ -189,13 +192,13 @@ class TrainingGround:
         moved = transformed_box(QgsCoordinateTransform(own, crs, self.context), rectangle)
         if moved.isNull():
             raise ParameterError(
-                "The layer's extent does not fit its CRS {crs}; correct the CRS or choose TARGET_CRS.",
+                "The layer's extent does not fit its CRS {crs}. Correct the CRS of the layer, or choose a target CRS.",
                 crs=describe_crs(own),
             )
         return moved
 
-    def told(self, image: RasterFile) -> dict:
-        """What the model's metadata tell of the ground it was trained on."""
+    def metadata(self, image: RasterFile) -> dict:
+        """Return the entries about the training ground for the model's metadata."""
         found = {"image": self.name, "labels": self.labels, "date": date.today().isoformat()}
         if not is_placed(image):
             return found
