@@ -86,7 +86,8 @@ def area_rings(
             crs,
             transform_context,
             Sentence(
-                "The clip layer does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(area.crs)
+                "The area or route does not fit its CRS {crs}. Correct the CRS of the layer.",
+                crs=describe_crs(area.crs),
             ),
         )
     ]
@@ -94,8 +95,8 @@ def area_rings(
     rings = [ring for polygon in _polygons(whole) for ring in polygon]
     if not rings:
         raise ParameterError(
-            "The clip layer is empty or outside the database’s map. Choose another layer, or for lines and points a "
-            "larger distance than {distance:g} m.",
+            "The area or route is empty or outside the database’s map. Choose another layer, or for lines and points "
+            "a larger distance than {distance:g} m.",
             distance=distance,
         )
     return [np.array([(point.x(), point.y()) for point in ring]) for ring in rings]

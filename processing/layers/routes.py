@@ -45,13 +45,13 @@ def route_of_source(source: QgsProcessingFeatureSource) -> Route:
         # Curves become the lines that QGIS draws.
         for part in (part for part in parts if part.type() == LINE_GEOMETRY):
             lines.append(np.array([(point.x(), point.y()) for point in part.asPolyline()], np.float64).reshape(-1, 2))
-    return _require_lines(Route(tuple(lines), source.sourceCrs(), source.sourceName()))
+    return _require_lines(Route(tuple(lines), source.sourceCrs(), source.sourceName()), source.sourceName())
 
 
 def read_route(path: str) -> Route:
     """Read the route of a waypoint file. Raises ParameterError for a file without route."""
     lines = tuple(read_waypoint_file(path))
-    return _require_lines(Route(lines, QgsCoordinateReferenceSystem(WGS84), os.path.basename(path)))
+    return _require_lines(Route(lines, QgsCoordinateReferenceSystem(WGS84), os.path.basename(path)), path)
 
 
 def lines_in(
@@ -77,11 +77,11 @@ def lines_in(
     return moved
 
 
-def _require_lines(route: Route) -> Route:
+def _require_lines(route: Route, name: str) -> Route:
     """Return the route without single points. Raises ParameterError if nothing remains."""
     lines = tuple(line for line in route.lines if len(line) > 1)
     if not lines:
         raise ParameterError(
-            "{name} has no route: it has no line and fewer than two waypoints. Choose another route.", name=route.name
+            "{name} has no route: it has no line and fewer than two waypoints. Choose another route.", name=name
         )
     return Route(lines, route.crs, route.name)

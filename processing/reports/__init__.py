@@ -1,1 +1,1 @@
-"""Reports as single HTML files: page, tables and charts without scripts or anything from the network."""
+"""Reports as single HTML files with tables and charts, without scripts or network access."""

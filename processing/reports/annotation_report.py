@@ -1,4 +1,4 @@
-"""The report of a check: findings by kind, severity and class, and what each kind means."""
+"""Report of a check of a land-cover layer: findings by kind, severity and class."""
 
 from __future__ import annotations
 
@@ -23,15 +23,22 @@ from . import charts, page, parts
 from .charts import Series
 
 _CSS = {ERROR: "bad", WARNING: "warning", INFORMATION: "information"}
-"""Names of the page's colors: those of the layer of findings."""
+"""Names of the page's colors, which are the colors of the layer of findings."""
 
 EXAMPLES = 3
-"""Findings of each kind that are told in words: those with the largest area."""
+"""Number of findings of each kind in words, those with the largest area."""
 
 
 @dataclass(frozen=True)
 class AnnotationReport:
-    """What the report is made from. layer: its name; features: how many; class_names: by class value."""
+    """Data of the report.
+
+    Attributes:
+        layer: Name of the layer.
+        features: Number of its features.
+        findings: The findings.
+        class_names: Names by class value.
+    """
 
     layer: str
     features: int
@@ -39,15 +46,15 @@ class AnnotationReport:
     class_names: dict[int, str]
 
     def html(self) -> str:
-        """The whole page."""
+        """Return the page."""
         return page.page(
-            tr("Check of an annotation"),
+            tr("Check of a land-cover layer"),
             tr("{layer}: {features} features").format(layer=self.layer, features=number_text(self.features)),
             self._key_figures(),
             self._next(),
             page.section(tr("Findings by kind"), self._kinds_table(), self._kinds_chart()),
             page.section(tr("Findings by class"), self._classes_table()),
-            page.section(tr("The largest of each kind"), *self._examples()),
+            page.section(tr("Largest findings of each kind"), *self._examples()),
         )
 
     def _key_figures(self) -> str:
@@ -58,14 +65,14 @@ class AnnotationReport:
     def _next(self) -> str:
         if any(finding.severity == ERROR for finding in self.findings):
             steps = [
-                tr("Mend the errors: go through the layer of findings in the dock’s tab “Correct”, the largest first."),
-                tr("“Repair annotation” mends what needs no decision: invalid geometries, overlaps, slivers."),
-                tr("Check again: without errors the layer is ready for “Rasterize annotation”."),
+                tr("Fix the errors: open the layer of findings in the dock’s tab “Correct”, largest first."),
+                tr("“Repair land-cover layer” fixes invalid geometries, overlaps and slivers automatically."),
+                tr("Check again. Without errors, the layer is ready for “Rasterize land-cover layer”."),
             ]
         else:
             steps = [
-                tr("There is no error: go on with “Rasterize annotation”, then “Build reference database”."),
-                tr("Warnings cost landmarks; those in the map’s important places are worth a look."),
+                tr("There are no errors. Continue with “Rasterize land-cover layer”, then “Build reference database”."),
+                tr("Warnings may reduce the number of landmarks. Check those in important places of the map."),
             ]
         return parts.next_steps(steps)
 
@@ -76,7 +83,7 @@ class AnnotationReport:
     def _kinds_chart(self) -> str:
         kinds = self._kinds()
         if not kinds:
-            return page.paragraph(tr("Nothing was found."))
+            return page.paragraph(tr("The check has no findings."))
         counts = Counter((finding.kind, finding.severity) for finding in self.findings)
         series = []
         for severity in SEVERITIES:
@@ -84,12 +91,12 @@ class AnnotationReport:
             heights = [counts[kinds[n], severity] for n in places]
             series.append(Series(severity_title(severity), places, heights, color=f"var(--{_CSS[severity]})"))
         largest = max(counts.values())
-        # Numbers below the bars: the names of the kinds stand in the table.
+        # Numbers below the bars; the table has the names of the kinds.
         groups = [str(n) for n in range(1, len(kinds) + 1)]
-        y_axis = charts.logarithmic_axis(tr("findings"), 1.0, float(largest))
+        y_axis = charts.logarithmic_axis(tr("Number of findings"), 1.0, float(largest))
         title = tr("Findings by kind")
-        chart = charts.bar_chart(groups, series, tr("kind, see the table"), y_axis, title)
-        return page.figure(chart, tr("Findings of each kind, by severity; the scale is logarithmic."))
+        chart = charts.bar_chart(groups, series, tr("Number of the kind, see the table"), y_axis, title)
+        return page.figure(chart, tr("Findings of each kind by severity, on a logarithmic scale."))
 
     def _kinds_table(self) -> str:
         rows = []
@@ -99,17 +106,17 @@ class AnnotationReport:
             cells = [_count(counts[severity], severity) for severity in SEVERITIES]
             area = shown(sum(f.area or 0.0 for f in own), ",.2f")
             rows.append([str(n), kind_titles()[kind], *cells, f"{area}{page.NO_BREAK}m²"])
-        header = ["", tr("kind"), *(severity_title(severity) for severity in SEVERITIES), tr("area")]
+        header = ["", tr("Kind"), *(severity_title(severity) for severity in SEVERITIES), tr("Area")]
         return page.table(header, rows, numbers=(0, 2, 3, 4, 5))
 
     def _classes_table(self) -> str:
         counts = Counter((f.class_value, f.severity) for f in self.findings)
         rows = [
             [name, *(_count(counts[value, severity], severity) for severity in SEVERITIES)]
-            for value, name in [*self.class_names.items(), (NOTHING, tr("no class"))]
+            for value, name in [*self.class_names.items(), (NOTHING, tr("No class"))]
             if any(counts[value, severity] for severity in SEVERITIES)
         ]
-        return page.table([tr("class"), *(severity_title(s) for s in SEVERITIES)], rows, numbers=(1, 2, 3))
+        return page.table([tr("Class"), *(severity_title(s) for s in SEVERITIES)], rows, numbers=(1, 2, 3))
 
     def _examples(self) -> list[str]:
         texts = []

@@ -1,7 +1,7 @@
-"""Charts as inline SVG, drawn in the colors of the page's style: lines with bands, bars, heat maps, profiles.
+"""Charts as inline SVG in the colors of the page: lines with bands, bars, heat maps, profiles.
 
-Series differ in color, dash and marker, so that everyone can distinguish them, also in black and white. A drawing is a
-list of elements, which the page's template writes and escapes.
+Series differ in color, dash and marker, so that they are distinct in black and white. A drawing is a list of elements,
+which the page's template writes and escapes.
 """
 
 from __future__ import annotations
@@ -17,36 +17,40 @@ from . import page
 
 WIDTH, HEIGHT = 480, 300
 WIDEST_PX = 620
-"""On screen and paper, so that its letters are hardly larger than the page's."""
+"""Largest width, so that the text of a chart is not larger than the text of the page."""
 
 LEFT, RIGHT, TOP, BOTTOM = 64, 24, 14, 44
 LEGEND_ROW = 20
 _HALF_PX, _MARK_PX = (WIDTH - LEFT - RIGHT) / 2, 30
-"""Widths of a column of the legend and of the sample before a name."""
+"""Widths of a legend column and of the symbol before a name."""
 
 PROFILE_WIDTH, PROFILE_RIGHT = 960, 56
-"""Of a chart as wide as the page, with an axis at its right."""
+"""Width of a chart with the full page width, and its margin for an axis on the right."""
 
 TITLE_ROW = 24
 CELL_WIDTH, CELL_HEIGHT = 54, 34
 CHARACTER = 8.0
-"""Room for a character of a name; names are cut after NAME_LENGTH of them."""
+"""Width of a character; names are cut after NAME_LENGTH characters."""
 
 NAME_LENGTH = 24
 SERIES = 4
-"""Series that have a color of their own; more repeat them with other dashes and markers."""
+"""Number of colors; further series repeat them with other dashes and markers."""
 
 DASHES = ("", "6,3", "2,3", "9,3,2,3")
 CIVIDIS = ("#00204d", "#31446b", "#666970", "#958f78", "#cbba69", "#ffea46")
-"""Evenly perceived steps from dark to light that the color-blind see alike (Nuñez et al. 2018)."""
+"""Perceptually uniform colors from dark to light, suitable for color-blind readers (Nuñez et al. 2018)."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """A named line or row of bars: y of each x, with the interval (low, high) of each y if it is known.
+    """A named line or row of bars.
 
-    marked: whether the points get markers; stepped: y stays until the next x; color: of CSS, by the series' number if
-    empty.
+    Attributes:
+        low: Lower limits of y, or None.
+        high: Upper limits of y, or None.
+        marked: Whether the points get markers.
+        stepped: Whether y is constant until the next x.
+        color: CSS color; empty for the color of the series' number.
     """
 
     name: str
@@ -60,7 +64,7 @@ class Series:
 
 
 def rate_series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) -> Series:
-    """Rates with their intervals, at their means or at ``x``."""
+    """Return a series of rates with their intervals, at their means or at ``x``."""
     return Series(
         title,
         x or [one.at for one in rates],
@@ -72,7 +76,7 @@ def rate_series(title: str, rates: Sequence[RateAt], x: Sequence[float] = ()) ->
 
 @dataclass(frozen=True)
 class Axis:
-    """title; limits (smallest, largest); ticks with their texts; logarithmic or not."""
+    """An axis; ``limits``: (smallest, largest); ``ticks``: (value, text)."""
 
     title: str
     limits: tuple[float, float]
@@ -80,7 +84,7 @@ class Axis:
     logarithmic: bool = False
 
     def place(self, value: float) -> float:
-        """0…1 along the axis; values beyond it at its end."""
+        """Return the place of a value along the axis, 0…1, clipped at the ends."""
         low, high = self.limits
         if self.logarithmic:
             low, high, value = math.log(low), math.log(high), math.log(max(value, 1e-300))
@@ -88,18 +92,18 @@ class Axis:
 
 
 def percent_axis(title: str) -> Axis:
-    """From 0 to 100 %."""
+    """Return an axis from 0 to 100 %."""
     return Axis(title, (0.0, 1.0), [(n / 4, f"{25 * n} %") for n in range(5)])
 
 
 def linear_axis(title: str, low: float, high: float, steps: int = 5) -> Axis:
-    """Even ticks from low to high."""
+    """Return an axis with even ticks."""
     ticks = [low + (high - low) * n / steps for n in range(steps + 1)]
     return Axis(title, (low, high), [(tick, shown(tick, ".3g")) for tick in ticks])
 
 
 def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
-    """Whole decades around smallest and largest, both above 0."""
+    """Return an axis with whole decades that contain smallest and largest, both above 0."""
     first, last = math.floor(math.log10(smallest)), math.ceil(math.log10(largest))
     last = max(last, first + 1)
     ticks = [(10.0**n, shown(10.0**n, ",g")) for n in range(first, last + 1)]
@@ -107,7 +111,7 @@ def logarithmic_axis(title: str, smallest: float, largest: float) -> Axis:
 
 
 class Element(NamedTuple):
-    """An SVG element; title: shown where the mouse rests on it."""
+    """An SVG element; ``title``: its tool tip."""
 
     tag: str
     attributes: dict[str, object]
@@ -116,26 +120,26 @@ class Element(NamedTuple):
 
 
 def shape(tag: str, style: str, title: str = "", **attributes: object) -> Element:
-    """An element with numbers to a tenth of a pixel, except those given as text."""
+    """Return an element; numbers are rounded to 0.1 pixel, except those given as text."""
     return Element(
         tag, {**{name: _short(value) for name, value in attributes.items()}, "style": style or None}, title=title
     )
 
 
 def stroke(color: str, width: float | str = 1, dash: str = "") -> str:
-    """The style of a line."""
+    """Return the CSS style of a line."""
     return f"fill:none;stroke:{color};stroke-width:{width}" + (f";stroke-dasharray:{dash}" if dash else "")
 
 
 def polyline(points: Sequence[tuple[float, float]], style: str, closed: bool = False) -> Element:
-    """A line through points, or the outline that they make."""
+    """Return a line through points, or a closed outline."""
     return shape("path", style, d="M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in points) + ("Z" if closed else ""))
 
 
 def lettering(
     x: float, y: float, text: str, anchor: str = "middle", turn: float = 0, soft: bool = False, style: str = ""
 ) -> Element:
-    """A text that begins, ends or has its middle at a point, turned about it by degrees."""
+    """Return a text anchored at a point and rotated about it by ``turn`` degrees."""
     attributes = {
         "x": _short(x),
         "y": _short(y),
@@ -148,7 +152,7 @@ def lettering(
 
 
 def drawing(elements: Sequence[Element], name: str, width: float, height: float, style: str = "") -> str:
-    """A picture of them, as wide as the page or as its style says."""
+    """Return a picture of elements with the width of the page, or of its style."""
     return page.macros().svg(name, f"{width:.0f}", f"{height:.0f}", style or None, elements)
 
 
@@ -157,7 +161,7 @@ def _short(value: object) -> object:
 
 
 def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, diagonal: bool = False) -> str:
-    """Lines with their intervals as bands; ``diagonal`` draws the line on which both axes agree."""
+    """Return a chart of lines with their intervals as bands; ``diagonal``: draw the line of equal values."""
     frame = _Frame(x_axis, y_axis, [one.name for one in series])
     parts = frame.axes()
     if diagonal:
@@ -169,7 +173,7 @@ def line_chart(series: Sequence[Series], x_axis: Axis, y_axis: Axis, name: str, 
 
 
 def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_axis: Axis, name: str) -> str:
-    """Bars side by side in named groups, with whiskers; a series' x are the numbers of its groups, from 0."""
+    """Return a chart of grouped bars with whiskers; x of a series are the group numbers from 0."""
     x_axis = Axis(x_title, (0.0, max(float(len(groups)), 1.0)), [(n + 0.5, text) for n, text in enumerate(groups)])
     frame = _Frame(x_axis, y_axis, [one.name for one in series])
     parts = frame.axes(x_grid=False)
@@ -179,7 +183,7 @@ def bar_chart(groups: Sequence[str], series: Sequence[Series], x_title: str, y_a
         for at, (group, y) in enumerate(zip(one.x, one.y)):
             left = group + 0.12 + number * width
             (x0, top), (x1, floor) = frame.point(left, y), frame.point(left + width * 0.9, y_axis.limits[0])
-            # On a logarithmic axis that begins at one, one is seen, too.
+            # Bars of 1 are visible on a logarithmic axis from 1.
             top = min(top, floor - (2.0 if y_axis.logarithmic else 0.5))
             parts.append(shape("rect", f"fill:{colors[number]}", x=x0, y=top, width=x1 - x0, height=floor - top))
             if one.low is not None:
@@ -197,16 +201,16 @@ def profile(
     enough: float,
     name: str,
 ) -> str:
-    """Success along a route, as an elevation profile is drawn.
+    """Return a profile of success along a route.
 
     Args:
-        success: Shares with their interval, on the left axis.
-        seen: Numbers, on the right axis.
-        x_axis: Along the route.
-        seen_axis: With as many ticks as the left one has.
+        success: Shares with their interval, left axis.
+        seen: Numbers of landmarks, right axis.
+        x_axis: Distance along the route.
+        seen_axis: Right axis, with as many ticks as the left one.
         shaded: (from, to) of stretches.
-        enough: Success from which on it is good enough.
-        name: Of the chart.
+        enough: Threshold of success.
+        name: Name of the chart.
     """
     frame = _Frame(x_axis, percent_axis(success.name), [], PROFILE_WIDTH, PROFILE_RIGHT)
     parts = [
@@ -237,14 +241,14 @@ def heat_map(
     x_title: str,
     name: str,
 ) -> str:
-    """Cells colored from 0 (dark) to 1 (light) with their texts, as a table: the first row is at the top.
+    """Return a table of cells with texts, colored from 0 (dark) to 1 (light); the first row is at the top.
 
-    There is room for names of any length; very long ones are cut.
+    Margins fit the names; very long names are cut.
     """
     rows, columns = ([_cut(text) for text in names] for names in (row_names, column_names))
-    left = TITLE_ROW + 10 + CHARACTER * max(map(_room, rows))
-    # Names of columns stand aslant above them.
-    top = TITLE_ROW + 10 + 0.71 * CHARACTER * max(map(_room, columns))
+    left = TITLE_ROW + 10 + CHARACTER * max(map(_width_of, rows))
+    # Column names are rotated by 45°.
+    top = TITLE_ROW + 10 + 0.71 * CHARACTER * max(map(_width_of, columns))
     bottom, right = top + CELL_HEIGHT * len(rows), left + CELL_WIDTH * len(columns)
     parts = [lettering((left + right) / 2, 14, x_title), lettering(14, (top + bottom) / 2, y_title, turn=-90)]
     for n, text in enumerate(columns):
@@ -254,17 +258,17 @@ def heat_map(
         parts.append(lettering(left - 8, y + CELL_HEIGHT / 2 + 4, rows[n], "end", soft=True))
         for m, (value, text) in enumerate(zip(line, line_texts)):
             parts += _cell(left + CELL_WIDTH * m, y, value, text)
-    width = right + 0.71 * CHARACTER * _room(columns[-1])
+    width = right + 0.71 * CHARACTER * _width_of(columns[-1])
     return drawing(parts, name, width, bottom + 6, f"max-width:{width:.0f}px;max-height:none")
 
 
 def reliability_diagram(series: Sequence[Series], x_title: str, y_title: str, name: str) -> str:
-    """Share that was right against the stated confidence; on the diagonal both agree."""
+    """Return a chart of the correct share against the stated confidence, with the diagonal."""
     return line_chart(series, percent_axis(x_title), percent_axis(y_title), name, diagonal=True)
 
 
 def ramp(value: float) -> tuple[str, str]:
-    """(color of a cell, color of the text on it) for a value of 0…1."""
+    """Return (cell color, text color) for a value of 0…1."""
     place = min(max(value, 0.0), 1.0) * (len(CIVIDIS) - 1)
     first = min(int(place), len(CIVIDIS) - 2)
     low, high = ([int(CIVIDIS[n][m : m + 2], 16) for m in (1, 3, 5)] for n in (first, first + 1))
@@ -274,14 +278,14 @@ def ramp(value: float) -> tuple[str, str]:
 
 
 class _Frame:
-    """Where values lie in a chart with axes; ``names``: the entries of the legend above it."""
+    """Layout of a chart with axes; ``names``: entries of the legend above it."""
 
     def __init__(
         self, x_axis: Axis, y_axis: Axis, names: Sequence[str], width: int = WIDTH, right: int = RIGHT
     ) -> None:
         self.x_axis, self.y_axis, self.names = x_axis, y_axis, names
         self.width, self.right = width, width - right
-        fit = all(_MARK_PX + CHARACTER * _room(name) <= _HALF_PX + RIGHT for name in names)
+        fit = all(_MARK_PX + CHARACTER * _width_of(name) <= _HALF_PX + RIGHT for name in names)
         self.abreast = 2 if fit else 1
         self.top = TOP + LEGEND_ROW * math.ceil(len(names) / self.abreast)
         self.tall = HEIGHT - TOP - BOTTOM
@@ -310,7 +314,7 @@ class _Frame:
         return parts
 
     def legend(self, bars: Sequence[str] = ()) -> list[Element]:
-        """Two entries a row, above the chart; one where a name is long. ``bars``: their colors; lines without."""
+        """Return the legend above the chart, with two entries per row if they fit; ``bars``: colors of bars, if any."""
         parts = []
         for number, name in enumerate(self.names):
             row, place = divmod(number, self.abreast)
@@ -332,7 +336,7 @@ def _color(number: int) -> str:
 
 
 def _dash(number: int) -> int:
-    """Of dash and marker: those of the next color in each further round, so that no two of 16 series look the same."""
+    """Return the number of dash and marker, shifted after each round of colors, so that 16 series are distinct."""
     return (number + number // SERIES) % SERIES
 
 
@@ -352,7 +356,7 @@ def _line(frame: _Frame, one: Series, number: int) -> list[Element]:
     points = [frame.point(x, y) for x, y in zip(one.x, one.y)]
     if not points:
         return []
-    # A step is a corner at the height before.
+    # A step has a corner at the earlier height.
     corners = [(x, y) for (_, y), (x, _) in zip(points, points[1:])] if one.stepped else []
     path = [corner for pair in zip(points, corners) for corner in pair] + points[-1:] if one.stepped else points
     markers = [_marker(x, y, number) for x, y in points] if one.marked else []
@@ -360,7 +364,7 @@ def _line(frame: _Frame, one: Series, number: int) -> list[Element]:
 
 
 def _marker(x: float, y: float, number: int) -> Element:
-    """Disc, square, triangle, diamond, by the series' number."""
+    """Return the marker of a series: disc, square, triangle or diamond."""
     fill = f"fill:{_color(number)}"
     if _dash(number) == 0:
         return shape("circle", fill, cx=x, cy=y, r=3.6)
@@ -372,8 +376,8 @@ def _cut(name: str) -> str:
     return name if len(name) <= NAME_LENGTH else name[: NAME_LENGTH - 1] + "…"
 
 
-def _room(name: str) -> float:
-    """Characters, of which Chinese ones are twice as wide."""
+def _width_of(name: str) -> float:
+    """Return the width of a name in characters; Chinese characters count twice."""
     return sum(2 if ord(character) > 0x2E80 else 1 for character in name)
 
 

@@ -1,4 +1,4 @@
-"""The report of Compare label maps: key figures, the confusion matrix as a picture, the figures of each class."""
+"""Report of *Compare label maps*: key figures, confusion matrix, and tables by class."""
 
 from __future__ import annotations
 
@@ -19,7 +19,15 @@ METER, PIXEL, MAP_UNIT = "m", "px", ""
 
 @dataclass(frozen=True)
 class ShiftRow:
-    """One class: its name, landmarks in both maps, shift along two axes, how exactly it is known, and its spread."""
+    """Offset of a class.
+
+    Attributes:
+        name: Name of the class.
+        pairs: Number of landmarks in both maps.
+        along: Offset along two axes.
+        deviation: Standard error of the offset.
+        spread: Standard deviation between pieces of the maps; None if unknown.
+    """
 
     name: str
     pairs: int
@@ -30,8 +38,14 @@ class ShiftRow:
 
 @dataclass(frozen=True)
 class MeasuredShifts:
-    """Of all classes with enough landmarks; ``unit``: meters where the CRS is metric, pixels without a georeference,
-    where the axes are the image's (``in_image``: right, down) instead of the map's (east, north)."""
+    """Offsets of all classes with enough landmarks.
+
+    Attributes:
+        rows: A row for each class.
+        unit: METER for a metric CRS, PIXEL without georeference.
+        in_image: Whether the axes are right and down of the image instead of east and north.
+        piece_px: Edge of a piece of the maps in pixels.
+    """
 
     rows: tuple[ShiftRow, ...]
     unit: str
@@ -41,7 +55,7 @@ class MeasuredShifts:
 
 @dataclass(frozen=True)
 class MeasuredErrors:
-    """Landmarks: (name, errors) of each class, of all, and what assessments are to assume, by their keys."""
+    """Errors of landmarks: (name, errors) of each class, the total, and the numbers for assessments by key."""
 
     rows: tuple[tuple[str, LandmarkErrors], ...]
     total: LandmarkErrors
@@ -56,17 +70,17 @@ def comparison_html(
     reference: str,
     predicted: str,
 ) -> str:
-    """The whole page; ``reference``, ``predicted``: paths of the maps."""
+    """Return the page; ``reference``, ``predicted``: paths of the maps."""
     count = tr("{count} pixels compared").format(count=number_text(comparison.pixels))
     figures = page.key_figures(
         [
-            (page.percent(comparison.overall_accuracy), tr("overall accuracy"), count),
-            (page.percent(comparison.mean_iou), tr("mean IoU"), tr("of the classes that are annotated")),
+            (page.percent(comparison.overall_accuracy), tr("Overall accuracy"), count),
+            (page.percent(comparison.mean_iou), tr("Mean IoU"), tr("of annotated classes")),
         ]
     )
     classes = [value for value in comparison.values if value]
     title = tr("Comparison of label maps")
-    subtitle = tr("{predicted} against {reference}").format(
+    subtitle = tr("{predicted} compared with {reference}").format(
         predicted=os.path.basename(predicted), reference=os.path.basename(reference)
     )
     return page.page(
@@ -77,39 +91,45 @@ def comparison_html(
         page.section(tr("Confusion matrix"), parts.confusion_figure(comparison, match.name, comparison.values)),
         page.section(tr("Classes"), parts.class_table(comparison, match.name, classes)),
         page.section(tr("Landmarks"), *_landmarks(errors)),
-        page.section(tr("Bias of classes"), *_biases(shifts)),
+        page.section(tr("Class offsets"), *_biases(shifts)),
         meta=network_meta(errors.numbers, errors.total.annotated),
     )
 
 
 def _next(comparison: LabelComparison, match: ClassMatch, shifts: MeasuredShifts, errors: MeasuredErrors) -> list[str]:
-    steps = [tr("Go through the disagreements in the dock’s tab “Correct”: either map may be wrong.")]
+    steps = [tr("Check the disagreements in the dock’s tab “Correct”. Either map may be wrong.")]
     values = [value for value in comparison.values if value and comparison.annotated[value]]
     if values:
         worst = min(values, key=comparison.iou)
-        text = tr("The class found worst is {name} ({iou}): more of it in the training helps most.")
+        text = tr("The class with the lowest IoU is {name} ({iou}). Add training ground with this class first.")
         steps.append(text.format(name=match.name(worst), iou=page.percent(comparison.iou(worst))))
     if shifts.rows:
-        steps.append(tr("Give the network’s file as MODEL, and positions are freed of the biases below."))
+        steps.append(
+            tr("Compare again with the network’s file as model, to correct positions by the class offsets below.")
+        )
     if errors.total.annotated >= LEAST_LANDMARKS:
         steps.append(
-            tr("Give this page as “Comparison report” to “Assess reference database”: will such labels be found?")
+            tr(
+                "To assess with these label errors, choose this page as “Comparison report” in “Assess reference "
+                "database”."
+            )
         )
     return steps
 
 
 def _landmarks(errors: MeasuredErrors) -> list[str]:
-    """How many were missed, misnamed and invented, a class a row."""
+    """Return the table of missed, mislabeled and spurious landmarks by class."""
     if not errors.rows:
-        return [page.paragraph(tr("Neither map has a landmark of a size that counts."))]
-    header = [tr("Class"), tr("annotated"), tr("missed"), tr("misnamed"), tr("invented")]
+        return [page.paragraph(tr("Neither map has a landmark of sufficient size."))]
+    header = [tr("Class"), tr("Annotated"), tr("Missed"), tr("Mislabeled"), tr("Spurious")]
     rows = [
         [name, number_text(found.annotated), *_shares(found)]
-        for name, found in (*errors.rows, (tr("all"), errors.total))
+        for name, found in (*errors.rows, (tr("All classes"), errors.total))
     ]
     text = tr(
-        "A landmark is found where the prediction has one of about its place and size. Shares are of the annotated "
-        "ones, counted where they lie whole in pieces of {edge} pixels; houses that the network joins are missed."
+        "A landmark is found if the prediction has a landmark of similar position and size. Shares refer to the "
+        "annotated landmarks that are completely inside a piece of {edge} pixels. Buildings that the network merges "
+        "count as missed."
     )
     return [page.table(header, rows, range(1, len(header))), page.paragraph(text.format(edge=PIECE_PX))]
 
@@ -120,21 +140,21 @@ def _shares(found: LandmarkErrors) -> list[str]:
 
 
 def _biases(shifts: MeasuredShifts) -> list[str]:
-    """How far off landmarks are shown, a class a row."""
+    """Return the table of class offsets."""
     if not shifts.rows:
-        return [page.paragraph(tr("Too few landmarks are whole in both maps to tell."))]
-    along = [tr("right"), tr("down")] if shifts.in_image else [tr("east"), tr("north")]
+        return [page.paragraph(tr("The maps have too few common landmarks to measure offsets."))]
+    along = [tr("Right"), tr("Down")] if shifts.in_image else [tr("East"), tr("North")]
     columns = [
         (tr("Class"), lambda row: row.name),
-        (tr("landmarks in both"), lambda row: number_text(row.pairs)),
+        (tr("Landmarks in both maps"), lambda row: number_text(row.pairs)),
         (along[0], lambda row: f"{shown(row.along[0], '+.2f')} {shifts.unit}"),
         (along[1], lambda row: f"{shown(row.along[1], '+.2f')} {shifts.unit}"),
-        (tr("known to"), lambda row: f"± {shown(row.deviation, '.2f')} {shifts.unit}"),
-        (tr("spread"), lambda row: page.number(row.spread, shifts.unit)),
+        (tr("Standard error"), lambda row: f"± {shown(row.deviation, '.2f')} {shifts.unit}"),
+        (tr("Standard deviation"), lambda row: page.number(row.spread, shifts.unit)),
     ]
     text = tr(
-        "How far from where they are the landmarks of each class are shown, over pieces of {edge} pixels: an image’s "
-        "position is off as much, and no residual tells. Spread: standard deviation along each axis of what one piece "
-        "differs by."
+        "Mean offset of the predicted landmarks from the annotated ones, measured in pieces of {edge} pixels. It "
+        "shifts the position of an image by the same amount, and residuals do not show it. Standard deviation: "
+        "variation between pieces along each axis."
     )
     return [page.records(shifts.rows, columns, range(1, 6)), page.paragraph(text.format(edge=shifts.piece_px))]

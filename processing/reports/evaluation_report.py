@@ -1,4 +1,4 @@
-"""The report of an evaluation: the paper's two tables, success, errors, false accepts and reliability."""
+"""Report of an evaluation: rates, errors, false accepts, reliability, and the two tables of the paper."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ from .charts import Series, rate_series
 
 
 def tried_ground(windows: Rate, minimum_references: int) -> str:
-    """Which ground the rates are about: a sentence for report and log."""
+    """Return a sentence for report and log about the tested part of the map."""
     if windows.successes == windows.trials:
-        return tr("Images lie around all {count} windows.").format(count=number_text(windows.trials))
+        return tr("The images cover all {count} windows.").format(count=number_text(windows.trials))
     return tr(
-        "Images lie around {tried} of {count} windows ({share}): those that have at least {minimum} landmarks and lie "
-        "on the label map. The rates tell nothing of other ground."
+        "The images cover {tried} of {count} windows ({share}): those with at least {minimum} landmarks on the label "
+        "map. The rates are not valid for other windows."
     ).format(
         tried=number_text(windows.successes),
         count=number_text(windows.trials),
@@ -48,8 +48,13 @@ def tried_ground(windows: Rate, minimum_references: int) -> str:
 
 @dataclass(frozen=True)
 class EvaluationReport:
-    """What the report is made from. methods: as evaluated, the most important first, with their titles; settings:
-    (what, value) as they are shown; ground: tried_ground."""
+    """Data of the report.
+
+    Attributes:
+        methods: Titles of the methods by key, the most important one first.
+        settings: (name, value) as shown.
+        ground: Result of ``tried_ground``.
+    """
 
     database: str
     labels: str
@@ -59,24 +64,24 @@ class EvaluationReport:
     ground: str
 
     def html(self) -> str:
-        """The whole page."""
+        """Return the page."""
         summaries = [summarize(self.trials, method) for method in self.methods]
         return page.page(
             tr("Evaluation of localization"),
-            tr("{database}, images cut from {labels}").format(database=self.database, labels=self.labels),
+            tr("Database {database}, images from {labels}").format(database=self.database, labels=self.labels),
             self._key_figures(summaries[0]),
             parts.next_steps(_next(summaries)),
-            page.section(tr("Methods side by side"), self._methods_table(summaries), page.paragraph(_how_judged())),
+            page.section(tr("Comparison of methods"), self._methods_table(summaries), page.paragraph(_definitions())),
             page.section(
-                tr("Where it succeeds"),
+                tr("Success by offset and landmarks"),
                 page.columns(
                     self._rates_chart(
                         success_by_offset,
-                        charts.linear_axis(tr("offset from the nearest window, share of the stride"), 0.0, 0.5),
+                        charts.linear_axis(tr("Offset from the nearest window, share of the stride"), 0.0, 0.5),
                         tr("Success against offset"),
                         tr(
-                            "Right fixes of windows moved aside, without noise, scaling or turning; "
-                            "bands: 95 % intervals."
+                            "Correct positions of shifted windows, without noise, scaling or rotation. "
+                            "Bands: 95 % intervals."
                         ),
                     ),
                     self._landmarks_chart(),
@@ -84,22 +89,22 @@ class EvaluationReport:
             ),
             page.section(tr("Errors and noise"), page.columns(self._error_chart(), self._noise_map())),
             page.section(
-                tr("What the confidence is worth"), page.columns(self._reliability_chart(), self._statuses(summaries))
+                tr("Reliability of the confidence"), page.columns(self._reliability_chart(), self._statuses(summaries))
             ),
             parts.road_section(self._roads()),
             page.section(
                 tr("Scale (Table 4 of He & Wu 2025)"),
                 page.paragraph(
                     tr(
-                        "Windows seen from 2 to 0.5 times their size, without noise. The method of the paper compares "
-                        "vectors: a distance above 2 is no match."
+                        "Windows scaled by 2 to 0.5, without noise. The published method compares vectors; a distance "
+                        "above 2 is not a match."
                     )
                 ),
                 self._paper_table(SCALING, tr("Scale"), lambda query: shown(query.scale, ".2f")),
             ),
             page.section(
                 tr("Rotation (Table 5 of He & Wu 2025)"),
-                page.paragraph(tr("The same windows, turned about their centers.")),
+                page.paragraph(tr("The same windows, rotated about their centers.")),
                 self._paper_table(ROTATION, tr("Rotation"), lambda query: f"{query.view.heading_deg:.0f}°"),
             ),
             parts.settings_section(self.settings),
@@ -108,39 +113,41 @@ class EvaluationReport:
     def _key_figures(self, first: MethodSummary) -> str:
         note = page.interval_text
         found = [
-            (page.percent(first.right.share), tr("right fixes"), note(first.right)),
-            (page.percent(first.wrong.share), tr("wrong fixes"), note(first.wrong)),
-            (page.percent(first.false_accepts.share), tr("false accepts"), note(first.false_accepts)),
-            (page.number(first.median_error, "m"), tr("median error"), tr("of right fixes")),
+            (page.percent(first.right.share), tr("Correct positions"), note(first.right)),
+            (page.percent(first.wrong.share), tr("Wrong positions"), note(first.wrong)),
+            (page.percent(first.false_accepts.share), tr("False accepts"), note(first.false_accepts)),
+            (page.number(first.median_error, "m"), tr("Median error"), tr("of correct positions")),
         ]
-        title = tr("Method: {method}. In brackets and below the numbers: 95 % intervals and counts.")
+        title = tr("Method: {method}. Brackets and notes have 95 % intervals and counts.")
         about = f"{title.format(method=self.methods[first.method])} {self.ground}"
         return page.key_figures(found) + page.paragraph(about)
 
     def _methods_table(self, summaries: Sequence[MethodSummary]) -> str:
         columns = [
             (tr("Method"), lambda s: self.methods[s.method]),
-            (tr("right fixes"), lambda s: page.rate_text(s.right)),
-            (tr("wrong fixes"), lambda s: page.rate_text(s.wrong)),
-            (tr("false accepts"), lambda s: page.rate_text(s.false_accepts)),
+            (tr("Correct positions"), lambda s: page.rate_text(s.right)),
+            (tr("Wrong positions"), lambda s: page.rate_text(s.wrong)),
+            (tr("False accepts"), lambda s: page.rate_text(s.false_accepts)),
             ("CEP50", lambda s: page.number(s.median_error, "m")),
             ("CEP95", lambda s: page.number(s.error_95, "m")),
-            (tr("heading"), lambda s: page.number(s.heading_error_deg, "°", 2)),
-            (tr("scale"), lambda s: page.percent(s.scale_error, 2)),
-            (tr("in the 95 % ellipse"), lambda s: page.rate_text(s.covered)),
+            (tr("Heading error"), lambda s: page.number(s.heading_error_deg, "°", 2)),
+            (tr("Scale error"), lambda s: page.percent(s.scale_error, 2)),
+            (tr("In the 95 % ellipse"), lambda s: page.rate_text(s.covered)),
         ]
         return page.records(summaries, columns)
 
     def _rates_chart(self, rates_of, x_axis, name: str, caption: str) -> str:
         series = [rate_series(title, rates_of(self.trials, method)) for method, title in self.methods.items()]
-        return page.figure(charts.line_chart(series, x_axis, charts.percent_axis(tr("right fixes")), name), caption)
+        return page.figure(
+            charts.line_chart(series, x_axis, charts.percent_axis(tr("Correct positions")), name), caption
+        )
 
     def _landmarks_chart(self) -> str:
         found = {
             title: success_by_landmarks(of_method(self.trials, method, MAP)) for method, title in self.methods.items()
         }
-        caption = tr("Right fixes by the number of landmarks the database has there.")
-        return parts.landmarks_chart(found, tr("landmarks in the window"), caption)
+        caption = tr("Correct positions by the number of landmarks in the window.")
+        return parts.landmarks_chart(found, tr("Landmarks in the window"), caption)
 
     def _error_chart(self) -> str:
         curves = {method: error_curve(self.trials, method) for method in self.methods}
@@ -150,39 +157,44 @@ class EvaluationReport:
             Series(title, *_thinned(*curves[method]), marked=False, stepped=True)
             for method, title in self.methods.items()
         ]
-        x_axis = charts.logarithmic_axis(tr("error, m"), errors.min(), errors.max())
-        chart = charts.line_chart(series, x_axis, charts.percent_axis(tr("images with a fix")), tr("Errors"))
-        return page.figure(chart, tr("Share of the map’s images with a fix at most so far off, right or wrong."))
+        x_axis = charts.logarithmic_axis(tr("Error (m)"), errors.min(), errors.max())
+        chart = charts.line_chart(series, x_axis, charts.percent_axis(tr("Images with a position")), tr("Errors"))
+        return page.figure(
+            chart, tr("Cumulative share of images with a position by error, correct and wrong positions.")
+        )
 
     def _noise_map(self) -> str:
         rates = noise_rates(self.trials)
         names = [f"{level:.0f} %" for level in NOISE_LEVELS]
         shares = [[rate.share for rate in row] for row in rates]
         texts = [[page.percent(rate.share, 0) for rate in row] for row in rates]
-        # Nothing spoilt lies where the axes meet.
+        # The origin is without noise.
         chart = charts.heat_map(
             shares[::-1],
             texts[::-1],
             names[::-1],
             names,
-            tr("landmarks missed"),
-            tr("landmarks invented"),
+            tr("Missed landmarks"),
+            tr("Spurious landmarks"),
             tr("Success under noise"),
         )
-        caption = tr("Right fixes of {method}; {count} images a cell, the other ranges as set.")
+        caption = tr("Correct positions of {method} with {count} images per cell. Other noise as in the settings.")
         method = next(iter(self.methods.values()))
         return page.figure(chart, caption.format(method=method, count=rates[0][0].trials))
 
     def _reliability_chart(self) -> str:
         series = [rate_series(title, reliability(self.trials, method)) for method, title in self.methods.items()]
         chart = charts.reliability_diagram(
-            series, tr("confidence told"), tr("right among the fixes"), tr("Reliability of the confidence")
+            series, tr("Stated confidence"), tr("Correct positions"), tr("Reliability of the confidence")
         )
-        caption = tr("On the diagonal a confidence means what it says; below it promises too much.")
+        caption = tr(
+            "On the diagonal, the confidence equals the share of correct positions. Below it, the confidence is too "
+            "high."
+        )
         return page.figure(chart, caption)
 
     def _roads(self) -> dict[str, list[RoadSummary]]:
-        """Mirrored images' fixes count, which can't be right."""
+        """Return summaries by method, including positions of mirrored images, which are always wrong."""
         tried = {title: of_method(self.trials, method, MAP, MIRRORED) for method, title in self.methods.items()}
         return {title: road_summaries(trials) for title, trials in tried.items()}
 
@@ -192,16 +204,16 @@ class EvaluationReport:
             [worded(status.title), *(number_text(s.statuses.get(status.key, 0)) for s in summaries)] for status in found
         ]
         titles = [self.methods[s.method] for s in summaries]
-        return page.paragraph(tr("What became of the images of the map:")) + page.table(
+        return page.paragraph(tr("Status of the images of the map:")) + page.table(
             [tr("Status"), *titles], rows, range(1, len(titles) + 1)
         )
 
     def _paper_table(self, part: str, title: str, value_of) -> str:
-        """One row a scale or rotation and window; per method what was found, how far off or how distant, confidence."""
+        """Return a table with a row per scale or rotation and window; for each method result, error and confidence."""
         by_method = [of_method(self.trials, method, part) for method in self.methods]
         header, numbers = [title, tr("Window")], []
         for name, trials in zip(self.methods.values(), by_method):
-            added = [tr("error"), *([tr("distance")] if _has_distances(trials) else []), tr("confidence")]
+            added = [tr("Error"), *([tr("Distance")] if _has_distances(trials) else []), tr("Confidence")]
             numbers += range(len(header) + 1, len(header) + 1 + len(added))
             header += [name, *added]
         order = {id(o): n for n, o in enumerate(by_method[0])}
@@ -230,25 +242,25 @@ def _next(summaries: Sequence[MethodSummary]) -> list[str]:
     first = summaries[0]
     steps = []
     if first.false_accepts.successes or first.wrong.successes:
-        steps.append(tr("Some fixes are wrong: lower “Allowed risk of a wrong fix” when localizing."))
+        steps.append(tr("Some positions are wrong. Use a lower “Maximum error probability” for localization."))
     best = max(summaries, key=lambda one: one.right.share or 0.0)
     if best is not first:
-        steps.append(tr("Another method found more here: compare them in the table below before you choose."))
-    steps.append(tr("“Assess reference database” shows where on the map images will be localized, and where not."))
+        steps.append(tr("Another method found more positions. Compare the methods in the table below."))
+    steps.append(tr("Run “Assess reference database” to see where on the map localization will succeed."))
     return steps
 
 
-def _how_judged() -> str:
+def _definitions() -> str:
     return tr(
-        "A fix is right within the distance under “Settings”; one of the topology vector, which knows only windows, "
-        "when it names the window nearest to the image’s center. False accepts are mirrored images of the map that "
-        "were given a fix: they can never be right. CEP50 and CEP95: half and 95 % of the right fixes are at most so "
-        "far off. Heading and scale: median errors of right fixes."
+        "A position is correct within the distance under “Settings”. With the published method, which finds only "
+        "windows, it is correct if it is the window nearest to the image’s center. False accepts are positions of "
+        "mirrored images, which are always wrong. CEP50 and CEP95: 50 % and 95 % of the correct positions have at most "
+        "this error. Heading and scale: median errors of correct positions."
     )
 
 
 def _has_distances(trials: Sequence[Trial]) -> bool:
-    """Whether the method compares vectors."""
+    """Whether a method compares vectors."""
     return any(one.result.distance is not None for one in trials)
 
 
@@ -257,11 +269,11 @@ def _fixed(value: float | None, decimals: int) -> str:
 
 
 def _turn_order(query) -> tuple[float, float]:
-    """Rows go down in scale and up in angle, as in the paper."""
+    """Return the sort key of rows: descending scale, ascending angle, as in the paper."""
     return -query.scale, query.view.heading_deg
 
 
 def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> tuple[np.ndarray, np.ndarray]:
-    """At most so many of the points, the first and the last among them: keeps reports small."""
+    """Return at most ``most`` points with the first and the last one, to keep reports small."""
     index = np.unique(np.linspace(0, len(x) - 1, min(len(x), most)).round().astype(int)) if len(x) else []
     return np.maximum(x[index], 0.01) if len(x) else x, y[index] if len(x) else y

@@ -1,4 +1,4 @@
-"""The report of a flight: its track with error ellipses, what held where, heading and height along it, its gaps."""
+"""Report of a flight: track with 95 % ellipses, gaps, heading and height, and a table of all images."""
 
 from __future__ import annotations
 
@@ -10,27 +10,28 @@ from . import charts, page, parts
 from .maps import FlightPoint, flight_legend, flight_map
 
 MOST_ROWS = 400
-"""Of the table of images; longer flights have the rest in their layer."""
+"""Rows of the table of images; the layer has all images."""
 
 
 def flight_html(
     points: Sequence[FlightPoint], database: str, links: Sequence[str], settings: Sequence[tuple[str, str]]
 ) -> str:
-    """The whole page.
+    """Return the page.
 
     Args:
-        points: All images, in order.
+        points: All images in order.
+        database: Name of the database.
         links: Sentences about the motion between images.
-        settings: (name, value) of what was chosen.
+        settings: (name, value) of the settings.
     """
     caption = tr(
-        "Discs: positions, filled where the image has a fix of its own, with the direction of the image’s top; "
-        "ellipses hold the true position in 95 % of cases. North is up."
+        "Discs show positions, filled for own positions of images; lines show the heading. The 95 % ellipses contain "
+        "the true position in 95 % of cases. North is up."
     )
     placed = [point for point in points if point.position is not None]
     drawn = [page.figure(flight_map(placed, tr("Map of the track")), caption), flight_legend()] if placed else []
     return page.page(
-        tr("Report of a flight"),
+        tr("Localization of a flight"),
         database,
         _key_figures(points),
         parts.next_steps(_next(points)),
@@ -38,7 +39,7 @@ def flight_html(
         page.section(tr("Gaps"), *_gap_table(points)),
         *([page.section(tr("Along the flight"), _curves(points))] if len(placed) > 1 else []),
         page.section(tr("Motion between the images"), *map(page.paragraph, links)),
-        page.section(tr("What held where"), *_image_table(points)),
+        page.section(tr("Images"), *_image_table(points)),
         parts.settings_section(settings),
     )
 
@@ -49,17 +50,17 @@ def _key_figures(points: Sequence[FlightPoint]) -> str:
     outvoted = sum(point.outvoted for point in points)
     radii = sorted(point.radius_95 for point in placed if point.radius_95 is not None)
     longest = max((last - first + 1 for first, last in gaps_of(points)), default=0)
-    note = tr("{own} by a fix of their own, {flight} by the flight").format(own=own, flight=len(placed) - own)
+    note = tr("{own} own positions, {flight} from the flight").format(own=own, flight=len(placed) - own)
     return page.key_figures(
         [
-            (f"{len(placed)}/{len(points)}", tr("images placed"), note),
+            (f"{len(placed)}/{len(points)}", tr("Images with a position"), note),
             (
                 str(len({point.track for point in placed})),
-                tr("tracks"),
+                tr("Tracks"),
                 tr("longest gap: {count} images").format(count=longest),
             ),
             (page.number(radii[len(radii) // 2] if radii else None, "m"), tr("95 % radius"), tr("median")),
-            (str(outvoted), tr("own fixes outvoted"), tr("the flight contradicts them")),
+            (str(outvoted), tr("Outvoted own positions"), tr("they contradict the flight")),
         ]
     )
 
@@ -68,20 +69,22 @@ def _next(points: Sequence[FlightPoint]) -> list[str]:
     placed = sum(point.position is not None for point in points)
     if not placed:
         return [
-            tr("No image has a place: try a prior position, the camera table, or a database of this ground."),
-            tr("“Assess reference database” tells whether images of this size can be localized there."),
+            tr("No image has a position. Set a prior position, add a camera table, or choose a database of this area."),
+            tr("Run “Assess reference database” to see whether images of this footprint width can be localized there."),
         ]
     steps = []
     if placed < len(points):
-        steps.append(tr("Bridge the gaps: an odometry table or the aircraft’s log ties images without landmarks."))
+        steps.append(
+            tr("To close gaps, add an odometry table or the aircraft’s log, which connects images without landmarks.")
+        )
     if any(point.outvoted for point in points):
-        steps.append(tr("Look at images whose own fix was outvoted: the map may be out of date there."))
-    steps.append(tr("Georeference the images, or play the positions in QGIS’s temporal controller."))
+        steps.append(tr("Check images with an outvoted own position: the map may be outdated there."))
+    steps.append(tr("Georeference the images, or show the positions in QGIS’s temporal controller."))
     return steps
 
 
 def gaps_of(points: Sequence[FlightPoint]) -> list[tuple[int, int]]:
-    """(first, last) number of each run of images without a position."""
+    """Return (first, last) number of each run of images without a position."""
     found: list[tuple[int, int]] = []
     for point in points:
         if point.position is not None:
@@ -96,13 +99,13 @@ def gaps_of(points: Sequence[FlightPoint]) -> list[tuple[int, int]]:
 def _gap_table(points: Sequence[FlightPoint]) -> list[str]:
     gaps = gaps_of(points)
     if not gaps:
-        return [page.paragraph(tr("None: every image has a position."))]
+        return [page.paragraph(tr("There are no gaps. All images have a position."))]
     by_number = {point.number: point for point in points}
     columns = [
-        (tr("from image"), lambda gap: by_number[gap[0]].name),
-        (tr("to image"), lambda gap: by_number[gap[1]].name),
-        (tr("images"), lambda gap: str(gap[1] - gap[0] + 1)),
-        (tr("reason"), lambda gap: by_number[gap[0]].reason),
+        (tr("From image"), lambda gap: by_number[gap[0]].name),
+        (tr("To image"), lambda gap: by_number[gap[1]].name),
+        (tr("Images"), lambda gap: str(gap[1] - gap[0] + 1)),
+        (tr("Reason"), lambda gap: by_number[gap[0]].reason),
     ]
     return [page.records(gaps, columns, (2,))]
 
@@ -112,18 +115,18 @@ def _image_table(points: Sequence[FlightPoint]) -> list[str]:
         (tr("Number"), lambda point: str(point.number)),
         (tr("Image"), lambda point: point.name),
         (tr("Time"), lambda point: point.time),
-        (tr("held by"), _held_by),
-        (tr("track"), lambda point: str(point.track) if point.track else page.NOTHING),
-        (tr("x"), lambda point: shown(point.position[0], ".1f") if point.position else page.NOTHING),
-        (tr("y"), lambda point: shown(point.position[1], ".1f") if point.position else page.NOTHING),
-        (tr("heading"), lambda point: _known(point.heading_deg, ".1f", "°")),
+        (tr("Source"), _source_text),
+        (tr("Track"), lambda point: str(point.track) if point.track else page.NOTHING),
+        ("x", lambda point: shown(point.position[0], ".1f") if point.position else page.NOTHING),
+        ("y", lambda point: shown(point.position[1], ".1f") if point.position else page.NOTHING),
+        (tr("Heading"), lambda point: _known(point.heading_deg, ".1f", "°")),
         (tr("95 % radius"), lambda point: _known(point.radius_95, ",.2f", f"{page.NO_BREAK}m")),
-        (tr("error probability"), lambda point: point.error_probability or page.NOTHING),
-        (tr("remark"), lambda point: point.reason),
+        (tr("Error probability"), lambda point: point.error_probability or page.NOTHING),
+        (tr("Remark"), lambda point: point.reason),
     ]
     found = [page.records(points[:MOST_ROWS], columns, (0, 4, 5, 6, 7, 8, 9))]
     if len(points) > MOST_ROWS:
-        text = tr("The first {count} images; the layer has all of them.")
+        text = tr("The table has the first {count} images. The layer has all images.")
         found.append(page.paragraph(text.format(count=MOST_ROWS)))
     return found
 
@@ -132,19 +135,19 @@ def _known(value: float | None, spec: str, unit: str) -> str:
     return page.NOTHING if value is None else shown(value, spec) + unit
 
 
-def _held_by(point: FlightPoint) -> str:
+def _source_text(point: FlightPoint) -> str:
     if point.position is None:
-        return page.Marked(tr("nothing"), False)
+        return page.Marked(tr("no position"), False)
     if point.outvoted:
-        return page.Marked(tr("the flight, against its own fix"), False)
-    return page.Marked(tr("its own fix"), True) if point.source == "own" else tr("the flight")
+        return page.Marked(tr("flight; own position outvoted"), False)
+    return page.Marked(tr("own position"), True) if point.source == "own" else tr("flight")
 
 
 def _curves(points: Sequence[FlightPoint]) -> str:
-    """Heading, and height or else pixel size, by number of the image: a line for each track."""
+    """Return charts of the heading and the height, or pixel size, by image number with a line for each track."""
     has_heights = any(point.height is not None for point in points)
-    upper = tr("height (m)") if has_heights else tr("pixel size (m)")
-    heading = _curve(points, "heading_deg", tr("heading (°)"), (0.0, 360.0), 4)
+    upper = tr("Height (m)") if has_heights else tr("Pixel size (m)")
+    heading = _curve(points, "heading_deg", tr("Heading (°)"), (0.0, 360.0), 4)
     level = _curve(points, "height" if has_heights else "pixel_size", upper, None, 5)
     return page.columns(*(figure for figure in (heading, level) if figure))
 
@@ -168,5 +171,5 @@ def _curve(
     last = max(len(points), 2)
     step = max(1, round((last - 1) / 6))
     ticks = [(float(number), str(number)) for number in range(1, last + 1, step)]
-    x_axis = charts.Axis(tr("image"), (1.0, float(last)), ticks)
+    x_axis = charts.Axis(tr("Image"), (1.0, float(last)), ticks)
     return page.figure(charts.line_chart(lines, x_axis, charts.linear_axis(title, *limits, steps), title), title)

@@ -1,4 +1,4 @@
-"""Sketches of the ground as inline SVG, north up: squares of an assessment, the track of a flight, a route."""
+"""Maps as inline SVG, north up: squares of an assessment, the track of a flight, a route."""
 
 from __future__ import annotations
 
@@ -21,46 +21,47 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 960, 560
 MARGIN = 44
 RADIUS = 4.0
-"""Of the disc at a position, pixels."""
+"""Radius of the disc at a position, pixels."""
 
 NEEDLE = 13.0
-"""From its center to where the image's top points, pixels."""
+"""Length of the line that shows the heading, pixels."""
 
 HALO = "font-size:18px;paint-order:stroke;stroke:var(--ground);stroke-width:4"
-"""Size of letters on any background; paper has a sketch half as large."""
+"""Style of text on any background; a map on paper is half as large."""
 
 ROUTE_HEIGHT = 400
-"""Of a route's sketch at least: what lies beside it matters, too."""
+"""Smallest height of a route's map, to show its surroundings."""
 
 RIMS = (("9", palette.INK), ("7.5", palette.CASING))
-"""Widths and colors below a route's own line, as its layer has them."""
+"""Widths and colors of the outlines of a route, as in its layer."""
 
 PICTURE_PX = 2 * WIDTH
-"""Of the picture below a route, sharp enough for paper."""
+"""Width of the picture below a route, sufficient for paper."""
 
 SuccessClass = tuple[float, float, str, str]
-"""From, to, color and text of a class of expected success."""
+"""(from, to, color, text) of a class of expected success."""
 
 
 @dataclass(frozen=True)
 class FlightPoint:
-    """An image as the report shows it; None for what is not known.
+    """An image in the report; None for unknown values.
 
     Attributes:
-        number: In the flight, from 1.
-        name: Of its file.
+        number: Number in the flight, from 1.
+        name: File name.
         source: ``own``, ``flight``, or None without a position.
-        outvoted: Its own fix disagrees with the flight.
+        outvoted: Whether its own position contradicts the flight.
         track: Number of its track; 0 without one.
         position: Map (x, y).
-        heading_deg: Of its top.
-        pixel_size: Map units.
-        height: Of the camera above the ground, map units, from lens and pixel size.
-        ellipse: (longer semi-axis, shorter one, direction of the longer one in degrees clockwise from grid north).
-        radius_95: Map units.
-        error_probability: In words; empty without a position.
-        time: When it was taken, as text.
-        reason: Why there is no position, or what of its own fix does not hold.
+        heading_deg: Direction of the image's top.
+        pixel_size: In m.
+        height: Height of the camera above the ground, m, from lens and pixel size.
+        ellipse: 95 % ellipse: (major semi-axis, minor semi-axis, direction of the major one in degrees clockwise from
+            grid north).
+        radius_95: 95 % radius, m.
+        error_probability: As text; empty without a position.
+        time: Time of the image as text.
+        reason: Reason for no position or for an outvoted own position.
     """
 
     number: int
@@ -80,19 +81,19 @@ class FlightPoint:
 
 
 class Ground:
-    """Where map coordinates lie in a sketch that is as large as the page has room for; with a scale bar."""
+    """Transform of map coordinates to a map on the page, with a scale bar."""
 
     def __init__(self, x_min: float, y_min: float, x_max: float, y_max: float, least_height: float = 120) -> None:
         across, up = max(x_max - x_min, 1e-9), max(y_max - y_min, 1e-9)
         self.unit = min((WIDTH - 2 * MARGIN) / across, (HEIGHT - 2 * MARGIN) / up)
         self.height = max(up * self.unit + 2 * MARGIN, least_height)
-        # Map coordinates of the upper left corner.
+        # Map coordinates of the upper left corner
         self._x = (x_min + x_max) / 2 - WIDTH / 2 / self.unit
         self._y = (y_min + y_max) / 2 + self.height / 2 / self.unit
 
     @property
     def extent(self) -> tuple[float, float, float, float]:
-        """Least and largest x and y of the sketch: x, y, x, y."""
+        """(x_min, y_min, x_max, y_max) of the map."""
         return self._x, self._y - self.height / self.unit, self._x + WIDTH / self.unit, self._y
 
     def at(self, position: Sequence[float]) -> tuple[float, float]:
@@ -102,7 +103,7 @@ class Ground:
         return drawing([*elements, *self._scale_bar()], name, WIDTH, self.height)
 
     def _scale_bar(self) -> list[Element]:
-        """A round length of at most a quarter of the width, lower left."""
+        """Return a bar of a round length, at most a quarter of the width, lower left."""
         most = WIDTH / 4 / self.unit
         decade = 10 ** math.floor(math.log10(most))
         length = next(step * decade for step in (5, 2, 1) if step * decade <= most)
@@ -116,12 +117,12 @@ class Ground:
 
 
 def success_legend(classes: Sequence[SuccessClass]) -> str:
-    """The classes beside each other, from good to bad."""
+    """Return a legend of the classes, from best to worst."""
     return color_legend([(color, text) for _, _, color, text in classes[::-1]])
 
 
 def color_legend(colors: Sequence[tuple[str, str]]) -> str:
-    """Colors with what they mean, beside each other."""
+    """Return a legend of (color, text)."""
     return page.macros().legend(
         [
             ([shape("rect", f"fill:{color};stroke:var(--soft)", x=0.5, y=0.5, width=11, height=11)], text)
@@ -133,15 +134,15 @@ def color_legend(colors: Sequence[tuple[str, str]]) -> str:
 def cell_map(
     columns: np.ndarray, rows: np.ndarray, success: np.ndarray, classes: Sequence[SuccessClass], name: str
 ) -> str:
-    """Squares at columns (C,) and rows (C,) colored by success (C,) 0…1."""
+    """Return a map of squares at columns (C,) and rows (C,) colored by success (C,) 0…1."""
     kinds = _kinds(success, classes)
     order = np.lexsort((columns, rows))
     columns, rows, kinds = columns[order], rows[order], kinds[order]
-    # Neighbors of one kind in a row are one rectangle.
+    # Merge neighbors of one class in a row to a rectangle.
     breaks = (np.diff(columns) != 1) | (np.diff(rows) != 0) | (np.diff(kinds) != 0)
     starts = np.concatenate([[0], np.flatnonzero(breaks) + 1])
     lengths = np.diff(np.append(starts, len(columns)))
-    # A hair wider than they are, so that no gaps show between neighbors.
+    # Slightly larger, to avoid visible gaps.
     squares = [
         shape(
             "rect",
@@ -157,19 +158,19 @@ def cell_map(
 
 
 def _kinds(success: np.ndarray, classes: Sequence[SuccessClass]) -> np.ndarray:
-    """Numbers of the classes of success."""
+    """Return the class numbers of success values."""
     return sum((success >= low).astype(int) for low, *_ in classes[1:])
 
 
 def route_ground(points: RoutePoints) -> Ground:
-    """The sketch of a route."""
+    """Return the map of a route."""
     return Ground(*points.places.min(0), *points.places.max(0), ROUTE_HEIGHT)
 
 
 def route_map(
     points: RoutePoints, success: np.ndarray, classes: Sequence[SuccessClass], below: bytes, name: str
 ) -> str:
-    """A route colored by success (N,) 0…1, its lines numbered; below: a JPEG of the sketch's extent, or nothing."""
+    """Return a map of a route colored by success (N,) 0…1; ``below``: JPEG of the map's extent, or empty."""
     from ...core.assessment.route import stretch
 
     ground, parts = route_ground(points), []
@@ -193,13 +194,13 @@ def route_map(
 
 
 def flight_legend() -> str:
-    """The kinds of positions beside each other."""
-    texts = tr("Fix of the image itself"), tr("Placed by the flight"), tr("Its own fix was outvoted")
+    """Return a legend of the kinds of positions."""
+    texts = tr("Own position"), tr("Position from the flight"), tr("Own position outvoted")
     return page.macros().legend([([_mark(6, 6, 4, kind)], text) for kind, text in enumerate(texts)])
 
 
 def flight_map(placed: Sequence[FlightPoint], name: str) -> str:
-    """The images that have a position: discs, headings and error ellipses."""
+    """Return a map of images with a position: discs, headings and 95 % ellipses."""
     far = np.array([point.ellipse[0] if point.ellipse else 0.0 for point in placed])[:, None]
     places = np.array([point.position for point in placed])
     ground = Ground(*(places - far).min(0), *(places + far).max(0))
@@ -214,7 +215,7 @@ def flight_map(placed: Sequence[FlightPoint], name: str) -> str:
 
 
 _COLORS = "var(--s0)", "var(--s1)", "var(--bad)"
-"""Of positions by a fix of their own, by the flight, and against their own fix."""
+"""Colors of own positions, positions from the flight, and outvoted own positions."""
 
 
 def _kind(point: FlightPoint) -> int:
@@ -222,7 +223,7 @@ def _kind(point: FlightPoint) -> int:
 
 
 def _mark(x: float, y: float, r: float, kind: int, title: str = "") -> Element:
-    """Filled for an own fix, a ring by the flight, a cross against its own fix: distinct without colors."""
+    """Return a disc for an own position, a ring for the flight, or a cross for an outvoted own position."""
     color = _COLORS[kind]
     if kind == 2:
         path = f"M{x - r:.1f} {y - r:.1f}l{2 * r} {2 * r}m0 {-2 * r}l{-2 * r} {2 * r}"

@@ -1,4 +1,4 @@
-"""A model's card as a page for people: what it knows, where it was trained, how good it is and what it is bad at."""
+"""A model card as HTML: classes, training ground, quality and suitable uses."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 def card_title(card: ModelCard) -> str:
-    """What a model is called: by itself, or by its file."""
+    """Return the name of a model, or of its file."""
     return card.name or os.path.splitext(os.path.basename(card.file))[0]
 
 
 def resolution_text(card: ModelCard) -> str:
-    """Meters a pixel, as people write them."""
+    """Return the pixel size in m or cm."""
     if card.resolution_m is None:
         return NOTHING
     return (
@@ -31,51 +31,51 @@ def resolution_text(card: ModelCard) -> str:
 
 
 def quality_text(card: ModelCard) -> str:
-    """Mean IoU in percent."""
+    """Return the mean IoU in percent."""
     return NOTHING if card.mean_iou is None else percent(card.mean_iou, 0)
 
 
 def card_html(card: ModelCard) -> str:
-    """The card in HTML that Qt's text browser shows too."""
+    """Return the card as HTML that Qt's text browser supports."""
     from markupsafe import Markup
 
     rows = [
         (tr("Classes"), [", ".join(card.classes)]),
-        (tr("Pixels it was trained on"), [resolution_text(card)]),
+        (tr("Pixel size"), [resolution_text(card)]),
         (tr("Trained on"), [f"{one.place}: {one.about}" if one.about else one.place for one in card.trained_on]),
-        (tr("How good (IoU)"), _tested(card)),
-        (tr("Good for"), card.good_for.splitlines()),
-        (tr("Not good for"), card.not_for.splitlines()),
+        (tr("Quality (IoU)"), _tested(card)),
+        (tr("Suitable for"), card.good_for.splitlines()),
+        (tr("Not suitable for"), card.not_for.splitlines()),
         (tr("License"), card.license.splitlines()),
-        (tr("Made"), [_made(card)]),
+        (tr("Training"), [_made(card)]),
         (tr("File"), [card.file]),
     ]
     if not (card.fault or card.trained_on):
-        text = tr("It does not say what it was trained on: try it on a photo of ground that you know.")
+        text = tr("The model does not state its training ground. Test it on a photo of a known place.")
         rows.insert(3, ("", [Markup("<i>{}</i>").format(text)]))
     known = [(title, [line for line in lines if line not in ("", NOTHING)]) for title, lines in rows]
-    return str(macros().card(card_title(card), worded(card.fault) if card.fault else "", known, tr("not said")))
+    return str(macros().card(card_title(card), worded(card.fault) if card.fault else "", known, tr("not stated")))
 
 
 def _made(card: ModelCard) -> str:
-    minutes = "" if card.minutes is None else tr("{minutes:g} minutes of training").format(minutes=card.minutes)
+    minutes = "" if card.minutes is None else tr("{minutes:g} minutes").format(minutes=card.minutes)
     return ", ".join(part for part in (card.date, minutes) if part)
 
 
 def _tested(card: ModelCard) -> list[str]:
-    """How good it is: IoU by place and class."""
+    """Return lines with the IoU by place and class."""
     from markupsafe import Markup
 
-    beside = tr("{place}, set aside")
+    beside = tr("{place}, validation ground")
     found = [
         (one.place if one.is_left_out else beside.format(place=one.place), one.iou) for one in card.tested_on if one.iou
     ]
     if card.validation_iou:
-        found.append((tr("ground set aside from training"), card.validation_iou))
+        found.append((tr("validation ground"), card.validation_iou))
     lines = []
     for place, iou in found:
         shares = [Markup("{} <b>{}</b>").format(name, percent(share, 0)) for name, share in iou.items()]
         lines.append(Markup("<i>{}</i>: {}").format(place, Markup(", ").join(shares)))
     if card.tested_on:
-        lines.append(tr("Places are tested by networks that were trained without them."))
+        lines.append(tr("Each place was tested with a network that was trained without this place."))
     return lines

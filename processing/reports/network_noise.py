@@ -1,4 +1,4 @@
-"""How poor a network's labels are, as one line in the head of a comparison's report that assessments read again."""
+"""Write and read the label errors of a network: one line in the head of a comparison report, for assessments."""
 
 from __future__ import annotations
 
@@ -13,33 +13,34 @@ from ...core.errors import ParameterError
 from ...core.flight.table import bytes_of
 
 NAME = "semref-network"
-"""Of the line. Its content is JSON: numbers by the keys that assessments have for them, and LANDMARKS."""
+"""Name of the line. Its content is JSON: numbers by the parameter keys of assessments, and LANDMARKS."""
 
 LANDMARKS = "LANDMARKS"
 
 LEAST_LANDMARKS = 20
-"""With fewer a share of a fifth is not known to a tenth."""
+"""With fewer landmarks, a share of one fifth is uncertain by more than one tenth."""
 
 _HEAD_BYTES = 100_000
-"""The line stands in a report's head; what else somebody gives is read no further."""
+"""Bytes to read; the line is in the head of a report."""
 
 _LINE = re.compile(f'<meta name="{NAME}" content="([^"]*)">')
 
 
 def network_meta(numbers: Mapping[str, float | None], landmarks: int) -> dict[str, str]:
-    """Name and content of the line: percent and map units, None for what the maps don't tell."""
+    """Return name and content of the line: percent and m, None for unknown numbers."""
     content = {LANDMARKS: landmarks, **{key: _rounded(number) for key, number in numbers.items()}}
     return {NAME: json.dumps(content)}
 
 
 def read_network(path: str) -> dict[str, float]:
-    """The numbers by key; those that the maps did not tell are left out.
+    """Return the known numbers by key.
 
-    Raises ParameterError for a file that is no such report or can't be read, and for one of too few landmarks.
+    Raises:
+        ParameterError: The file is not such a report, can't be read, or has too few landmarks.
     """
     no_report = ParameterError(
-        "{path} is no report of “Compare label maps” that tells of landmarks; run that with REPORT and give its "
-        "page as COMPARISON.",
+        "{path} is not a report of “Compare label maps” with landmarks. Run “Compare label maps” with a report, and "
+        "choose its page as comparison report.",
         path=path,
     )
     try:
@@ -57,8 +58,8 @@ def read_network(path: str) -> dict[str, float]:
         raise no_report
     if landmarks < LEAST_LANDMARKS:
         raise ParameterError(
-            "{path} compares {count} landmarks, and fewer than {least} tell little of a network; compare a larger "
-            "area, or leave COMPARISON empty.",
+            "{path} compares only {count} landmarks; at least {least} are needed. Compare a larger area, or leave "
+            "“Comparison report” empty.",
             path=path,
             count=landmarks,
             least=LEAST_LANDMARKS,

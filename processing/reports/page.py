@@ -1,6 +1,6 @@
-"""The parts of a report's page, from one template: one HTML file, readable on screen, in the dark and on paper.
+"""Parts of a report's page from one template, for light and dark screens and for paper.
 
-Functions take plain text, which the template escapes, and give HTML, which it takes as it is.
+Functions take plain text, which the template escapes, and return HTML.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ T = TypeVar("T")
 TEMPLATE = Path(__file__).resolve().parents[2] / "resources" / "report.html"
 
 NOTHING = "–"
-"""Stands where nothing is known."""
+"""Text for unknown values."""
 
 DASH = "\u2060–\u2060"
-"""“to”, at which no line breaks."""
+"""Dash of ranges without line break."""
 
 NO_BREAK = "\u00a0"
-"""A space at which no line breaks, between a number and its unit."""
+"""Space without line break, between a number and its unit."""
 
 _MAP_COLORS = {
     "s0": palette.FIX,
@@ -46,12 +46,12 @@ COLORS = {
     ),
     "paper": dict(zip(_NAMES, ("#ffffff", "#000000", "#444444", "#bbbbbb", "#ffffff")), **_MAP_COLORS),
 }
-"""The style's variables; the maps' colors have the same names in all."""
+"""Variables of the page's style for each medium."""
 
 
 @lru_cache(maxsize=1)
 def macros() -> Any:
-    """The template's macros. QGIS brings jinja2: its own plugin MetaSearch needs it."""
+    """Return the template's macros. QGIS contains jinja2 for its plugin MetaSearch."""
     from jinja2 import Environment
 
     environment = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
@@ -59,12 +59,12 @@ def macros() -> Any:
 
 
 def page(title: str, subtitle: str, *parts: str, meta: Mapping[str, str] | None = None) -> str:
-    """A whole HTML document; ``meta``: name and content of lines in its head."""
+    """Return an HTML document; ``meta``: name and content of lines in its head."""
     return str(macros().page(title, subtitle, parts, meta or {}, COLORS))
 
 
 def section(title: str, *parts: str) -> str:
-    """A heading with what belongs to it; nothing where there is nothing."""
+    """Return a heading with its parts; empty without parts."""
     return macros().section(title, parts) if parts else ""
 
 
@@ -73,12 +73,12 @@ def paragraph(text: str) -> str:
 
 
 def next_steps(title: str, steps: Sequence[str]) -> str:
-    """What to do with what the page says, below its key figures: a sentence each."""
+    """Return a box with one sentence for each step; empty without steps."""
     return macros().next_steps(title, steps) if steps else ""
 
 
 def figure(picture: str, caption: str) -> str:
-    """A chart with the sentence below it."""
+    """Return a chart with its caption."""
     return macros().figure(picture, caption)
 
 
@@ -87,17 +87,17 @@ def image(png: bytes, alt: str) -> str:
 
 
 def columns(*parts: str) -> str:
-    """Parts beside each other where there is room."""
+    """Return parts side by side, if they fit."""
     return macros().columns(parts)
 
 
 def key_figures(figures: Sequence[tuple[str, str, str]]) -> str:
-    """The numbers that matter most: (value, what it is, a note)."""
+    """Return boxes of key figures: (value, name, note)."""
     return macros().key_figures(figures)
 
 
 class Marked(str):
-    """A table cell's text that is good or bad news: ``Marked("wrong", False)``."""
+    """Text of a table cell, colored as good or bad: ``Marked("wrong", False)``."""
 
     is_good: bool
 
@@ -108,35 +108,35 @@ class Marked(str):
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]], numbers: Sequence[int] = ()) -> str:
-    """A table of texts; the columns in ``numbers`` (from 0) are aligned to the right."""
+    """Return a table of texts; columns in ``numbers`` (from 0) are aligned to the right."""
     return macros().table(header, rows, numbers)
 
 
 def records(things: Iterable[T], columns: Sequence[tuple[str, Callable[[T], str]]], numbers: Sequence[int] = ()) -> str:
-    """A table with a row for each thing; columns: (title, what gives the text of a thing)."""
+    """Return a table with a row for each of ``things``; columns: (title, function of the cell's text)."""
     rows = [[text(one) for _, text in columns] for one in things]
     return table([title for title, _ in columns], rows, numbers)
 
 
 def percent(share, digits: int = 1) -> str:
-    """0.125 → “12.5 %”; NOTHING for None."""
+    """Return “12.5 %” for 0.125; NOTHING for None."""
     return NOTHING if share is None else f"{shown(100 * share, f'.{digits}f')}{NO_BREAK}%"
 
 
 def interval_text(rate: Rate) -> str:
-    """“90.1–97.3 %, 93/98”."""
+    """Return the interval and the counts: “90.1–97.3 %, 93/98”."""
     low, high = rate.interval
     between = f"{shown(100 * low, '.1f')}{DASH}{shown(100 * high, '.1f')}"
     return f"{between}{NO_BREAK}%, {count(rate.successes)}/{count(rate.trials)}"
 
 
 def rate_text(rate: Rate) -> str:
-    """“95.0 % (90.1–97.3 %, 93/98)”; NOTHING without trials."""
+    """Return “95.0 % (90.1–97.3 %, 93/98)”; NOTHING without trials."""
     return f"{percent(rate.share)} ({interval_text(rate)})" if rate.trials else NOTHING
 
 
 def number(value, unit: str = "", digits: int = 3) -> str:
-    """A number to so many significant digits with its unit; NOTHING for None."""
+    """Return a number with ``digits`` significant digits and its unit; NOTHING for None."""
     if value is None:
         return NOTHING
     text = shown(value, f".{digits}g" if abs(value) < 10**digits else ",.0f")

@@ -1,4 +1,4 @@
-"""The report of a route: a profile of expected success along it, its gaps, and where to shift them."""
+"""Report of a route: map, profile of expected success, gaps, and suggested shifts."""
 
 from __future__ import annotations
 
@@ -22,13 +22,23 @@ from .assessment_report import assumed, reason_titles
 from .maps import route_map, success_legend
 
 LARGE_SHARE = 0.1
-"""A radius above this share of the footprint is told as a stretch of its own."""
+"""The report lists stretches with a 95 % radius above this share of the footprint width."""
 
 
 @dataclass(frozen=True)
 class AssessedRoute:
-    """Points of a route with what to expect there. inside: (N,) on the map; stretches: without an expected fix, with a
-    hint or None each; footprint, spacing: map units; speed: m/s or None; flown: flights along it, None for none."""
+    """Estimates for the points of a route.
+
+    Attributes:
+        inside: (N,) whether a point is on the map.
+        stretches: Stretches without an expected position.
+        hints: Suggested shift of each stretch, or None.
+        footprint: Footprint width, m.
+        spacing: Distance of points, m.
+        threshold: Sufficient success, 0…1.
+        speed: In m/s, or None.
+        flown: Simulated flights, or None.
+    """
 
     points: RoutePoints
     estimates: Estimates
@@ -50,13 +60,13 @@ def route_html(
     settings: Sequence[tuple[str, str]],
     below: bytes = b"",
 ) -> str:
-    """The whole page; ``name``: the route's and the database's; ``below``: a JPEG for the map."""
+    """Return the page; ``name``: names of route and database; ``below``: JPEG for the map."""
     profiles = []
     for line in range(len(route.points.lengths)):
         title = tr("Route {number}").format(number=line + 1)
         caption = tr(
             "{route}: expected success with its 95 % interval (left axis) and landmarks in view (dashed, right axis) "
-            "along {length:.1f} km. Shaded: stretches without an expected fix; dotted line: good enough."
+            "along {length:.1f} km. Shaded: stretches without an expected position. Dotted line: threshold."
         )
         length = route.points.lengths[line] / 1000
         profiles.append(page.figure(profile(route, line), caption.format(route=title, length=Local(length))))
@@ -68,7 +78,7 @@ def route_html(
         page.paragraph(assumed(conditions, correlation)),
         page.section(tr("Map"), *_map(route, below)),
         page.section(tr("Profile"), *profiles),
-        page.section(tr("Stretches without an expected fix"), *_gap_table(route)),
+        page.section(tr("Stretches without an expected position"), *_gap_table(route)),
         page.section(tr("In flight"), *flown_parts(route.flown, route.threshold, route.footprint)),
         parts.settings_section(settings),
     )
@@ -77,22 +87,24 @@ def route_html(
 def _map(route: AssessedRoute, below: bytes) -> list[str]:
     classes = success_classes(route.threshold)
     picture = route_map(route.points, route.estimates.success, classes, below, tr("Map of the route"))
-    caption = tr("The route by expected success; {count} points, {date}. North is up.")
+    caption = tr("Route by expected success, {count} points, {date}. North is up.")
     today = QLocale().toString(QDate.currentDate(), QLocale.FormatType.ShortFormat)
     figure = page.figure(picture, caption.format(count=number_text(len(route.points)), date=today))
     return [success_legend(classes), figure]
 
 
 def profile(route: AssessedRoute, line: int) -> str:
-    """Success and landmarks along one line."""
+    """Return the profile of success and landmarks along one line."""
     members = np.flatnonzero(route.points.lines == line)
     along, estimates = route.points.along[members] / 1000, route.estimates.part(members)
     length = max(route.points.lengths[line], 1e-9) / 1000
     most = _round_up(float(estimates.landmarks.max()))
     return charts.profile(
-        charts.Series(tr("expected success"), along, estimates.success, estimates.low, estimates.high),
-        charts.Series(tr("landmarks in view"), along, estimates.landmarks),
-        charts.Axis(tr("along the route, km"), (0.0, length), [(tick, shown(tick, "g")) for tick in _ticks(length)]),
+        charts.Series(tr("Expected success"), along, estimates.success, estimates.low, estimates.high),
+        charts.Series(tr("Landmarks in view"), along, estimates.landmarks),
+        charts.Axis(
+            tr("Distance along the route (km)"), (0.0, length), [(tick, shown(tick, "g")) for tick in _ticks(length)]
+        ),
         charts.Axis("", (0.0, most), [(most * n / 4, f"{most * n / 4:.0f}") for n in range(5)]),
         [(gap.start / 1000, gap.end / 1000) for gap in route.stretches if gap.line == line],
         route.threshold,
@@ -110,48 +122,48 @@ def _key_figures(route: AssessedRoute) -> str:
     )
     errors = route.estimates.error[np.isfinite(route.estimates.error)]
     good = float((route.estimates.success >= route.threshold).mean())
-    at_least = tr("{threshold} or more expected").format(threshold=page.percent(route.threshold, 0))
+    at_least = tr("expected success {threshold} or more").format(threshold=page.percent(route.threshold, 0))
     return page.key_figures(
         [
-            (page.number(longest, "m") if longest else "0", tr("without an expected fix"), note),
-            (page.percent(good), tr("of the points good enough"), at_least),
-            (page.number(sum(route.points.lengths) / 1000, "km"), tr("length"), ""),
+            (page.number(longest, "m") if longest else "0", tr("Without an expected position"), note),
+            (page.percent(good), tr("Points with sufficient success"), at_least),
+            (page.number(sum(route.points.lengths) / 1000, "km"), tr("Length"), ""),
             (
                 page.number(float(np.median(errors)) if len(errors) else None, "m"),
-                tr("expected error"),
-                tr("of right fixes, median"),
+                tr("Expected error"),
+                tr("median of correct positions"),
             ),
         ]
     )
 
 
 def _next(route: AssessedRoute) -> list[str]:
-    export = tr("Take the database along: “Export for onboard use”, with this route as area.")
+    export = tr("Export the database with “Export for onboard use”, with this route as area.")
     if not route.stretches:
-        return [tr("A fix is expected everywhere along the route."), export]
+        return [tr("A position is expected everywhere along the route."), export]
     steps = []
     if any(hint is not None for hint in route.hints):
-        steps.append(tr("Shift the stretches that have a hint below, and assess the route again."))
+        steps.append(tr("Shift the stretches with a suggestion below, and assess the route again."))
     longest = max(gap.length for gap in route.stretches)
-    told = page.number(longest / 1000, "km")
+    shown_length = page.number(longest / 1000, "km")
     if route.speed:
-        told += f" ({page.number(longest / route.speed, 's')})"
-    text = tr("Bridge what is left by odometry: the longest stretch without an expected fix is {length}.")
-    return [*steps, text.format(length=told), export]
+        shown_length += f" ({page.number(longest / route.speed, 's')})"
+    text = tr("Use odometry on the other stretches. The longest stretch without an expected position is {length}.")
+    return [*steps, text.format(length=shown_length), export]
 
 
 def _gap_table(route: AssessedRoute) -> list[str]:
     if not route.stretches:
-        return [page.paragraph(tr("None: a fix is expected everywhere."))]
+        return [page.paragraph(tr("There are no such stretches. A position is expected everywhere."))]
     header = [
         tr("Route"),
-        tr("from (m)"),
-        tr("to (m)"),
-        tr("length (m)"),
-        *([tr("seconds")] if route.speed else []),
-        tr("landmarks in view"),
-        tr("reason"),
-        tr("hint"),
+        tr("From (m)"),
+        tr("To (m)"),
+        tr("Length (m)"),
+        *([tr("Time (s)")] if route.speed else []),
+        tr("Landmarks in view"),
+        tr("Reason"),
+        tr("Suggestion"),
     ]
     rows = []
     for gap, hint in sorted(zip(route.stretches, route.hints), key=lambda pair: -pair[0].length):
@@ -169,8 +181,8 @@ def _gap_table(route: AssessedRoute) -> list[str]:
         )
     numbers = range(1, 6 if route.speed else 5)
     note = tr(
-        "Longest first. A stretch goes from the last point that is good enough to the next one. Hints tell the mean "
-        "expected success of the stretch if it is flown parallel, to the left or right of the direction of flight."
+        "The longest stretch is first. A stretch is between two points with sufficient success. Suggestions show the "
+        "mean expected success of a parallel line, to the left or right of the flight direction."
     )
     return [page.table(header, rows, numbers), page.paragraph(note)]
 
@@ -184,7 +196,7 @@ def _reason(route: AssessedRoute, gap: RouteGap) -> str:
 
 def _hint(hint: ShiftHint | None) -> str:
     if hint is None:
-        return tr("no better line found beside it")
+        return tr("no better parallel line")
     text = (
         tr("{shift:.0f} m to the left: {after} instead of {before}")
         if hint.offset < 0
@@ -195,41 +207,41 @@ def _hint(hint: ShiftHint | None) -> str:
 
 
 def _round_up(value: float) -> float:
-    """The next of 4, 8, 20, 40, 80, 200, …: four even ticks are whole numbers."""
+    """Return the next of 4, 8, 20, 40, 80, 200, …, so that four even ticks are whole numbers."""
     decade = 10 ** math.floor(math.log10(max(value, 4) / 4))
     return next(step * 4 * decade for step in (1, 2, 5, 10) if value <= step * 4 * decade)
 
 
 def _ticks(length: float) -> list[float]:
-    """Some six round distances."""
+    """Return about six round distances."""
     decade = 10 ** math.floor(math.log10(length / 6))
     step = next(step * decade for step in (1, 2, 5, 10) if length / 6 <= step * decade)
     return [n * step for n in range(int(length / step + 1e-9) + 1)]
 
 
 def flown_parts(flown: FlownRoute | None, threshold: float, footprint: float) -> list[str]:
-    """Tables of the routes, and of the stretches where flights do poorly.
+    """Return tables of the simulated flights and of stretches with poor results.
 
     Args:
-        flown: What came of the flights; None without any, which has no parts.
-        threshold: Share of the flights that is good enough, 0…1.
-        footprint: Edge of the ground that an image shows, map units.
+        flown: Results of the flights; None without flights.
+        threshold: Sufficient share of the flights, 0…1.
+        footprint: Footprint width, m.
     """
     if flown is None:
         return []
     header = [
         tr("Route"),
-        tr("first position after (m)"),
-        tr("images with a position after it"),
+        tr("First position after (m)"),
+        tr("Later images with a position"),
         tr("95 % radius, median (m)"),
-        tr("largest (m)"),
-        tr("tracks lost a flight"),
+        tr("95 % radius, largest (m)"),
+        tr("Lost tracks per flight"),
     ]
     rows = [_flown_row(flown, line, threshold) for line in range(len(flown.points.lengths))]
     note = tr(
-        "{flights} simulated flights along each route, with an image each {distance:.0f} m, as known in flight. The "
-        "first position counts where {threshold} of the flights had theirs; radii are medians of the flights that have "
-        "a position."
+        "{flights} simulated flights along each route with an image every {distance:.0f} m, processed as in flight. "
+        "First position: where {threshold} of the flights had their first position. Radii are medians of the flights "
+        "with a position."
     ).format(
         flights=len(flown.is_placed),
         distance=_distance(flown),
@@ -238,19 +250,22 @@ def flown_parts(flown: FlownRoute | None, threshold: float, footprint: float) ->
     parts = [page.table(header, rows, range(1, 6)), page.paragraph(note)]
     poor = poor_stretches(flown, threshold, LARGE_SHARE * footprint)
     if not poor:
-        return [*parts, page.paragraph(tr("After that a position is expected everywhere, with a small radius."))]
-    header = [tr("Route"), tr("from (m)"), tr("to (m)"), tr("what is expected")]
-    told = [[str(line + 1), f"{start:.0f}", f"{end:.0f}", what] for line, start, end, what in poor]
-    return [*parts, page.table(header, told, (1, 2))]
+        return [
+            *parts,
+            page.paragraph(tr("After the first position, a position with a small 95 % radius is expected everywhere.")),
+        ]
+    header = [tr("Route"), tr("From (m)"), tr("To (m)"), tr("Expectation")]
+    rows = [[str(line + 1), f"{start:.0f}", f"{end:.0f}", what] for line, start, end, what in poor]
+    return [*parts, page.table(header, rows, (1, 2))]
 
 
 def poor_stretches(flown: FlownRoute, threshold: float, large: float) -> list[tuple[int, float, float, str]]:
-    """(line, start, end, what) after the first position, where flights have none or know it poorly.
+    """Return (line, start, end, text) of stretches after the first position without position or with a large radius.
 
     Args:
-        flown: What came of the flights.
-        threshold: Share of the flights that is good enough.
-        large: Radius from which on it is told, map units.
+        flown: Results of the flights.
+        threshold: Sufficient share of the flights.
+        large: Large 95 % radius, m.
     """
     found = []
     for line in range(len(flown.points.lengths)):
@@ -273,8 +288,8 @@ def poor_stretches(flown: FlownRoute, threshold: float, large: float) -> list[tu
 def _poor(flown: FlownRoute, numbers: np.ndarray, is_missing: bool) -> str:
     if is_missing:
         least = page.percent(float(flown.placed[numbers].min()), 0)
-        return tr("only {share} of the flights keep a position").format(share=least)
-    return tr("the 95 % radius grows to {radius:.0f} m").format(radius=float(np.nanmax(flown.radius[numbers])))
+        return tr("only {share} of the flights have a position").format(share=least)
+    return tr("95 % radius up to {radius:.0f} m").format(radius=float(np.nanmax(flown.radius[numbers])))
 
 
 def _flown_row(flown: FlownRoute, line: int, threshold: float) -> list[str]:

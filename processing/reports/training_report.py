@@ -1,4 +1,4 @@
-"""The report of a training: how well each class is found on ground set aside, curves, examples side by side."""
+"""Report of a training: quality of each class on validation ground, curves, examples."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from .charts import Series
 from .maps import color_legend
 
 CLASSES_IN_CHART = 8
-"""Lines of the chart of curves beyond which nobody tells them apart: those of the largest classes."""
+"""Largest number of lines in the chart of curves, for the largest classes."""
 
 
 @dataclass(frozen=True)
 class TrainingReport:
-    """What the report is made from.
+    """Data of the report.
 
     Attributes:
         model: Name of the model's file.
-        result: What the training tells (result.json).
-        ground: What the metadata tell of the ground.
-        examples: Pictures (PNG): photo, annotation, answer side by side.
+        result: Content of result.json.
+        ground: Metadata of the training ground.
+        examples: PNG pictures with photo, annotation and prediction.
     """
 
     model: str
@@ -36,52 +36,52 @@ class TrainingReport:
 
     @property
     def names(self) -> list[str]:
-        """Of the classes, a channel each."""
+        """Names of the classes by channel."""
         return [entry["name"] for entry in self.result["classes"]]
 
     def html(self) -> str:
-        """The whole page."""
+        """Return the page."""
         return page.page(
-            tr("Training of a network"),
+            tr("Training of a model"),
             self.model,
             self._figures(),
             parts.next_steps(self._next()),
             page.section(tr("Classes"), *self._classes()),
             page.section(tr("Curves"), page.columns(self._loss(), self._iou())),
             page.section(tr("Examples"), *self._examples()),
-            page.section(tr("What it was trained on"), self._ground()),
+            page.section(tr("Training ground"), self._ground()),
         )
 
     def _figures(self) -> str:
         result = self.result
         epochs = tr("{best} of {count} epochs").format(best=result["best_epoch"], count=len(result["history"]))
-        tiles = tr("{training} tiles to train on, {validation} to validate on")
+        tiles = tr("{training} training tiles, {validation} validation tiles")
         minutes = page.number(result["seconds"] / 60, "min")
         return page.key_figures(
             [
-                (page.percent(self.result["mean_iou"]), tr("mean IoU"), tr("on ground that was set aside")),
-                (epochs, tr("best epoch"), stopped_by(result["stopped_by"])),
-                (minutes, tr("training time"), result["device"]),
+                (page.percent(self.result["mean_iou"]), tr("Mean IoU"), tr("on validation ground")),
+                (epochs, tr("Best epoch"), stopped_by(result["stopped_by"])),
+                (minutes, tr("Training time"), result["device"]),
                 (
                     page.number(result["bytes"] / 1e6, "MB"),
-                    tr("size of the model"),
+                    tr("Size of the model"),
                     tiles.format(training=result["training"], validation=result["validation"]),
                 ),
             ]
         )
 
     def _next(self) -> list[str]:
-        steps = [tr("Try the model on ground that it has not seen: “Segment image”, then “Compare label maps”.")]
+        steps = [tr("Test the model on new ground with “Segment image”, then “Compare label maps”.")]
         if self.result["stopped_by"] == "minutes":
-            steps.append(tr("The time was over before it stopped learning: train again, it goes on from here."))
-        steps.append(tr("Classes that are found badly want more annotated ground, of places that differ."))
+            steps.append(tr("The time limit ended the training. Train again to continue this training."))
+        steps.append(tr("For classes with a low IoU, annotate more ground in different places."))
         return steps
 
     def _classes(self) -> list[str]:
         # Channels begin at 0, classes of a comparison at 1.
         counts = np.pad(np.array(self.result["confusion"], np.int64), ((1, 0), (1, 0)))
         if not counts.any():
-            return [page.paragraph(tr("No ground was set aside, so nothing tells how good the network is."))]
+            return [page.paragraph(tr("There is no validation ground, so the quality of the model is unknown."))]
         found = LabelComparison(counts)
         annotated, predicted = (np.flatnonzero(of_value).tolist() for of_value in (found.annotated, found.predicted))
 
@@ -93,10 +93,10 @@ class TrainingReport:
     def _loss(self) -> str:
         history = self.result["history"]
         losses = [row["training_loss"] for row in history]
-        axis = charts.linear_axis(tr("loss"), 0.0, max([*losses, 1e-6]))
-        series = [Series(tr("loss"), [row["epoch"] for row in history], losses, marked=len(history) < 30)]
-        chart = charts.line_chart(series, self._epochs(), axis, tr("Loss while training"))
-        return page.figure(chart, tr("Loss while training: how far the answers are off on what is learned."))
+        axis = charts.linear_axis(tr("Loss"), 0.0, max([*losses, 1e-6]))
+        series = [Series(tr("Loss"), [row["epoch"] for row in history], losses, marked=len(history) < 30)]
+        chart = charts.line_chart(series, self._epochs(), axis, tr("Training loss"))
+        return page.figure(chart, tr("Training loss: the error on training tiles."))
 
     def _iou(self) -> str:
         history = self.result["history"]
@@ -114,19 +114,19 @@ class TrainingReport:
         if not series:
             return ""
         chart = charts.line_chart(series, self._epochs(), charts.percent_axis(tr("IoU")), tr("IoU of each class"))
-        return page.figure(chart, tr("IoU of each class on ground that was set aside."))
+        return page.figure(chart, tr("IoU of each class on validation ground."))
 
     def _epochs(self) -> charts.Axis:
         last = max(len(self.result["history"]), 2)
         steps = min(last - 1, 5)
         ticks = sorted({1 + round((last - 1) * n / steps) for n in range(steps + 1)})
-        return charts.Axis(tr("epoch"), (1.0, float(last)), [(float(tick), str(tick)) for tick in ticks])
+        return charts.Axis(tr("Epoch"), (1.0, float(last)), [(float(tick), str(tick)) for tick in ticks])
 
     def _examples(self) -> list[str]:
         if not self.examples:
-            return [page.paragraph(tr("There is no example: no ground was set aside."))]
-        alt = tr("Photo, annotation and answer of the network")
-        caption = tr("Photo, annotation (gray where nothing is known) and what the network makes of it.")
+            return [page.paragraph(tr("There are no examples, because there is no validation ground."))]
+        alt = tr("Photo, annotation and prediction")
+        caption = tr("Photo, annotation (gray: unknown) and prediction of the model.")
         return [page.paragraph(caption), self._legend(), *(page.image(png, alt) for png in self.examples)]
 
     def _legend(self) -> str:
@@ -134,23 +134,23 @@ class TrainingReport:
 
     def _ground(self) -> str:
         rows = [(ground_title(key), _shown(value)) for key, value in self.ground.items()]
-        return page.table([tr("What"), tr("Value")], rows)
+        return page.table([tr("Property"), tr("Value")], rows)
 
 
 def stopped_by(reason: str) -> str:
-    """Why a training ended, in the user's language."""
+    """Return the reason for the end of a training in the user's language."""
     return {
-        "epochs": tr("all epochs done"),
-        "patience": tr("stopped: no progress any more"),
-        "minutes": tr("stopped: the time was over"),
+        "epochs": tr("all epochs completed"),
+        "patience": tr("stopped: no further progress"),
+        "minutes": tr("stopped: time limit"),
     }.get(reason, "")
 
 
 def ground_title(key: str) -> str:
-    """What an entry about the ground is called, in the user's language."""
+    """Return the title of an entry about the training ground in the user's language."""
     return {
         "image": tr("Image"),
-        "labels": tr("Annotation or label map"),
+        "labels": tr("Land-cover layer or label map"),
         "crs": tr("CRS"),
         "extent": tr("Extent"),
         "pixel_size": tr("Pixel size (m)"),

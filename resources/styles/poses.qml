@@ -2,9 +2,9 @@
  <temporal enabled="1" accumulate="1" mode="1" startField="time"/>
  <renderer-v2 type="RuleRenderer">
   <rules>
-   <rule symbol="0" filter="&quot;source&quot; = 'own'" label="Fix of the image itself"/>
-   <rule symbol="1" filter="&quot;source&quot; = 'flight' AND NOT coalesce(&quot;outvoted&quot;, false)" label="Placed by the flight"/>
-   <rule symbol="2" filter="&quot;source&quot; = 'flight' AND &quot;outvoted&quot;" label="Its own fix was outvoted"/>
+   <rule symbol="0" filter="&quot;source&quot; = 'own'" label="Own position"/>
+   <rule symbol="1" filter="&quot;source&quot; = 'flight' AND NOT coalesce(&quot;outvoted&quot;, false)" label="Position from the flight"/>
+   <rule symbol="2" filter="&quot;source&quot; = 'flight' AND &quot;outvoted&quot;" label="Own position outvoted"/>
   </rules>
   <symbols>
    <symbol name="0" type="marker">
@@ -262,7 +262,7 @@
    <attributeEditorField name="heading"/>
    <attributeEditorField name="pixel_size"/>
   </attributeEditorContainer>
-  <attributeEditorContainer columnCount="1" name="How exactly">
+  <attributeEditorContainer columnCount="1" name="Accuracy">
    <attributeEditorField name="confidence"/>
    <attributeEditorField name="error_95"/>
    <attributeEditorField name="error_95_minor"/>
@@ -275,7 +275,7 @@
    <attributeEditorField name="sigma_heading"/>
    <attributeEditorField name="sigma_scale"/>
   </attributeEditorContainer>
-  <attributeEditorContainer columnCount="1" name="How it was found">
+  <attributeEditorContainer columnCount="1" name="Method">
    <attributeEditorField name="method"/>
    <attributeEditorField name="distance"/>
    <attributeEditorField name="inliers"/>
@@ -306,7 +306,7 @@ ELSE with_variable('times', 1 / max(1 - "confidence", 0.0001),
 replace(_('1 in {count:,.0f}'), '{count:,.0f}', format_number(round(@times, 1 - to_int(floor(log10(@times)))), 0))) END) || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Method') || '</td><td><b>' || if("method" <> '', replace(replace(represent_value("method"), '&', '&amp;'), map('<', '&lt;', '>', '&gt;')), NULL) || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Reason') || '</td><td><b>' || replace(replace(to_string("reason"), '&', '&amp;'), map('<', '&lt;', '>', '&gt;')) || '</b></td></tr>', '') %]
-[% coalesce('<tr><td>' || _('Held by') || '</td><td><b>' || if("source" <> '', replace(replace(represent_value("source"), '&', '&amp;'), map('<', '&lt;', '>', '&gt;')), NULL) || '</b></td></tr>', '') %]
+[% coalesce('<tr><td>' || _('Source') || '</td><td><b>' || if("source" <> '', replace(replace(represent_value("source"), '&', '&amp;'), map('<', '&lt;', '>', '&gt;')), NULL) || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Track') || '</td><td><b>' || to_string("track") || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Time') || '</td><td><b>' || format_date("time", 'yyyy-MM-dd HH:mm:ss') || '</b></td></tr>', '') %]
 </table>]]></mapTip>

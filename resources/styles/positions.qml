@@ -2,9 +2,9 @@
  <temporal enabled="1" accumulate="1" mode="1" startField="time"/>
  <renderer-v2 type="RuleRenderer">
   <rules>
-   <rule symbol="0" filter="NOT coalesce(&quot;jump&quot;, false) AND &quot;heading&quot; IS NOT NULL" label="Fix, with its heading"/>
-   <rule symbol="1" filter="NOT coalesce(&quot;jump&quot;, false) AND &quot;heading&quot; IS NULL" label="Fix without a heading"/>
-   <rule symbol="2" filter="&quot;jump&quot;" label="Out of reach in time"/>
+   <rule symbol="0" filter="NOT coalesce(&quot;jump&quot;, false) AND &quot;heading&quot; IS NOT NULL" label="Position with heading"/>
+   <rule symbol="1" filter="NOT coalesce(&quot;jump&quot;, false) AND &quot;heading&quot; IS NULL" label="Position without heading"/>
+   <rule symbol="2" filter="&quot;jump&quot;" label="Faster than the maximum speed"/>
   </rules>
   <symbols>
    <symbol name="0" type="marker">
@@ -256,7 +256,7 @@
    <attributeEditorField name="heading"/>
    <attributeEditorField name="pixel_size"/>
   </attributeEditorContainer>
-  <attributeEditorContainer columnCount="1" name="How exactly">
+  <attributeEditorContainer columnCount="1" name="Accuracy">
    <attributeEditorField name="confidence"/>
    <attributeEditorField name="error_95"/>
    <attributeEditorField name="error_95_minor"/>
@@ -269,7 +269,7 @@
    <attributeEditorField name="sigma_heading"/>
    <attributeEditorField name="sigma_scale"/>
   </attributeEditorContainer>
-  <attributeEditorContainer columnCount="1" name="How it was found">
+  <attributeEditorContainer columnCount="1" name="Method">
    <attributeEditorField name="method"/>
    <attributeEditorField name="distance"/>
    <attributeEditorField name="inliers"/>

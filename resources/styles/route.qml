@@ -57,7 +57,7 @@
 [% coalesce('<tr><td>' || _('Landmarks in view') || '</td><td><b>' || format_number("objects", 0) || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Reason') || '</td><td><b>' || nullif(replace(replace(to_string("reason"), '&', '&amp;'), map('<', '&lt;', '>', '&gt;')), '') || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Along the route') || '</td><td><b>' || format_number(0.001 * "along", 2) || ' km' || '</b></td></tr>', '') %]
-[% coalesce('<tr><td>' || _('Stretch without an expected fix') || '</td><td><b>' || if("gap" > 0, format_number("gap", 0) || ' m', NULL) || '</b></td></tr>', '') %]
+[% coalesce('<tr><td>' || _('Stretch without an expected position') || '</td><td><b>' || if("gap" > 0, format_number("gap", 0) || ' m', NULL) || '</b></td></tr>', '') %]
 </table>]]></mapTip>
  <layerGeometryType>0</layerGeometryType>
 </qgis>

@@ -21,7 +21,7 @@
  <mapTip><![CDATA[<b>[% _('Track') || ' ' || "track" %]</b>
 <table cellpadding="2">
 [% coalesce('<tr><td>' || _('Images') || '</td><td><b>' || format_number("images", 0) || '</b></td></tr>', '') %]
-[% coalesce('<tr><td>' || _('Images with a fix of their own') || '</td><td><b>' || format_number("own", 0) || '</b></td></tr>', '') %]
+[% coalesce('<tr><td>' || _('Images with an own position') || '</td><td><b>' || format_number("own", 0) || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Length') || '</td><td><b>' || format_number(0.001 * "length", 2) || ' km' || '</b></td></tr>', '') %]
 [% coalesce('<tr><td>' || _('Largest 95 % radius') || '</td><td><b>' || format_number("largest_error_95", 1) || ' m' || '</b></td></tr>', '') %]
 </table>]]></mapTip>

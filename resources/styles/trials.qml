@@ -1,10 +1,10 @@
 <qgis version="3.22.16" labelsEnabled="0">
  <renderer-v2 type="RuleRenderer">
   <rules>
-   <rule symbol="0" filter="&quot;right&quot; = 1" label="right fix"/>
-   <rule symbol="1" filter="&quot;status&quot; = 'fix' AND &quot;right&quot; = 0" label="wrong fix"/>
+   <rule symbol="0" filter="&quot;right&quot; = 1" label="correct position"/>
+   <rule symbol="1" filter="&quot;status&quot; = 'fix' AND &quot;right&quot; = 0" label="wrong position"/>
    <rule symbol="2" filter="&quot;status&quot; = 'ambiguous'" label="ambiguous"/>
-   <rule symbol="3" filter="ELSE" label="no fix"/>
+   <rule symbol="3" filter="ELSE" label="no position"/>
   </rules>
   <symbols>
    <symbol name="0" type="marker">

@@ -93,7 +93,7 @@ def test_a_project_whose_results_are_gone_is_opened_with_a_sentence(dock, iface,
     saved.unlink()
     iface.bar.clearWidgets()
     QgsProject.instance().read(str(tmp_path / "project.qgs"))
-    assert "results.gpkg holds no results" in messages(iface)[0]
+    assert "results.gpkg has no results" in messages(iface)[0]
     assert table(dock) == []
 
 

@@ -205,7 +205,7 @@ def test_the_longest_gap_ends_the_route_and_is_given_in_seconds_too(assessed):
 @pytest.mark.slow
 def test_the_report_has_profile_gaps_and_assumptions(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
-    for part in ("<svg", "Stretches without an expected fix", "Assumed: any heading", "s at 10 m/s"):
+    for part in ("<svg", "Stretches without an expected position", "Any heading", "s at 10 m/s"):
         assert part in text
 
 

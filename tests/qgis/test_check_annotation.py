@@ -110,7 +110,7 @@ def test_a_layer_in_degrees_is_checked_in_meters(issues, tmp_path, feedback):
 
 
 def test_a_layer_without_class_is_refused(check, tmp_path):
-    with pytest.raises(QgsProcessingException, match="no feature with a class"):
+    with pytest.raises(QgsProcessingException, match="No feature of “.*” has a class"):
         check(write_layer(tmp_path / "a.gpkg", [(square(0, 0, 9), None)]))
 
 

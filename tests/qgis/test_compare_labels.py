@@ -119,7 +119,7 @@ def test_blocks_give_the_same_as_the_whole(compare, maps, monkeypatch):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"crs": 32633}, "REFERENCE is in EPSG:32632 .*, but PREDICTED is in EPSG:32633"),
+        ({"crs": 32633}, "reference map is in EPSG:32632 .*, but the predicted map in EPSG:32633"),
         ({"transform": None}, "has 160 × 120 pixels and the prediction 160 × 120, and not both have a georeference"),
         ({"transform": (WEST + 5000, 1, 0, NORTH, 0, -1)}, "don't overlap"),
         ({"transform": (WEST, 0.8, 0.6, NORTH, 0.6, -0.8)}, "rotated"),

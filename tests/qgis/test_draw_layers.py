@@ -101,12 +101,12 @@ def test_tiles_without_an_extent_or_a_resolution_are_refused(segment, tiles, tmp
 
 def test_more_ground_than_may_be_drawn_is_refused_before_any_tile(segment, tiles):
     extent = f"{WEST},{WEST + 90_000},{NORTH - 90_000},{NORTH} [EPSG:32632]"
-    with pytest.raises(QgsProcessingException, match="more than 64 million; choose a smaller EXTENT"):
+    with pytest.raises(QgsProcessingException, match="more than 64 million. Choose a smaller extent"):
         segment(tiles(), EXTENT=extent)
 
 
 def test_a_server_without_tiles_is_reported(segment, tiles, tmp_path):
-    with pytest.raises(QgsProcessingException, match="Nothing of “tiles” shows in the extent"):
+    with pytest.raises(QgsProcessingException, match="“tiles” shows nothing in the extent"):
         segment(tiles(status=404))
     assert not (tmp_path / "labels.tif").exists()
 
@@ -159,7 +159,7 @@ def test_a_server_that_never_ends_a_tile_is_given_up_after_a_while(segment, tile
     from semref.core import limits
 
     monkeypatch.setattr(limits, "DRAWING_S", 1.0)
-    with pytest.raises(QgsProcessingException, match="took longer than 1 s for one part"):
+    with pytest.raises(QgsProcessingException, match="took longer than 1 s for one tile"):
         segment(tiles(delay_s=30))
 
 
@@ -267,7 +267,10 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
 
 @pytest.mark.parametrize(
     ("transform", "column", "sentence"),
-    [((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "No polygon of MASK"), (None, 10, "The image has no place")],
+    [
+        ((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "No polygon of the mask layer"),
+        (None, 10, "The image has no georeference"),
+    ],
 )
 def test_a_mask_outside_the_layer_is_refused_as_the_mask(
     run_algorithm, database, tmp_path, transform, column, sentence

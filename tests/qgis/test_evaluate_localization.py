@@ -109,8 +109,8 @@ def reported(run_algorithm, inputs, tmp_path_factory):
 @pytest.mark.slow
 def test_the_report_has_the_papers_tables_and_needs_nothing_else(reported):
     report, _, _ = reported
-    assert "Images lie around" in report
-    for title in ("Table 4", "Table 5", "False accepts", "Reliability", "Success against offset", "landmarks invented"):
+    assert "The images cover" in report
+    for title in ("Table 4", "Table 5", "False accepts", "Reliability", "Success against offset", "Spurious landmarks"):
         assert title in report
     assert report.count("<svg") == 5
     for name in ("http://", "https://", "<script", "src="):

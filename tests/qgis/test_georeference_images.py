@@ -176,10 +176,10 @@ def test_a_photo_keeps_its_bands_and_is_transparent_around(georeference, tmp_pat
 
 def test_layers_of_something_else_are_refused(georeference, tmp_path):
     positions = made_positions(tmp_path / "p.gpkg", "one.png", COLUMNS[:2])
-    with pytest.raises(QgsProcessingException, match="POSITIONS: “p” lacks heading, pixel_size"):
+    with pytest.raises(QgsProcessingException, match="“p” lacks the columns heading, pixel_size"):
         georeference(POSITIONS=positions, FOOTPRINTS=None)
     degrees = made_positions(tmp_path / "d.gpkg", "one.png", crs=4326)
-    with pytest.raises(QgsProcessingException, match="EPSG:4326, which does not measure in meters"):
+    with pytest.raises(QgsProcessingException, match="EPSG:4326, which is not in meters"):
         georeference(POSITIONS=degrees, FOOTPRINTS=None)
 
 

@@ -63,7 +63,7 @@ def tip_of(layer: QgsVectorLayer, feature: QgsFeature) -> str:
 @pytest.fixture
 def positions(qgis_app):
     layer = layer_of("Point", POSITION_FIELDS)
-    Look("positions", is_timed=True).give(layer)
+    Look("positions", is_timed=True).apply(layer)
     return layer
 
 
@@ -88,7 +88,7 @@ LAYERS = {
 
 def styled(style: str) -> QgsVectorLayer:
     layer = layer_of(*LAYERS[style])
-    Look(style).give(layer)
+    Look(style).apply(layer)
     return layer
 
 
@@ -195,7 +195,7 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
 )
 def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, rule):
     layer = layer_of("Point", FLIGHT_FIELDS)
-    Look(style).give(layer)
+    Look(style).apply(layer)
     feature = feature_of(layer, **values)
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(layer))
     context.setFeature(feature)

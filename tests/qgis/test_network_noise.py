@@ -110,7 +110,7 @@ def test_another_file_is_refused_in_a_sentence(qgis_app, tmp_path, content):
     given = {"DATABASE": str(tmp_path / "a.gpkg"), "COMPARISON": str(page), "OUTPUT": "memory:"}
     algorithm = QgsApplication.processingRegistry().createAlgorithmById("semref:assessdatabase")
     able, said = algorithm.checkParameterValues(given, QgsProcessingContext())
-    assert not able and said.startswith(f"{page} is no report of “Compare label maps” that tells of landmarks;")
+    assert not able and said.startswith(f"{page} is not a report of “Compare label maps” with landmarks.")
 
 
 def test_a_comparison_of_few_landmarks_gives_no_noise(conditions, tmp_path):

@@ -327,13 +327,13 @@ def test_a_single_class_among_the_pixels_is_refused_before_tiles_are_cut(train, 
 
 def test_image_and_labels_of_different_ground_are_refused(train, tmp_path):
     layer = write_layer(tmp_path / "far.gpkg", [(square(99_000, 0, 80), "building")])
-    with pytest.raises(QgsProcessingException, match="show different ground"):
+    with pytest.raises(QgsProcessingException, match="don't overlap"):
         train(LABELS=None, INPUT=str(layer), CLASS_FIELD="class")
 
 
 def test_too_little_ground_is_refused_with_advice(train, tmp_path):
     extent = f"{WEST},{WEST + 130},{NORTH - 130},{NORTH}"
-    with pytest.raises(QgsProcessingException, match="label more ground"):
+    with pytest.raises(QgsProcessingException, match="Label more ground"):
         train(EXTENT=extent)
 
 

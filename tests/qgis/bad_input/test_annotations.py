@@ -39,7 +39,7 @@ def test_a_missing_class_field_is_named_with_the_fields_that_there_are(refused):
 
 def test_a_priority_field_of_text_is_refused(refused):
     sentence = refused(RASTERIZE, PRIORITY_FIELD="class")
-    assert "“class”" in sentence and "number" in sentence
+    assert "“class”" in sentence and "numeric" in sentence
 
 
 def test_class_values_outside_the_table_are_named_and_counted(refused, tmp_path, good):

@@ -295,7 +295,7 @@ class LocalizeTab(QWidget):
         QgsSettings().setValue(_RESULTS_FOLDER_SETTING, os.path.dirname(path))
         if self._layers.track is not None:
             positions = self._layers.positions
-            Look("poses", is_timed=any(not is_null(one["time"]) for one in positions.getFeatures())).give(positions)
+            Look("poses", is_timed=any(not is_null(one["time"]) for one in positions.getFeatures())).apply(positions)
         try:
             write_results(path, self._layers)
             positions, *_others, track = named_results(path)
