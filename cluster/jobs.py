@@ -97,18 +97,18 @@ def _evaluation(content: bytes) -> Evaluation:
     return job.evaluation(database, GdalLabels(job.labels))
 
 
-def _simulated(content: bytes, piece: tuple) -> Any:
+def _simulate(content: bytes, piece: tuple) -> Any:
     footprint, query = piece
     return _assessment(content, footprint).run(query)
 
 
-def _correlated(content: bytes, piece: tuple) -> Any:
+def _correlate(content: bytes, piece: tuple) -> Any:
     footprint, query = piece
     return _assessment(content, footprint).run_correlation(query)
 
 
 @lru_cache(1)
-def _assessed(content: bytes) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
+def _open_assessment(content: bytes) -> tuple[AssessmentJob, ReferenceDatabase, Localizer]:
     job, known = from_bytes(content)
     database = _require_planned(read_database(job.database, with_bounds=True), known)
     if job.has_overview:
@@ -118,7 +118,7 @@ def _assessed(content: bytes) -> tuple[AssessmentJob, ReferenceDatabase, Localiz
 
 @lru_cache(2)
 def _assessment(content: bytes, footprint: float) -> Assessment:
-    job, database, localizer = _assessed(content)
+    job, database, localizer = _open_assessment(content)
     return job.assessment(database, localizer, footprint)
 
 
@@ -134,6 +134,6 @@ def _require_planned(database: ReferenceDatabase, known: str) -> ReferenceDataba
 TASKS: dict[str, Callable[[str, Any], Any]] = {
     IMAGES: _image,
     EVALUATE: _trials,
-    ASSESS: _simulated,
-    CORRELATE: _correlated,
+    ASSESS: _simulate,
+    CORRELATE: _correlate,
 }

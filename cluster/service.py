@@ -29,7 +29,7 @@ def main(path: str) -> int:
     """Serve until the input ends; ``path``: JSON file with ``scheduler`` or ``local``, ``labels`` and ``folder``."""
     # QGIS ends this process with a signal.
     for number in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(number, _interrupted)
+        signal.signal(number, _interrupt)
     try:
         order = json.loads(Path(path).read_text(encoding="utf-8"))
         with connect(order["scheduler"], order["local"], lambda text: _report("info", text=text)) as client:
@@ -88,7 +88,7 @@ def _line() -> Any:
 _asked_to_end: list[bool] = []
 
 
-def _interrupted(*_: object) -> None:
+def _interrupt(*_: object) -> None:
     _asked_to_end.append(True)
     raise KeyboardInterrupt
 

@@ -19,7 +19,7 @@ from ..core.segmentation.resampling import at_resolution
 from ..core.segmentation.tiling import Tiles, segment_tiles, tiles_of
 from ..storage.images import GdalImage
 from ..storage.label_maps import GdalLabels
-from ..storage.rasterize import burnt_strip
+from ..storage.rasterize import rasterize_strip
 from . import jobs
 from .task_names import BURN, SEGMENT
 
@@ -44,7 +44,7 @@ def do(task: str, path: str, shared: tuple, arguments: tuple) -> tuple[str, Any]
         if task == SEGMENT:
             return "done", _segment(shared, *arguments)
         if task == BURN:
-            return "done", burnt_strip(MapFrame(*shared, *arguments[:2]), *arguments[2:])
+            return "done", rasterize_strip(MapFrame(*shared, *arguments[:2]), *arguments[2:])
         if task in jobs.TASKS:
             return "done", jobs.do(task, *shared, *arguments)
         return "done", TASKS[task](_labels(path), *shared, *arguments)

@@ -75,7 +75,7 @@ class GdalImage:
             self._file.FlushCache()
             self._row = row
         window = column, row, width, height
-        pixels = self._bytes(window) if self.stretch is None else self._stretched(window)
+        pixels = self._bytes(window) if self.stretch is None else self._read_stretched(window)
         has_data = self._has_data(window)
         if has_data is not None:
             pixels[~has_data] = 0
@@ -104,11 +104,11 @@ class GdalImage:
         read_by_gdal(ImageError, self._path, read, *window, *sizes, bands, *spaces, buf_obj=pixels)
         return pixels
 
-    def _stretched(self, window: Window) -> np.ndarray:
+    def _read_stretched(self, window: Window) -> np.ndarray:
         """Return (height, width, 3) uint8 pixels, stretched between the limits of ``stretch``."""
         read = {number: self._values(self._view.GetRasterBand(number), window) for number in set(self.bands)}
         limited = zip(self.bands, self.stretch)
-        return np.stack([_stretched(read[number], *limits) for number, limits in limited], axis=2)
+        return np.stack([_stretch(read[number], *limits) for number, limits in limited], axis=2)
 
     def _values(self, band: gdal.Band, window: Window) -> np.ndarray:
         return read_by_gdal(ImageError, self._path, band.ReadAsArray, *window)
@@ -137,7 +137,7 @@ def _spread(length: int) -> list[int]:
     return sorted({int(first) for first in np.linspace(0, last, _SAMPLES)})
 
 
-def _stretched(values: np.ndarray, least: float, most: float) -> np.ndarray:
+def _stretch(values: np.ndarray, least: float, most: float) -> np.ndarray:
     scaled = (np.nan_to_num(values.astype(np.float32)) - least) * (255 / max(most - least, 1e-9))
     return np.clip(scaled + 0.5, 0, 255).astype(np.uint8)
 

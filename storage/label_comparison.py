@@ -168,7 +168,7 @@ class DisagreementMap:
         self._layer.CreateField(ogr.FieldDefn("code", ogr.OFTInteger))
         self._database.StartTransaction()
 
-    def ranked(self, minimum_area: float) -> list[tuple[int, float]]:
+    def by_area(self, minimum_area: float) -> list[tuple[int, float]]:
         """Return (number, area in square map units) of the polygons, largest first, equal areas by number."""
         found = []
         for feature in self._layer:

@@ -25,13 +25,13 @@ def photo_lon_lat(path: str) -> tuple[float, float] | None:
     stem = os.path.splitext(path)[0]
     beside = [stem + extension for extension in PHOTO_EXTENSIONS]
     for photo in (path, *(name for name in beside if name != path and os.path.isfile(name))):
-        found = _stated(photo)
+        found = _read_position(photo)
         if found is not None:
             return found
     return None
 
 
-def _stated(path: str) -> tuple[float, float] | None:
+def _read_position(path: str) -> tuple[float, float] | None:
     try:
         file = open_raster(path)
     except LabelMapError:

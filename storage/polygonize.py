@@ -51,7 +51,7 @@ class LabelPolygons:
         """
         with tempfile.TemporaryDirectory(prefix="semref-outline-") as folder:
             yield "Merging small regions", 0.0
-            raster = self._sieved(os.path.join(folder, "sieved.tif"), proceed)
+            raster = self._sieve(os.path.join(folder, "sieved.tif"), proceed)
             transform = _transform(raster)
             yield "Outlining regions", 0.3
             shape_hw = raster.RasterYSize, raster.RasterXSize
@@ -64,7 +64,7 @@ class LabelPolygons:
             del raster
         yield "Simplifying borders", 1.0
 
-    def _sieved(self, path: str, proceed: Callable[[], bool]) -> gdal.Dataset:
+    def _sieve(self, path: str, proceed: Callable[[], bool]) -> gdal.Dataset:
         """Return the label map without small regions."""
         source = open_raster(self._path)
         transform = _transform(source)

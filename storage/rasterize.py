@@ -65,7 +65,7 @@ class LabelMapBurning:
         self._frame = frame
         self._table = table
         self._polygons = polygons
-        self._burn = burn or self._burnt
+        self._burn = burn or self._rasterize
         self.counts = np.zeros(256, np.int64)
 
     def steps(self) -> Iterator[tuple[str, float]]:
@@ -86,9 +86,9 @@ class LabelMapBurning:
             if writing is not None:
                 writing.result()
 
-    def _burnt(self, _: Iterable[tuple]) -> Iterator[np.ndarray]:
+    def _rasterize(self, _: Iterable[tuple]) -> Iterator[np.ndarray]:
         layer = BurnLayer(self._polygons, self._frame.crs)
-        return (layer.burnt(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame))
+        return (layer.rasterize(strip, gdal.GDT_Byte) for _, strip in strips_of(self._frame))
 
 
 def strips_of(frame: MapFrame, pixels: int = STRIP_PIXELS) -> Iterator[tuple[int, MapFrame]]:
@@ -100,7 +100,7 @@ def strips_of(frame: MapFrame, pixels: int = STRIP_PIXELS) -> Iterator[tuple[int
 
 
 def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tuple]:
-    """Yield each strip with the polygons that may overlap it, as ``burnt_strip`` takes them.
+    """Yield each strip with the polygons that may overlap it, as ``rasterize_strip`` takes them.
 
     Yields:
         Geotransform, shape (H, W), (N,) values, (N,) end offsets, and the bytes of N concatenated WKB outlines.
@@ -118,14 +118,14 @@ def strip_polygons(frame: MapFrame, polygons: list[BurnPolygon]) -> Iterator[tup
         yield strip.geotransform, strip.shape_hw, values, ends, outlines
 
 
-def burnt_strip(strip: MapFrame, values: np.ndarray, ends: np.ndarray, outlines: np.ndarray) -> np.ndarray:
+def rasterize_strip(strip: MapFrame, values: np.ndarray, ends: np.ndarray, outlines: np.ndarray) -> np.ndarray:
     """Return (H, W) uint8 labels of a strip from the arrays of ``strip_polygons``."""
     whole, begins = outlines.tobytes(), [0, *ends.tolist()[:-1]]
     polygons = [
         BurnPolygon(whole[begin:end], value, 0.0, strip.extent)
         for begin, end, value in zip(begins, ends.tolist(), values.tolist())
     ]
-    return BurnLayer(polygons, strip.crs).burnt(strip, gdal.GDT_Byte)
+    return BurnLayer(polygons, strip.crs).rasterize(strip, gdal.GDT_Byte)
 
 
 def bottom_first(polygons: list[BurnPolygon]) -> list[BurnPolygon]:
@@ -148,7 +148,7 @@ class BurnLayer:
             feature.SetGeometryDirectly(ogr.CreateGeometryFromWkb(polygon.wkb))
             self._layer.CreateFeature(feature)
 
-    def burnt(self, frame: MapFrame, kind: int) -> np.ndarray:
+    def rasterize(self, frame: MapFrame, kind: int) -> np.ndarray:
         """Return (H, W) polygon values, 0 outside all polygons.
 
         Args:
@@ -184,7 +184,7 @@ class RegionBurning:
     def steps(self) -> Iterator[tuple[str, float]]:
         """Yield (current step, share done 0…1)."""
         for first, strip in strips_of(self._frame, STRIP_PIXELS // 4):
-            self._strips.append(runs_of_strip(self._layer.burnt(strip, gdal.GDT_Int32), first))
+            self._strips.append(runs_of_strip(self._layer.rasterize(strip, gdal.GDT_Int32), first))
             yield "Rasterizing landmarks", (first + strip.shape_hw[0]) / self._frame.shape_hw[0]
 
 
@@ -201,4 +201,4 @@ class AreaMask:
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
         """Return (height, width) bool of the pixels inside the polygons, for a part of the image."""
-        return self._layer.burnt(_PIXELS.part(column, row, (height, width)), gdal.GDT_Byte) > 0
+        return self._layer.rasterize(_PIXELS.part(column, row, (height, width)), gdal.GDT_Byte) > 0

@@ -171,7 +171,7 @@ def _side_cars(path: str) -> list[str]:
     folder, name = os.path.split(os.path.abspath(path))
     wanted = [f"{name}{suffix}" for suffix in (".aux.xml", ".ovr", ".msk", ".aux")] + [f"{name.rpartition('.')[0]}.aux"]
     try:
-        listed = _listed(folder, os.stat(folder).st_mtime_ns)
+        listed = _list_folder(folder, os.stat(folder).st_mtime_ns)
     except OSError:
         # Files in a folder that can't be listed may still be readable.
         return [side_car for one in wanted if os.path.exists(side_car := os.path.join(folder, one))]
@@ -179,7 +179,7 @@ def _side_cars(path: str) -> list[str]:
 
 
 @functools.lru_cache(maxsize=1)
-def _listed(folder: str, changed_ns: int) -> dict[str, list[str]]:
+def _list_folder(folder: str, changed_ns: int) -> dict[str, list[str]]:
     """Return the names in a folder by their lower-case form; ``changed_ns`` is only part of the cache key."""
     found: dict[str, list[str]] = {}
     for name in os.listdir(folder):

@@ -45,7 +45,7 @@ def is_upright(transform: Sequence[float]) -> bool:
     return not (turn_x or turn_y) and across > 0 > down and abs(across + down) <= _SQUARE_WITHIN * across
 
 
-def seen_ground(image: RasterFile, wanted: WantedGround, folder: Path) -> RasterFile:
+def prepare_image(image: RasterFile, wanted: WantedGround, folder: Path) -> RasterFile:
     """Return the image itself if it is as wanted, otherwise a VRT in ``folder``.
 
     Args:

@@ -85,7 +85,7 @@ def answering(scores_of):
     return lambda image: scores_of(image).argmax(0).astype(np.uint8)
 
 
-def compared(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):
+def compare(network: torch.nn.Module, target: Path, reader: TileReader, mean, deviation):
     """Return the confusion matrices of the network in torch and in onnxruntime, and the share of equal pixels."""
     session = onnxruntime.InferenceSession(str(target), providers=["CPUExecutionProvider"])
     network = network.cpu().eval()

@@ -196,7 +196,7 @@ class Trainer:
             group["lr"] = learning_rate_at(self.share, self.settings.learning_rate)
         self.optimizer.zero_grad(set_to_none=True)
         with torch.autocast(self.device.type, self._half, enabled=self.settings.mixed_precision):
-            logits = self.network(self._standardized(images))
+            logits = self.network(self._standardize(images))
         loss = segmentation_loss(logits.float(), labels, self.weights, self._meanings)
         self.scaler.scale(loss).backward()
         self.scaler.unscale_(self.optimizer)
@@ -211,7 +211,7 @@ class Trainer:
     def _half(self) -> torch.dtype:
         return torch.float16 if self.device.type == "cuda" else torch.bfloat16
 
-    def _standardized(self, images: torch.Tensor) -> torch.Tensor:
+    def _standardize(self, images: torch.Tensor) -> torch.Tensor:
         return ((images - self.mean) / self.deviation).contiguous(memory_format=self.layout)
 
     def confusion(self, network: torch.nn.Module, reader: TileReader) -> np.ndarray:
@@ -224,7 +224,7 @@ class Trainer:
             for index in range(len(reader)):
                 image, labels = reader(index)
                 batch = torch.from_numpy(image.transpose(2, 0, 1)[None].copy()).to(self.device)
-                predicted = network(self._standardized(batch)).argmax(1)[0].cpu().numpy()
+                predicted = network(self._standardize(batch)).argmax(1)[0].cpu().numpy()
                 confusion += confusion_matrix(labels, predicted, count, sets)
         return confusion
 

@@ -26,7 +26,7 @@ def fit_temperature(scores_of: Callable[[np.ndarray], np.ndarray], reader: objec
         scores_of: Function from image (H, W, 3) to scores (C, H, W).
         reader: Sequence of images with their true channels.
     """
-    pieces = [_sampled(scores_of, *reader(index)) for index in range(min(len(reader), MOST_TILES))]
+    pieces = [_sample(scores_of, *reader(index)) for index in range(min(len(reader), MOST_TILES))]
     scores = np.concatenate([piece for piece, _ in pieces]) if pieces else np.empty((0, 1))
     if not len(scores):
         return None
@@ -42,7 +42,7 @@ def loss(scores: np.ndarray, truth: np.ndarray) -> float:
     return float((total - scores[np.arange(len(truth)), truth]).mean())
 
 
-def _sampled(
+def _sample(
     scores_of: Callable[[np.ndarray], np.ndarray], image: np.ndarray, labels: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return scores (N, C) and true channels (N,) of sampled pixels with one known class."""

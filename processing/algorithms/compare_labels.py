@@ -209,7 +209,7 @@ class CompareLabels(SemRefAlgorithm):
 
         disagreements.outline(proceed)
         check_canceled(feedback)
-        ranked = disagreements.ranked(minimum_area)
+        ranked = disagreements.by_area(minimum_area)
         found = []
         for number, area in ranked:
             check_canceled(feedback)

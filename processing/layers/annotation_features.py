@@ -61,7 +61,7 @@ def read_features(
     for number, feature in enumerate(source.features.getFeatures(request), start=1):
         geometry = feature.geometry()
         outside = not geometry.isNull() and not geometry.isEmpty() and not area.touches(geometry.boundingBox())
-        placed = _placed(geometry, transform)
+        placed = _reproject(geometry, transform)
         wkb = None if placed is None else placed.asWkb().data()
         about = {"wkb": wkb, "feature_id": feature.id(), "area": placed.area() if placed else None}
         if outside or (placed is None and not geometry.isNull()):
@@ -95,7 +95,7 @@ def _class_value(
     return value
 
 
-def _placed(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) -> QgsGeometry | None:
+def _reproject(geometry: QgsGeometry, transform: QgsCoordinateTransform | None) -> QgsGeometry | None:
     """Return the geometry without arcs in the metric CRS; None without geometry or if it can't be reprojected."""
     if geometry.isNull():
         return None

@@ -28,15 +28,15 @@ def success_classes(threshold: float) -> list[tuple[float, float, str, str]]:
 def cells_renderer(threshold: float, footprint: float, is_only: bool) -> QgsGraduatedSymbolRenderer:
     """Return a renderer of squares by success; for several footprints in a layer, only of ``footprint``."""
     value = "success" if is_only else f'if("footprint" = {footprint!r}, "success", NULL)'
-    return _graduated("cells", value, threshold)
+    return _graduated_renderer("cells", value, threshold)
 
 
 def route_renderer(threshold: float) -> QgsGraduatedSymbolRenderer:
     """Return a renderer of route stretches by success."""
-    return _graduated("route", "success", threshold)
+    return _graduated_renderer("route", "success", threshold)
 
 
-def _graduated(name: str, value: str, threshold: float) -> QgsGraduatedSymbolRenderer:
+def _graduated_renderer(name: str, value: str, threshold: float) -> QgsGraduatedSymbolRenderer:
     """Return a renderer with the symbol of a style file; the color of its top symbol layer shows the success."""
     style = style_renderer(name)
     ranges = []

@@ -37,7 +37,11 @@ def database_styles(table: ClassTable) -> dict[str, str]:
     windows, references = _fields_only("Polygon", WINDOW_FIELDS), _fields_only("Point", REFERENCE_FIELDS)
     apply_style(windows, "windows")
     references.setRenderer(references_renderer(table))
-    return {"windows": _titled(windows), "references": _titled(references), "overview": label_style(table)}
+    return {
+        "windows": _style_with_titles(windows),
+        "references": _style_with_titles(references),
+        "overview": label_style(table),
+    }
 
 
 def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorLayer:
@@ -46,7 +50,7 @@ def _fields_only(geometry: str, fields: Sequence[tuple[str, str]]) -> QgsVectorL
     return QgsVectorLayer(f"{geometry}?{columns}", "style", "memory")
 
 
-def _titled(layer: QgsVectorLayer) -> str:
+def _style_with_titles(layer: QgsVectorLayer) -> str:
     name_columns(layer)
     document, categories = QDomDocument(), QgsMapLayer.StyleCategory
     # Other categories contain random colors.

@@ -32,8 +32,8 @@ class PositionRow:
         path: Path of the image in the row.
         status: Status in the row.
         position: Map (x, y) of the image's center; None without a position.
-        heading_deg: Direction of the image's top, clockwise from grid north; None if the method gives none.
-        pixel_size: In m; None if the method gives none.
+        heading_deg: Direction of the image's top, clockwise from grid north; None if unknown.
+        pixel_size: In m; None if unknown.
         was_leveled: Whether the camera was tilted, so that the footprint needs more than position, heading and size.
         ground: (4, 2) corners of the footprint, upper left first, clockwise; None without footprint.
         is_by_areas: Whether the position is from map correlation, which is more accurate than the matched landmarks.

@@ -23,7 +23,7 @@ from ...core.errors import ParameterError, TrainingError
 from ...core.labels.class_table import UNLABELED, ClassTable
 from ...storage.label_maps import RasterFile
 from ...storage.rasterize import AreaMask
-from ...storage.training_ground import WantedGround, frame_of, is_placed, seen_ground
+from ...storage.training_ground import WantedGround, frame_of, is_placed, prepare_image
 from ..compat import is_metric, is_null, wkt_for_gdal
 from .annotation import AnnotationSource
 from .areas import DrawnArea, area_mask
@@ -142,7 +142,7 @@ class TrainingGround:
 
     @property
     def crs(self) -> QgsCoordinateReferenceSystem:
-        """CRS in meters, or an invalid one if the image has none."""
+        """CRS in meters; invalid if the image has no CRS."""
         crs = self.layer.crs
         if not crs.isValid() or is_metric(crs):
             return crs
@@ -152,7 +152,7 @@ class TrainingGround:
         """Return the prepared image, with its VRT in ``folder``. Raises ParameterError, LabelMapError."""
         crs = self.crs
         changed = wkt_for_gdal(crs) if crs != self.layer.crs else ""
-        return seen_ground(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
+        return prepare_image(self.layer.file, WantedGround(changed, self.pixel_size, self._bounds(crs)), folder)
 
     def mask(self, image: RasterFile) -> AreaMask | None:
         """Return the mask of the training area on the prepared image; None for all. Raises ParameterError."""

@@ -69,7 +69,7 @@ class AssessmentReport:
             name,
             self._key_figures(self.results[0]),
             parts.next_steps(self._next()),
-            page.paragraph(assumed(self.conditions, self.correlation)),
+            page.paragraph(assumptions(self.conditions, self.correlation)),
             page.section(tr("Map of expected success"), *self._maps()),
             page.section(tr("Results by footprint width"), self._footprints(), self._landmarks_chart()),
             page.section(tr("Reasons for failures"), self._reasons()),
@@ -200,15 +200,15 @@ def trust(results: Sequence[AssessedFootprint]) -> list[str]:
     return [page.figure(chart, text.format(scores="; ".join(scores)))]
 
 
-def assumed(conditions: Conditions, correlation: bool) -> str:
+def assumptions(conditions: Conditions, correlation: bool) -> str:
     """Return the text with the assumptions."""
     noise = conditions.noise
     text = tr(
         "Assumptions: {missed} missed, {spurious} spurious and {mislabeled} mislabeled landmarks. {background} of the "
         "background is mislabeled. Standard deviations: boundary jitter {jitter:g} m, map displacement {displaced:g} m "
-        "per axis (similar for neighbors), class offset {shifted:g} m. Roof lean {leaning}, lens distortion {lens}, "
-        "camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error is at most 2 % of "
-        "the footprint width. Method: {method}."
+        "per axis (similar for neighbors). Class offset {shifted:g} m in any direction, building lean {leaning}, lens "
+        "distortion {lens}, camera tilt {tilt:g}°. Any heading, no prior position. A position is correct if its error "
+        "is at most 2 % of the footprint width. Method: {method}."
     )
     method = tr("Constellation, then Map correlation") if correlation else tr("Constellation only")
     return text.format(

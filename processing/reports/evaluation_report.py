@@ -154,8 +154,7 @@ class EvaluationReport:
         errors = np.concatenate([errors for errors, _ in curves.values()])
         errors = np.maximum(errors, 0.01) if len(errors) else np.array([0.1, 10.0])
         series = [
-            Series(title, *_thinned(*curves[method]), marked=False, stepped=True)
-            for method, title in self.methods.items()
+            Series(title, *_thin(*curves[method]), marked=False, stepped=True) for method, title in self.methods.items()
         ]
         x_axis = charts.logarithmic_axis(tr("Error (m)"), errors.min(), errors.max())
         chart = charts.line_chart(series, x_axis, charts.percent_axis(tr("Images with a position")), tr("Errors"))
@@ -218,12 +217,12 @@ class EvaluationReport:
             header += [name, *added]
         order = {id(o): n for n, o in enumerate(by_method[0])}
         rows = [
-            [value_of(same[0].query), same[0].query.window, *self._found(same, by_method)]
+            [value_of(same[0].query), same[0].query.window, *self._result_cells(same, by_method)]
             for same in sorted(zip(*by_method), key=lambda same: (_turn_order(same[0].query), order[id(same[0])]))
         ]
         return page.table(header, rows, numbers)
 
-    def _found(self, same: Sequence[Trial], by_method: Sequence[Sequence[Trial]]) -> list[str]:
+    def _result_cells(self, same: Sequence[Trial], by_method: Sequence[Sequence[Trial]]) -> list[str]:
         cells = []
         for one, trials in zip(same, by_method):
             result = one.result
@@ -232,8 +231,8 @@ class EvaluationReport:
                 if one.is_fix
                 else worded(result.status.title)
             )
-            distance = [_fixed(result.distance, 3)] if _has_distances(trials) else []
-            confidence = _fixed(result.confidence if one.is_fix else None, 2)
+            distance = [_decimal(result.distance, 3)] if _has_distances(trials) else []
+            confidence = _decimal(result.confidence if one.is_fix else None, 2)
             cells += [found, page.number(one.error, "m"), *distance, confidence]
         return cells
 
@@ -264,7 +263,7 @@ def _has_distances(trials: Sequence[Trial]) -> bool:
     return any(one.result.distance is not None for one in trials)
 
 
-def _fixed(value: float | None, decimals: int) -> str:
+def _decimal(value: float | None, decimals: int) -> str:
     return page.NOTHING if value is None else shown(value, f".{decimals}f")
 
 
@@ -273,7 +272,7 @@ def _turn_order(query) -> tuple[float, float]:
     return -query.scale, query.view.heading_deg
 
 
-def _thinned(x: np.ndarray, y: np.ndarray, most: int = 400) -> tuple[np.ndarray, np.ndarray]:
+def _thin(x: np.ndarray, y: np.ndarray, most: int = 400) -> tuple[np.ndarray, np.ndarray]:
     """Return at most ``most`` points with the first and the last one, to keep reports small."""
     index = np.unique(np.linspace(0, len(x) - 1, min(len(x), most)).round().astype(int)) if len(x) else []
     return np.maximum(x[index], 0.01) if len(x) else x, y[index] if len(x) else y

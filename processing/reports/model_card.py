@@ -43,11 +43,11 @@ def card_html(card: ModelCard) -> str:
         (tr("Classes"), [", ".join(card.classes)]),
         (tr("Pixel size"), [resolution_text(card)]),
         (tr("Trained on"), [f"{one.place}: {one.about}" if one.about else one.place for one in card.trained_on]),
-        (tr("Quality (IoU)"), _tested(card)),
+        (tr("Quality (IoU)"), _quality_lines(card)),
         (tr("Suitable for"), card.good_for.splitlines()),
         (tr("Not suitable for"), card.not_for.splitlines()),
         (tr("License"), card.license.splitlines()),
-        (tr("Training"), [_made(card)]),
+        (tr("Training"), [_training_text(card)]),
         (tr("File"), [card.file]),
     ]
     if not (card.fault or card.trained_on):
@@ -57,12 +57,12 @@ def card_html(card: ModelCard) -> str:
     return str(macros().card(card_title(card), worded(card.fault) if card.fault else "", known, tr("not stated")))
 
 
-def _made(card: ModelCard) -> str:
+def _training_text(card: ModelCard) -> str:
     minutes = "" if card.minutes is None else tr("{minutes:g} minutes").format(minutes=card.minutes)
     return ", ".join(part for part in (card.date, minutes) if part)
 
 
-def _tested(card: ModelCard) -> list[str]:
+def _quality_lines(card: ModelCard) -> list[str]:
     """Return lines with the IoU by place and class."""
     from markupsafe import Markup
 

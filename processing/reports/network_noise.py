@@ -28,7 +28,7 @@ _LINE = re.compile(f'<meta name="{NAME}" content="([^"]*)">')
 
 def network_meta(numbers: Mapping[str, float | None], landmarks: int) -> dict[str, str]:
     """Return name and content of the line: percent and m, None for unknown numbers."""
-    content = {LANDMARKS: landmarks, **{key: _rounded(number) for key, number in numbers.items()}}
+    content = {LANDMARKS: landmarks, **{key: _round(number) for key, number in numbers.items()}}
     return {NAME: json.dumps(content)}
 
 
@@ -67,5 +67,5 @@ def read_network(path: str) -> dict[str, float]:
     return numbers
 
 
-def _rounded(number: float | None) -> float | None:
+def _round(number: float | None) -> float | None:
     return None if number is None else round(number, 3)

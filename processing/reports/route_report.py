@@ -18,7 +18,7 @@ from ..messages.numbers import Local, shown
 from ..messages.numbers import count as number_text
 from ..translation import tr
 from . import charts, page, parts
-from .assessment_report import assumed, reason_titles
+from .assessment_report import assumptions, reason_titles
 from .maps import route_map, success_legend
 
 LARGE_SHARE = 0.1
@@ -75,7 +75,7 @@ def route_html(
         name,
         _key_figures(route),
         parts.next_steps(_next(route)),
-        page.paragraph(assumed(conditions, correlation)),
+        page.paragraph(assumptions(conditions, correlation)),
         page.section(tr("Map"), *_map(route, below)),
         page.section(tr("Profile"), *profiles),
         page.section(tr("Stretches without an expected position"), *_gap_table(route)),

@@ -66,7 +66,7 @@
   <alias field="jump" name="Faster than the maximum speed"/>
   <alias field="error_95_minor" name="Minor semi-axis of the 95 % ellipse (m)"/>
   <alias field="error_95_direction" name="Direction of the major semi-axis (°)"/>
-  <alias field="heading_deviation" name="Standard deviation of the heading (°)"/>
+  <alias field="heading_deviation" name="Heading deviation (°)"/>
   <alias field="pixel_size_deviation" name="Standard deviation of the pixel size (m)"/>
   <alias field="search_capped" name="Limited search"/>
   <alias field="sigma_east" name="Standard deviation to the east (m)"/>
@@ -144,7 +144,7 @@
   <alias field="background" name="Mislabeled background (%)"/>
   <alias field="displaced" name="Map displacement (m)"/>
   <alias field="shifted" name="Class offset (m)"/>
-  <alias field="leaning" name="Roof lean (%)"/>
+  <alias field="leaning" name="Building lean (%)"/>
   <alias field="lens" name="Lens distortion (%)"/>
   <alias field="tilt" name="Camera tilt (°)"/>
   <alias field="road" name="Method of the position"/>

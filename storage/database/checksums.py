@@ -124,15 +124,15 @@ def _column(values: tuple) -> Iterator[np.ndarray | bytes]:
 
 def has_checksums(connection: sqlite3.Connection) -> bool:
     """Whether a database has checksums."""
-    return bool(_stated(connection))
+    return bool(_stored_checksums(connection))
 
 
 def keeps_shown(connection: sqlite3.Connection) -> bool:
     """Whether a database has checksums of the data that only QGIS reads."""
-    return any(name in stated for stated in _stated(connection) for name in _LATER)
+    return any(name in stated for stated in _stored_checksums(connection) for name in _LATER)
 
 
-def _stated(connection: sqlite3.Connection) -> list[dict]:
+def _stored_checksums(connection: sqlite3.Connection) -> list[dict]:
     rows = connection.execute("SELECT value FROM parameters WHERE key = ?", (CHECKSUMS,)).fetchall()
     found = [read_json(value) for (value,) in rows]
     if len(found) > 1 or not all(isinstance(stated, dict) for stated in found):
@@ -142,7 +142,7 @@ def _stated(connection: sqlite3.Connection) -> list[dict]:
 
 def require_unchanged(connection: sqlite3.Connection, found: Mapping[str, str]) -> None:
     """Raise ValueError if a table differs from its stored checksum; old databases have no checksums."""
-    for stated in _stated(connection):
+    for stated in _stored_checksums(connection):
         for name, checksum in found.items():
             if stated.get(name) != checksum:
                 raise ValueError(f"its table {name.split()[0]} is not what its checksum says")

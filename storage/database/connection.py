@@ -53,7 +53,7 @@ def snapshot(path: str) -> Iterator[Snapshot]:
     if not os.path.isfile(path):
         raise no_database(path)
     try:
-        with contextlib.closing(_connected(path)) as connection:
+        with contextlib.closing(_connect(path)) as connection:
             connection.execute("PRAGMA trusted_schema=OFF")
             connection.execute("PRAGMA cell_size_check=ON")
             connection.execute("BEGIN")
@@ -132,7 +132,7 @@ def open_table(path: str, table: str, kind: int, options: Sequence[str] = ()) ->
     return gdal.OpenEx(path, kind, ["GPKG"], [f"TABLE={table}", *options])
 
 
-def _connected(path: str) -> Snapshot:
+def _connect(path: str) -> Snapshot:
     # Before opening: the file may be replaced at any moment.
     found = state(path)
     with open(path, "rb") as file:

@@ -60,7 +60,7 @@ class DatabaseEditor:
             raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure(error)) from None
 
     def _edit(self) -> Iterator[float]:
-        dataset = _opened(self._path, gdal.OF_VECTOR)
+        dataset = _open(self._path, gdal.OF_VECTOR)
         dataset.StartTransaction()
         total = len(self._changes.touched) + len(self._changes.removed) + len(self._changes.added) + 1
         for n, _ in enumerate(self._edit_layers(dataset)):
@@ -116,14 +116,14 @@ class DatabaseEditor:
                 _check(layer.SetFeature(feature))
 
     def _edit_overview(self) -> None:
-        dataset = _opened(self._path, gdal.OF_RASTER, [f"TABLE={schema.OVERVIEW}"])
+        dataset = _open(self._path, gdal.OF_RASTER, [f"TABLE={schema.OVERVIEW}"])
         band = dataset.GetRasterBand(1)
         for column, row, labels in self._changes.overview:
             band.WriteArray(labels, column, row)
         schema.close(dataset)
 
 
-def _opened(path: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset:
+def _open(path: str, kind: int, options: Sequence[str] = ()) -> gdal.Dataset:
     dataset = gdal.OpenEx(path, kind | gdal.OF_UPDATE, ["GPKG"], [*_UNSAFE, *options])
     if dataset is None:
         raise DatabaseError("The database can't be written: {reason}.", reason=gdal_failure())

@@ -56,7 +56,7 @@ def replace_keeping(path: str, updated: str, of: str | None = None) -> str | Non
     with Batch() as batch:
         kept, fresh = (batch.file(target, tables=(*TABLES, "semref_undo")) for target in (file_before(path), path))
         if not _link(path, kept, made):
-            with _copied(path, kept) as copy:
+            with _editable_copy(path, kept) as copy:
                 _store_checksums(copy, made)
         shutil.move(updated, fresh)
         try:
@@ -82,7 +82,7 @@ def undo_update(path: str) -> None:
     stored = read_stored_database(before)
     read_overview(before)
     with Batch() as batch:
-        with _copied(before, batch.file(path, tables=TABLES)) as copy:
+        with _editable_copy(before, batch.file(path, tables=TABLES)) as copy:
             copy.execute("CREATE TABLE IF NOT EXISTS semref_undo (checksums TEXT)")
             if copy.execute("SELECT checksums FROM semref_undo").fetchall() != [(stated_checksums(path),)]:
                 raise DatabaseError(
@@ -164,7 +164,7 @@ def stated_checksums(path: str) -> str | None:
 
 
 @contextlib.contextmanager
-def _copied(path: str, target: str) -> Iterator[sqlite3.Connection]:
+def _editable_copy(path: str, target: str) -> Iterator[sqlite3.Connection]:
     """Copy a database and yield a connection to the copy. Raises DatabaseError."""
     from .connection import snapshot
 

@@ -106,7 +106,7 @@ def test_a_layer_that_is_loaded_gets_the_style(database, qgis_app):
 @pytest.mark.slow
 def test_the_report_states_the_assumptions(assessed):
     text = Path(assessed[0]["REPORT"]).read_text(encoding="utf-8")
-    assumed = ("<svg", "Footprint 160", "Assumed: any heading", "tilted by 2°", "in the 95 % ellipse")
+    assumed = ("<svg", "Footprint 160", "Assumptions: ", "camera tilt 2°", "In the 95 % ellipse")
     for part in (*assumed, "too few landmarks", "Brier score", "building"):
         assert part in text
 

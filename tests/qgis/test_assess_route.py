@@ -330,4 +330,4 @@ def test_simulated_flights_give_position_share_and_radius(run_algorithm, databas
     assert 0 < rows[-1]["flight_radius"] <= results["LARGEST_RADIUS"]
     assert all(row["flight_lost"] == 0 for row in rows)
     text = Path(results["REPORT"]).read_text(encoding="utf-8")
-    assert "In flight" in text and "first position after" in text
+    assert "In flight" in text and "First position after" in text

@@ -78,7 +78,7 @@ def test_the_report_shows_the_matrix_and_every_class(compare, maps, tmp_path):
     for key in ("OVERALL_ACCURACY", "MEAN_IOU"):
         assert f"{100 * results[key]:.1f}\u00a0%" in text
     assert text.count("<svg") == 1 and all(name in text for name in NAMES)
-    assert "predicted.tif against annotated.tif" in text
+    assert "predicted.tif compared with annotated.tif" in text
 
 
 def test_maps_without_names_are_matched_by_value_with_a_note(compare, tmp_path, feedback):
@@ -148,7 +148,7 @@ def test_a_full_disk_for_polygons_is_reported(tmp_path):
                 with files_of_at_most(size):
                     disagreements.write_rows(0, noise.astype(np.uint16))
                     disagreements.outline(lambda share: True)
-                outcomes.append(len(disagreements.ranked(0)))
+                outcomes.append(len(disagreements.by_area(0)))
             except LabelMapError:
                 outcomes.append("told")
     whole = outcomes[-1]
@@ -182,7 +182,7 @@ def test_a_models_bias_is_measured_and_written_into_its_copy(compare, shifted, t
     assert found["east"] == pytest.approx(1.0, abs=0.1) and found["north"] == pytest.approx(-0.5, abs=0.1)
     assert found["spread"] < 0.2 and found["sun"] == 150
     assert {**read_metadata(model.read_bytes()), "class_bias": texts["class_bias"]} == texts
-    assert "building" in (tmp_path / "r.html").read_text(encoding="utf-8").split("Bias of classes")[1]
+    assert "building" in (tmp_path / "r.html").read_text(encoding="utf-8").split("Class offsets")[1]
     assert "building: shown +1.0" in feedback.textLog()
 
 

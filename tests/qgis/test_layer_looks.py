@@ -118,7 +118,7 @@ def test_texts_of_styles_are_in_the_user_s_language(qgis_app, monkeypatch):
     monkeypatch.setattr(styles, "tr", lambda text: f"l'{text} & %]")
     layer = styled("positions")
     assert layer.attributeAlias(0) == "l'Image & %]"
-    assert [rule.label() for rule in layer.renderer().rootRule().children()][0] == "l'Fix, with its heading & %]"
+    assert [rule.label() for rule in layer.renderer().rootRule().children()][0] == "l'Position with heading & %]"
     assert layer.editFormConfig().tabs()[0].name() == "l'Image & %]"
     tip = tip_of(layer, feature_of(layer, image="a.tif", status="fix", method="constellation", confidence=1.0))
     assert "<td>l&#x27;Error probability &amp; % ]</td><td><b>l&#x27;below 1 in 10,000 &amp; % ]</b>" in tip
@@ -175,7 +175,7 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
     assert positions.temporalProperties().isActive() and positions.temporalProperties().startField() == "time"
     form = positions.editFormConfig()
     assert form.layout() == QgsEditFormConfig.TabLayout
-    assert [page.name() for page in form.tabs()] == ["Image", "Position", "How exactly", "How it was found"]
+    assert [page.name() for page in form.tabs()] == ["Image", "Position", "Accuracy", "Method"]
     shown = [child.name() for page in form.tabs() for child in page.children()]
     assert sorted(shown) == sorted(field.name() for field in positions.fields())
 
@@ -183,14 +183,14 @@ def test_positions_are_labeled_by_their_images_played_by_time_and_have_a_form_of
 @pytest.mark.parametrize(
     ("style", "values", "rule"),
     [
-        ("positions", {"heading": 10.0, "jump": False}, "Fix, with its heading"),
-        ("positions", {"heading": 10.0}, "Fix, with its heading"),
-        ("positions", {"jump": False}, "Fix without a heading"),
-        ("positions", {"heading": 10.0, "jump": True}, "Out of reach in time"),
-        ("poses", {"source": "own", "outvoted": False}, "Fix of the image itself"),
-        ("poses", {"source": "flight", "outvoted": False}, "Placed by the flight"),
-        ("poses", {"source": "flight"}, "Placed by the flight"),
-        ("poses", {"source": "flight", "outvoted": True}, "Its own fix was outvoted"),
+        ("positions", {"heading": 10.0, "jump": False}, "Position with heading"),
+        ("positions", {"heading": 10.0}, "Position with heading"),
+        ("positions", {"jump": False}, "Position without heading"),
+        ("positions", {"heading": 10.0, "jump": True}, "Faster than the maximum speed"),
+        ("poses", {"source": "own", "outvoted": False}, "Own position"),
+        ("poses", {"source": "flight", "outvoted": False}, "Position from the flight"),
+        ("poses", {"source": "flight"}, "Position from the flight"),
+        ("poses", {"source": "flight", "outvoted": True}, "Own position outvoted"),
     ],
 )
 def test_every_kind_of_position_is_drawn_by_one_rule(qgis_app, style, values, rule):

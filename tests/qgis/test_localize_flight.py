@@ -128,9 +128,9 @@ def test_the_style_distinguishes_own_flight_and_outvoted_positions(found):
     assert isinstance(layer.renderer(), QgsRuleBasedRenderer)
     rules = layer.renderer().rootRule().children()
     assert [rule.label() for rule in rules] == [
-        "Fix of the image itself",
-        "Placed by the flight",
-        "Its own fix was outvoted",
+        "Own position",
+        "Position from the flight",
+        "Own position outvoted",
     ]
     kinds = [symbol.layerType() for symbol in rules[0].symbol().symbolLayers()]
     # The 95 % ellipse, a casing, the arrow.
@@ -151,7 +151,7 @@ def test_the_track_goes_through_its_images(found):
 
 def test_the_report_lists_images_times_and_reasons(found):
     page = Path(found[1]["REPORT"]).read_text(encoding="utf-8")
-    assert "Report of a flight" in page and page.count("<ellipse") >= found[1]["FIX_COUNT"]
+    assert "Localization of a flight" in page and page.count("<ellipse") >= found[1]["FIX_COUNT"]
     assert "image10.png" in page and "told by the table" in page and "2025-05-09 10:00:10" in page
 
 

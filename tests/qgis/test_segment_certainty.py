@@ -167,5 +167,5 @@ def test_a_mask_beside_the_image_is_refused(segment, image, tmp_path, case):
 
 def test_a_mask_on_a_photo_without_a_place_is_refused(segment, tmp_path):
     photo = write_raster(tmp_path / "a.png", PHOTO, transform=None)
-    with pytest.raises(QgsProcessingException, match="no place on the ground"):
+    with pytest.raises(QgsProcessingException, match="no georeference"):
         segment(photo, MASK=str(two_squares(tmp_path)))
