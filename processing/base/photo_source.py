@@ -124,7 +124,7 @@ class PhotoSource:
 
         file = GdalImage(path)
         if file.geotransform is None:
-            raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
+            raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
         mask = area_mask(self._area, crs, file.geotransform, file.shape_hw, self._values.transform_context)
         keep_only(path, mask)
 
@@ -167,7 +167,7 @@ class PhotoSource:
         if self._area is None:
             return image
         if geotransform is None:
-            raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
+            raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
         context = self._values.transform_context
         return MaskedImage(image, area_mask(self._area, photo.crs, geotransform, image.shape_hw, context))
 
@@ -185,7 +185,9 @@ class PhotoSource:
         is_extent = self._values.has(self._extent_key)
         if transform is None or transform[2] or transform[4] or not crs.isValid():
             if not is_extent:
-                raise ParameterError("The image has no place on the ground that MASK could be laid on; leave MASK out.")
+                raise ParameterError(
+                    "The image has no georeference, so the mask cannot be applied. Leave “Mask” empty."
+                )
             raise ImageError(
                 "“{image}” has no georeference, or a turned one, so EXTENT can’t be found on it; leave EXTENT out.",
                 image=name,
@@ -203,7 +205,9 @@ class PhotoSource:
         (left, right), (top, bottom) = _within(columns, width), _within(rows, height)
         if right <= left or bottom <= top:
             if not is_extent:
-                raise ParameterError("No polygon of MASK lies on the image; choose another layer, or leave MASK out.")
+                raise ParameterError(
+                    "The mask and the image do not overlap. Select another mask, or leave “Mask” empty."
+                )
             raise ImageError("EXTENT does not touch “{image}”; choose a part of it.", image=name)
         return left, top, right - left, bottom - top
 

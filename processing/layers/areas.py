@@ -142,16 +142,12 @@ def area_mask(
         parts = (part for part in geometry.asGeometryCollection() if part.area() > 0)
         polygons += [part.asWkb().data() for part in parts if part.boundingBox().intersects(image)]
     if not polygons:
-        raise ParameterError(
-            "No polygon of the mask layer overlaps the image. Choose another mask layer, or leave the field empty."
-        )
+        raise ParameterError("The mask and the image do not overlap. Select another mask, or leave “Mask” empty.")
     return AreaMask(polygons)
 
 
 def _mask_refusal(area: DrawnArea) -> Sentence:
-    return Sentence(
-        "The mask layer does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(area.crs)
-    )
+    return Sentence("The mask does not fit its CRS {crs}. Correct the CRS of the layer.", crs=describe_crs(area.crs))
 
 
 def _reproject(

@@ -159,9 +159,7 @@ class TrainingGround:
         if self.area is None:
             return None
         if not is_placed(image):
-            raise ParameterError(
-                "The image has no georeference, so the mask layer can't be used. Leave the mask layer empty."
-            )
+            raise ParameterError("The image has no georeference, so the mask cannot be applied. Leave “Mask” empty.")
         frame = frame_of(image)
         return area_mask(self.area, self.crs, frame.geotransform, frame.shape_hw, self.context)
 

@@ -268,7 +268,7 @@ def test_outside_of_a_mask_a_layer_that_is_tried_has_no_labels(run_algorithm, da
 @pytest.mark.parametrize(
     ("transform", "column", "sentence"),
     [
-        ((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "No polygon of the mask layer"),
+        ((WEST, 1.0, 0.0, NORTH, 0.0, -1.0), 5000, "The mask and the image do not overlap"),
         (None, 10, "The image has no georeference"),
     ],
 )

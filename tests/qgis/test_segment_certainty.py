@@ -161,7 +161,7 @@ def test_of_map_tiles_the_masks_extent_is_drawn(segment, tmp_path):
 def test_a_mask_beside_the_image_is_refused(segment, image, tmp_path, case):
     features = [(square(5_000, 0, 50), "a")] if case == "elsewhere" else []
     mask = write_layer(tmp_path / "m.gpkg", features, geometry=ogr.wkbPolygon)
-    with pytest.raises(QgsProcessingException, match="No polygon of the mask layer overlaps the image"):
+    with pytest.raises(QgsProcessingException, match="The mask and the image do not overlap"):
         segment(image, MASK=str(mask))
 
 

@@ -113,9 +113,7 @@ def say_test(folder: Path, trainer: object, job: Job) -> None:
     values = [c.value for c in ground.classes]
     reader = tiles.TileReader(test.tiles("train") + test.tiles("validation"), values, job.learn_unlabeled)
     by_torch, by_onnx, same = export.compare(trainer.network, Path(job.output), reader, mean, deviation)
-    print(f"
-{folder}, {len(reader)} tiles, {same:.4%} of the pixels equal in torch and onnxruntime
-")
+    print(f"\n{folder}, {len(reader)} tiles, {same:.4%} of the pixels equal in torch and onnxruntime\n")
     print("| class | IoU in torch | IoU in onnxruntime |\n|---|---|---|")
     pairs = zip(ground.class_names, *(metrics.intersection_over_union(m) for m in (by_torch, by_onnx)))
     print("\n".join(f"| {name} | {a:.4f} | {b:.4f} |" for name, a, b in pairs if np.isfinite(a)))
