@@ -97,7 +97,6 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
         (N, 5) float64: score, x, y (meters right and down of the map's corner), heading (°), pixel size (m); best
         first.
     """
-    threads = THREADS
     templates = _templates(image, pyramid, space)
 
     def one_tile(job: tuple[float, _Tile]) -> list[tuple[float, ...]]:
@@ -109,11 +108,8 @@ def search(image: EvidenceLevel, pyramid: MapPyramid, space: SearchSpace) -> np.
         for size_m in space.pixel_sizes_m
         for tile in _tiles(space.box_m, size_m * templates.pixel, templates.places)
     ]
-    if threads > 1 and len(jobs) > 1:
-        with ThreadPoolExecutor(threads) as pool:
-            found = list(pool.map(one_tile, jobs))
-    else:
-        found = [one_tile(job) for job in jobs]
+    with ThreadPoolExecutor(THREADS) as pool:
+        found = list(pool.map(one_tile, jobs))
     peaks = np.array([peak for peaks in found for peak in peaks], np.float64).reshape(-1, 5)
     return peaks[np.argsort(-peaks[:, 0], kind="stable")]
 

@@ -16,19 +16,6 @@ from ..errors import ParameterError, reason_of
 from ..sentences import Sentence
 
 
-def text_of(path: str) -> str:
-    """Return the text of a file in UTF-8.
-
-    Raises:
-        ParameterError: The file can't be read, is not a regular file, is too large or is not text.
-    """
-    data = bytes_of(path, limits.TABLE_BYTES)
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        raise ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=path) from None
-
-
 def bytes_of(path: str, most: int, count: int | None = None) -> bytes:
     """Return the bytes of a regular file.
 
@@ -181,7 +168,11 @@ def rows_of(path: str, check: Check) -> Iterator[Row]:
     Raises:
         ParameterError: The file can't be used.
     """
-    numbered = [(n, line) for n, line in enumerate(text_of(path).splitlines(), start=1) if line.strip()]
+    try:
+        text = bytes_of(path, limits.TABLE_BYTES).decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise ParameterError("{path} is not text in UTF-8. Save it as CSV in UTF-8.", path=path) from None
+    numbered = [(n, line) for n, line in enumerate(text.splitlines(), start=1) if line.strip()]
     columns = Columns.of(path, numbered[0][1] if numbered else "")
     check(columns)
     for number, line in numbered[1:]:

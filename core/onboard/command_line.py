@@ -34,7 +34,7 @@ from .mavlink import MESSAGES, MavlinkOptions, MavlinkSink, check_address
 from .read import read_onboard
 from .sinks import check_sink
 from .state_file import StateFile
-from .tables import open_odometry
+from .tables import OdometryTable
 from .watch import watch
 
 ALL_FIXED, SOME_WITHOUT_FIX, WRONG_USAGE, REFUSED = range(4)
@@ -378,7 +378,9 @@ def _watch(options: argparse.Namespace) -> int:
                 database=options.database,
             )
         settings = replace(FLIGHT, allowed_risk=options.risk)
-        odometry = open_odometry(options.odometry, options.once, not is_restart)
+        odometry = OdometryTable(options.odometry, options.once) if options.odometry else None
+        if odometry is not None and not is_restart:
+            odometry.check()
         state = StateFile.at(options.state, options.require_signature) if options.state else None
         find = FlightFinder(**vars(find), state=state, settings=settings, odometry=odometry)
         after = find.start()

@@ -110,7 +110,7 @@ class TableOfImages(Generic[Value]):
         self._numbers = {image: number for image, number in self._numbers.items() if number >= self._first}
 
 
-class OdometryTable:
+class OdometryTable(TableOfImages[OdometryRow]):
     """Motion from image to image in a growing table."""
 
     def __init__(self, path: str, is_ended: bool) -> None:
@@ -119,32 +119,9 @@ class OdometryTable:
         Args:
             is_ended: No program writes any more.
         """
-        self._table: TableOfImages[OdometryRow] = TableOfImages(path, check_odometry, step_of, is_ended)
-
-    def check(self) -> None:
-        """Read the current rows; raises ParameterError for the first error."""
-        self._table.check()
+        super().__init__(path, check_odometry, step_of, is_ended)
 
     def link(self, before: str, now: str) -> Link | None:
         """Return the motion from an image to a later one, by names without extensions; None if the table lacks it."""
-        steps = self._table.between(before, now)
+        steps = self.between(before, now)
         return None if not steps or any(step.is_break for step in steps) else link_over(0, 1, steps)
-
-
-def open_odometry(path: str | None, is_ended: bool, is_strict: bool) -> OdometryTable | None:
-    """Return the odometry table of the command line; None without one.
-
-    Args:
-        path: Of the table; None without one.
-        is_ended: No program writes any more.
-        is_strict: Refuse an unusable table. Otherwise problems are logged when the table is needed.
-
-    Raises:
-        ParameterError: The table can't be used.
-    """
-    if not path:
-        return None
-    table = OdometryTable(path, is_ended)
-    if is_strict:
-        table.check()
-    return table

@@ -188,10 +188,15 @@ def _larger(view: View, right: np.ndarray, up: np.ndarray) -> np.ndarray:
     return 1 + view.lens * (right**2 + up**2) / ((view.width_px**2 + view.height_px**2) / 4)
 
 
+def _tilt(view: View) -> tuple[float, float, float]:
+    """Return tilt and direction in radians, and the focal length in pixels."""
+    focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
+    return float(np.radians(view.tilt_deg)), float(np.radians(view.tilt_direction_deg)), float(focal)
+
+
 def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return offsets on level ground, in pixels of the vertical view, of image offsets of a tilted camera."""
-    tilt, direction = np.radians(view.tilt_deg), np.radians(view.tilt_direction_deg)
-    focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
+    tilt, direction, focal = _tilt(view)
     along = np.sin(direction) * right + np.cos(direction) * up
     across = np.cos(direction) * right - np.sin(direction) * up
     depth = np.cos(tilt) - along / focal * np.sin(tilt)
@@ -206,8 +211,7 @@ def _on_the_ground(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.nd
 
 def _in_the_image(view: View, right: np.ndarray, up: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the inverse of ``_on_the_ground``; points at or behind the horizon are far outside."""
-    tilt, direction = np.radians(view.tilt_deg), np.radians(view.tilt_direction_deg)
-    focal = view.width_px / 2 / np.tan(np.radians(view.field_of_view_deg) / 2)
+    tilt, direction, focal = _tilt(view)
     lower = np.cos(tilt) ** 1.5
     along = (np.sin(direction) * right + np.cos(direction) * up) / lower
     across = (np.cos(direction) * right - np.sin(direction) * up) / lower

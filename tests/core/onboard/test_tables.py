@@ -12,7 +12,7 @@ from semref.core.flight.motion import LinkSource
 from semref.core.flight.odometry import odometry_links, read_odometry
 from semref.core.onboard import tables
 from semref.core.onboard.log import start_log
-from semref.core.onboard.tables import OdometryTable, open_odometry
+from semref.core.onboard.tables import OdometryTable
 
 HEADER = "image,dx_m,dy_m,dheading_deg,sigma_m\n"
 
@@ -104,8 +104,8 @@ def test_a_bad_line_is_reported_and_breaks_the_chain_of_links(path, capsys):
 def test_a_bad_table_is_refused_before_the_start_and_reported_after_a_restart(path, lines, message):
     begun(path, *lines)
     with pytest.raises(ParameterError, match=message):
-        open_odometry(str(path), is_ended=False, is_strict=True)
-    assert open_odometry(str(path), is_ended=False, is_strict=False).link("a", "b") is None
+        OdometryTable(str(path), is_ended=False).check()
+    assert OdometryTable(str(path), is_ended=False).link("a", "b") is None
 
 
 def test_a_missing_table_is_reported_once_and_read_again_later(path, capsys):
@@ -123,7 +123,7 @@ def test_memory_does_not_grow_with_the_table(path, monkeypatch):
     for number in range(1, 400):
         append(path, f"{number},0,60,0,1")
         assert table.link(str(number - 1), str(number)).translation == pytest.approx((0, -60))
-        assert len(table._table._rows) <= 50 and len(table._table._numbers) <= 50
+        assert len(table._rows) <= 50 and len(table._numbers) <= 50
 
 
 def test_a_rewritten_table_replaces_the_earlier_rows(path):
