@@ -41,8 +41,8 @@ class CorrelationSettings:
             time; correlation times].
         blocks: Blocks along each edge of the image with independent errors (covariance) [Liechtenstein, north; aerial;
             radius].
-        confidence_curve: ln of the odds that the best place is right: offset; slope per unit of its lead over the
-            stronger opponent (the unit is the opponent's Fisher's z = artanh(correlation)); slope per unit of the
+        confidence_curve: Logarithm of the odds that the best place is right: offset; slope per unit of its lead over
+            the stronger opponent (the unit is the opponent's Fisher's z = artanh(correlation)); slope per unit of the
             surprise of its detail. Among the curves with a calibration error of at most 0.0185 at each of three places,
             it is one with the fewest wrong places at a reported error probability below 1 in 100. A logistic curve
             fitted to the three alike has −4.8, 6.2, 0.64 [three places, north; areas].
@@ -53,15 +53,16 @@ class CorrelationSettings:
         part_agreement: A part that agrees less than this times the whole image is reported: 0 of 108 fixes of images of
             one place (their parts agree at least 0.77 times as well), and 25 of 27 of two. On the southern half, which
             took no part: 0 of 107, and 19 of 30 [the same; parts].
-        error_factor: 95 % radius in units of the larger axis' standard deviation from the refinement, times the
-            noise-to-signal ratio that follows from a correlation s, 1/s² − 1: the worse the labels, the farther their
-            errors reach and the less independent they are. 95 % of the errors are below 2.9 of these units with modest
-            noise, below 4.1 with strong; photos of a town, poorly segmented: 2.1, of a shore at different positions in
-            annotation and network: 6.0 [aerial; photos; radius].
+        error_factor: The 95 % radius in units of the larger axis' standard deviation times the noise-to-signal ratio.
+            The standard deviation is that of the refinement; the ratio follows from a correlation s, 1/s² − 1. The
+            worse the labels, the farther their errors reach and the less independent they are. Of the errors, 95 % are
+            below 2.9 of these units with modest noise and below 4.1 with strong. Photos of a town, poorly segmented,
+            have 2.1. Photos of a shore at different positions in annotation and network have 6.0 [aerial; photos;
+            radius].
         least_noise: Least such ratio [aerial; radius].
         largest_error: Largest 95 % radius of a fix, as a share of the image's diagonal. Of poses refined from beside
             the right place it keeps 58 of 60 (modest noise) and 15 of 27 (strong) that are within 2 % of the image's
-            edge, and 3 of 9 that are not; on Liechtenstein it refuses no fix [aerial; Liechtenstein, north; radius].
+            edge, and 3 of 9 that are not. On Liechtenstein it refuses no fix [aerial; Liechtenstein, north; radius].
         error_floor_px: Least 95 % radius, overview pixels, because the most frequent class of a block is no more
             accurate [Liechtenstein, north; radius].
     """

@@ -23,10 +23,10 @@ class FlightSettings:
         hypotheses: Most hypotheses at a time [by hand, for the time; flights].
         window: Images with joint evidence: limits memory, and lets a wrong track end [by hand; flights].
         nulls: Random places that show what chance gives for an image [by hand, for the time].
-        evidence_curve: ln of the likelihood ratio of an image's agreement at an expected place: offset, slope per
-            standard deviation of chance, least, most [by hand; flights].
-        risk_curve: ln of the odds that a track is right, from its lead over the strongest opponent: offset, slope [by
-            hand; flights].
+        evidence_curve: Logarithm of the likelihood ratio of an image's agreement at an expected place: offset, slope
+            per standard deviation of chance, least, most [by hand; flights].
+        risk_curve: Logarithm of the odds that a track is right, from its lead over the strongest opponent: offset,
+            slope [by hand; flights].
         lost_evidence: A track ends if the evidence of its last images is below this [by hand; flights].
         recent: Number of these last images [by hand; flights].
         search_noise: Standard deviations of a refined place of the first look: its pixels, degrees, ln pixel size [by

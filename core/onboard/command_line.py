@@ -183,7 +183,7 @@ def _parser() -> argparse.ArgumentParser:
 def _add_localization(command: argparse.ArgumentParser) -> None:
     """Add the options of ``localize`` and ``watch``."""
     command.add_argument("--database", required=True, help="onboard file (.npz)")
-    command.add_argument("--model", help="network (.onnx) for photos; without it, the images are label images")
+    command.add_argument("--model", help="model (.onnx) for photos; without it, the images are label images")
     names = [_option(method) for method in Method]
     command.add_argument("--method", choices=names, default=names[0], help=f"localization method (default: {names[0]})")
     text = "camera table (CSV): roll, pitch, lens, height, heading; watch reads rows added during the flight"
@@ -200,9 +200,9 @@ def _add_localization(command: argparse.ArgumentParser) -> None:
     command.add_argument("--risk", type=number, default=RISK, help=text)
     text = "direction of the sun, degrees clockwise from grid north; for a model whose class offsets turn with it"
     command.add_argument("--sun", type=_number(0, 360), metavar="DEG", help=text)
-    number, text = _number(1, limits.THREADS, int), "threads of OpenCV and the network (default: 1)"
+    number, text = _number(1, limits.THREADS, int), "threads of OpenCV and the model (default: 1)"
     command.add_argument("--threads", type=number, default=1, metavar="N", help=text)
-    text = f"device of the network (default: {AUTO}, the first one that works)"
+    text = f"device of the model (default: {AUTO}, the first one that works)"
     command.add_argument("--device", choices=KEYS, default=AUTO, help=text)
 
 
