@@ -1,4 +1,4 @@
-"""Scenarios can be read, results are whole, and docs/benchmarks.md is what is written from them."""
+"""Scenarios are valid, results are complete, and docs/benchmarks.md is up to date."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_WORDS = 5_000
 
 @pytest.fixture(scope="module")
 def benchmarks():
-    """``benchmarks("page")`` gives that module of benchmarks/."""
+    """Return a function that imports a module of benchmarks/ by name."""
     sys.path.append(str(ROOT / "tools"))
     importlib.import_module("plugin_package").load_plugin_package()
     return lambda name: importlib.import_module(f"benchmarks.{name}")

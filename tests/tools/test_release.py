@@ -1,4 +1,4 @@
-"""What goes into a release: news, metadata, and a zip that is looked at before anybody gets it."""
+"""The parts of a release: news, metadata, and a checked zip."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_addresses_that_nobody_filled_in_are_named():
 
 @pytest.fixture
 def contents(sample, tmp_path) -> dict[str, bytes]:
-    """The files of a zip of this repository, with the start of a guide and translations where they were not made."""
+    """Return the files of a zip of this repository, with a help page and translations if they were not built."""
     target = tmp_path / "made.zip"
     package.write_package(target)
     with zipfile.ZipFile(target) as archive:
@@ -84,7 +84,7 @@ def contents(sample, tmp_path) -> dict[str, bytes]:
 
 @pytest.fixture
 def faults(contents, tmp_path):
-    """`faults(version, name=content, …)`: what is found in that zip with these files changed, None for left out."""
+    """Return a function that lists the faults of this zip with changed files; None removes a file."""
 
     def found(version: str = "", changed: dict | None = None) -> list[str]:
         target = tmp_path / "looked_at.zip"

@@ -1,4 +1,4 @@
-"""The command that makes the sample area: nothing is replaced that it did not make, nothing is made twice."""
+"""The command that creates the sample area replaces only its own files, and creates nothing twice."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 @pytest.fixture
 def run(repository):
-    """`run(*arguments)`: the ended process."""
+    """Return ``run(*arguments)``, which runs the command and returns the ended process."""
 
     def command(*arguments: str) -> subprocess.CompletedProcess:
         whole = [sys.executable, "-m", "tools.sample", *arguments]

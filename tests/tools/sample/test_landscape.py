@@ -1,4 +1,4 @@
-"""The same seed draws the same landscape; it fills its extent and holds landmarks everywhere."""
+"""The same seed gives the same landscape. It fills its extent and has landmarks everywhere."""
 
 import numpy as np
 import pytest
@@ -8,16 +8,16 @@ from sample import classes, landscape
 
 SEED = 1671
 SMALL_XY = (1500.0, 1300.0)
-"""Meters of a part that is made in seconds."""
+"""Edge in meters of a small landscape."""
 
 
 pytestmark = pytest.mark.slow
-"""Each makes a landscape; parts of it have tests of their own."""
+"""Tests that create a whole landscape."""
 
 
 @pytest.fixture(scope="module")
 def land():
-    """In small."""
+    """Return a small landscape."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(landscape, "SIZE_XY", SMALL_XY)
         return landscape.make_landscape(SEED)

@@ -1,4 +1,4 @@
-"""Pictures are cut where they say, lie on the map, and have names of their own."""
+"""Pictures are cut at the stated place, are on the map, and have unique names."""
 
 import numpy as np
 import pytest
