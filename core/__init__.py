@@ -1,9 +1,9 @@
-"""The science of SemRef: labels to landmarks to vectors to positions, without QGIS.
+"""Core of SemRef: from labels through landmarks and vectors to positions, without QGIS.
 
-Everything here runs on any computer with numpy and OpenCV. Pixel coordinates are (column, row) floats with (0.5, 0.5)
-at the center of the first pixel.
+It needs numpy and OpenCV only. Pixel coordinates are (column, row) floats with (0.5, 0.5) at the center of the first
+pixel.
 
-The names in ``__all__`` are the public Python API; ``api`` has them, and is loaded when one of them is used:
+The names in ``__all__`` are the public Python API. They are in ``api``, which loads when one of them is first used:
 
     >>> from semref.core import localize, open_database
     >>> database = open_database("area.npz")
@@ -41,7 +41,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401 - a function
-    """Load the API when it is first used: QGIS starts without numpy, an aircraft without what it does not need."""
+    """Load the API at its first use, so that QGIS starts without numpy and an aircraft without unused packages."""
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(".api", __name__), name)

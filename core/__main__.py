@@ -12,7 +12,7 @@ def run() -> int:
     try:
         sys.stdout.flush()
     except OSError:
-        # Python would try again at its end, and end with a code of its own.
+        # Otherwise Python tries again at exit and returns its own exit code.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         code = code or REFUSED
     return code

@@ -1,8 +1,8 @@
-"""The public Python API: eight functions for work without QGIS; ``semref.core`` exports them.
+"""The public Python API: eight functions for work without QGIS, exported by ``semref.core``.
 
-GeoPackages and georeferenced rasters need GDAL, which ``core`` does not have. So ``open_database`` opens the onboard
+GeoPackages and georeferenced rasters need GDAL, which ``core`` does not use. So ``open_database`` opens the onboard
 file that *Export for onboard use* or ``save_database`` wrote, and ``build_database`` takes labels as an array. All
-functions raise ``core.errors.SemRefError`` with a sentence for people.
+functions raise ``core.errors.SemRefError`` with a message for the user.
 """
 
 from __future__ import annotations
@@ -42,20 +42,20 @@ Image = Union[str, np.ndarray]
 """Path of a file, or pixels: (H, W) uint8 labels, or with a model (H, W, 3) uint8 colors, red first."""
 
 WINDOW_PX, STRIDE_PX = 512, 128
-"""Edge of a window, and from window to window, where nobody states another: pixels of the label map."""
+"""Default edge and stride of a window, pixels of the label map."""
 
 BUILT_BY = "semref.core"
-"""Where a database states the plugin's version."""
+"""Version text that built databases have instead of the plugin's version."""
 
 
 def read_class_table(path: str) -> ClassTable:
     """Read a class table (CSV: value, name, color, role).
 
     Args:
-        path: Of the file.
+        path: Path of the file.
 
     Raises:
-        ClassTableError: The file is no class table.
+        ClassTableError: The file is not a class table.
         OSError: The file can't be read.
     """
     with open(path, encoding="utf-8-sig") as file:
@@ -70,15 +70,15 @@ def build_database(  # noqa: PLR0913 - a map, where it is, and what is wanted of
     crs: str = "",
     settings: BuildSettings | None = None,
 ) -> ReferenceDatabase:
-    """Build a reference database of a label map in memory.
+    """Build a reference database from a label map in memory.
 
     Args:
         labels_hw: (H, W) uint8 class values, north up, 0 = unknown.
-        table: Its classes, with the classes of landmarks.
-        pixel_size: Map units.
+        table: Classes of the map, with the landmark classes.
+        pixel_size: Edge of a pixel, map units.
         origin: Map (x, y) of the upper left corner.
-        crs: WKT of a metric CRS; "" where it does not matter.
-        settings: Windows and smallest landmark; windows of 512 pixels and landmarks of 16 pixels² without it.
+        crs: WKT of a metric CRS; "" if it does not matter.
+        settings: Windows and smallest landmark; the default is windows of 512 pixels and landmarks of 16 pixels².
 
     Returns:
         The database with its overview, which map correlation and flights need.
@@ -96,30 +96,30 @@ def open_database(path: str, key_file: str | None = None) -> ReferenceDatabase:
     """Open an onboard file (.npz).
 
     Args:
-        path: Of the file.
-        key_file: The key that the file must be signed with; None to take any.
+        path: Path of the file.
+        key_file: File of the key that the file must be signed with; None to accept any file.
 
     Raises:
-        DatabaseError: The file is damaged, no onboard file, or not signed with the key.
+        DatabaseError: The file is damaged, is not an onboard file, or is not signed with the key.
     """
     return read_onboard(path, key_file=key_file).database
 
 
 def save_database(database: ReferenceDatabase, path: str) -> None:
-    """Write a database as an onboard file, without longitude and latitude: only QGIS can compute them.
+    """Write a database as an onboard file, without longitude and latitude, which only QGIS can compute.
 
     Args:
-        database: To be written.
-        path: Of the file (.npz).
+        database: The database.
+        path: Path of the file (.npz).
 
     Raises:
-        DatabaseError: The format can't hold the database.
+        DatabaseError: The format cannot store the database.
     """
     write_onboard(path, database, None)
 
 
 def segment(photo: Image, model: str, table: ClassTable | None = None) -> np.ndarray:
-    """Label a photo by a segmentation network.
+    """Label a photo with a segmentation network.
 
     Args:
         photo: Path of a PNG, JPEG or TIFF file, or (H, W, 3) uint8, red first.
@@ -127,7 +127,7 @@ def segment(photo: Image, model: str, table: ClassTable | None = None) -> np.nda
         table: Classes of the labels; None for the network's own.
 
     Returns:
-        (H, W) uint8 class values on the photo's own pixels.
+        (H, W) uint8 class values on the pixels of the photo.
 
     Raises:
         ImageError: The photo can't be used.
@@ -151,23 +151,23 @@ def localize(  # noqa: PLR0913 - what is known of the images
     cameras: str = "",
     risk: float = RISK,
 ) -> list[Localization]:
-    """Find where images were taken. All images of one call share the search index.
+    """Localize images independently of each other. All images of one call share the search index.
 
     Args:
-        images: Label images, or with a model photos.
-        database: That they are searched in.
+        images: Label images; photos if ``model`` is given.
+        database: The database to search.
         model: Path of the segmentation network (.onnx) for photos.
         method: "automatic", "constellation", "map correlation" or "topology vector".
         prior: What is known of all images.
-        cameras: Path of a camera table (CSV); EXIF and XMP of files are read without it, too.
-        risk: Probability of being wrong up to which a place is a fix.
+        cameras: Path of a camera table (CSV); EXIF and XMP of the files are read without it, too.
+        risk: Maximum error probability of a fix.
 
     Returns:
         One result for each image, in order: ``status``, ``position``, ``error_95_m``, ``risk``, ``reason``, …
 
     Raises:
         SemRefError: A file can't be used.
-        ValueError: There is no such method, or an array is no image.
+        ValueError: The method does not exist, or an array is not an image.
     """
     search = Search(_method(method), prior or Prior())
     pipeline, known = _prepared(images, database, model, search, cameras, risk)
@@ -182,15 +182,15 @@ def localize_flight(  # noqa: PLR0913 - as of ``localize``
     cameras: str = "",
     risk: float = RISK,
 ) -> list[Localization]:
-    """Find where the images of one flight were taken, all together; overlaps of neighbors state the motion.
+    """Localize the images of one flight together; the overlap of consecutive images gives the motion.
 
     Args:
-        images: In the order of the flight, as of ``localize``.
-        database: With its overview.
-        model: As of ``localize``.
-        prior: As of ``localize``.
-        cameras: As of ``localize``.
-        risk: Probability of being wrong up to which a track is one.
+        images: In the order of the flight, as for ``localize``.
+        database: A database with an overview.
+        model: As for ``localize``.
+        prior: As for ``localize``.
+        cameras: As for ``localize``.
+        risk: Maximum error probability of a track.
 
     Returns:
         One result for each image, in order.
@@ -224,20 +224,20 @@ def evaluate(
     count: int = 100,
     seed: int = 1,
 ) -> MethodSummary:
-    """Try images with known truth, cut from a label map and spoiled, and sum up how many are found.
+    """Localize simulated images of known position, cut from a label map and degraded, and summarize the results.
 
     Args:
-        database: That is tried.
-        labels_hw: (H, W) uint8 labels of the same ground as the database's map, which may be of another date.
-        method: As of ``localize``.
-        count: Images; one of ten is mirrored, and any fix of it wrong.
-        seed: The same one repeats the result.
+        database: The database to test.
+        labels_hw: (H, W) uint8 labels of the same ground as the database's map; their date may differ.
+        method: As for ``localize``.
+        count: Number of images; every tenth is mirrored, so that any fix of it is wrong.
+        seed: The same seed repeats the result.
 
     Returns:
         Rates of right and wrong fixes, of fixes of mirrored images, and errors.
 
     Raises:
-        ValueError: The labels have another shape than the database's map.
+        ValueError: The shape of the labels differs from that of the database's map.
         ParameterError: No window has enough landmarks.
     """
     frame = database.parameters.frame
@@ -259,12 +259,12 @@ def _prepared(  # noqa: PLR0913 - what is known of the images
     cameras: str,
     risk: float,
 ) -> tuple[Pipeline, list[tuple[str, Camera]]]:
-    """Return what localizes images, and name and camera of each; names of arrays are their numbers."""
+    """Return the pipeline for images, and (name, camera) of each; the name of an array is its number."""
     names = [image if isinstance(image, str) else f"image {number}" for number, image in enumerate(images)]
     arrays = {name: image for name, image in zip(names, images) if not isinstance(image, str)}
     found = read_cameras([name for name in names if name not in arrays], cameras)
     if search.method is Method.TOPOLOGY_VECTOR:
-        # The published method takes images as they are.
+        # The published method does not level images.
         found = [camera.without_leveling() for camera in found]
     of_files = iter(found)
     known = [(name, Camera() if name in arrays else next(of_files)) for name in names]
@@ -290,7 +290,7 @@ def _reader(table: ClassTable, model: str | None, arrays: dict[str, np.ndarray])
             return SeenLabels(labels_hw)
 
         return read
-    # onnxruntime is needed for photos only.
+    # Only photos need onnxruntime.
     from .segmentation.model import SegmentationModel
     from .segmentation.photo_labels import PhotoReader
 

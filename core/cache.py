@@ -1,8 +1,7 @@
-"""Cache of arrays that take long to build: files in a private folder of the user, never beside the user's data.
+"""Cache of arrays that take long to build: files in a private folder of the user, never next to the user's data.
 
-Each file is named by a hash of everything that its arrays were built from. Its content is authenticated with a secret
-of this user, so a damaged or foreign file is not used and the arrays are built again
-(docs/reference/file_formats.md#cache).
+The name of a file is a hash of everything that its arrays were built from. A secret of this user authenticates the
+content. A damaged or foreign file is not used, and the arrays are built again (docs/reference/file_formats.md#cache).
 """
 
 from __future__ import annotations
@@ -30,10 +29,10 @@ import numpy as np
 from . import limits
 
 Arrays = dict[str, np.ndarray]
-"""By name."""
+"""Arrays by name."""
 
 _ABANDONED_AFTER_S = 600
-"""A temporary file that was not written to for this long belongs to a writer that was killed."""
+"""A temporary file without a change for this long belongs to a writer that was killed."""
 
 _LOG = logging.getLogger("semref")
 
@@ -43,14 +42,14 @@ _ALIGNMENT = 64
 _MAC_BYTES = 32
 _SECRET_BYTES = 32
 _OPEN_FLAGS = os.O_RDONLY | sum(getattr(os, flag, 0) for flag in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY"))
-"""Do not follow a link and do not wait for a pipe, on systems that have these flags."""
+"""Flags to not follow a link and not wait for a pipe, on systems that have these flags."""
 
 
 def digest(columns: Iterable[np.ndarray | bytes]) -> str:
     """Return the SHA-256 of the columns of a table, each preceded by its length in bytes; hexadecimal."""
     found = hashlib.sha256()
     for column in columns:
-        # Not copied: it may be gigabytes.
+        # No copy: a column can have gigabytes.
         data = column if isinstance(column, bytes) else _bytes(np.ascontiguousarray(column))
         found.update(len(data).to_bytes(8, "little"))
         found.update(data)
@@ -58,13 +57,13 @@ def digest(columns: Iterable[np.ndarray | bytes]) -> str:
 
 
 def load_or_build(kind: str, key: str, build: Callable[[], Arrays], fits: Callable[[Arrays], bool]) -> Arrays:
-    """Return arrays from the cache; if they are not there, build and store them.
+    """Return arrays from the cache; if they are missing, build and store them.
 
     Args:
-        kind: What the arrays are: the first part of the file's name.
-        key: ``digest`` of everything that the arrays are built from, and of the version of what builds them.
-        build: Builds them.
-        fits: Whether loaded arrays have the types and shapes that the caller expects.
+        kind: Kind of the arrays: the first part of the file name.
+        key: ``digest`` of everything that the arrays are built from, and of the version of the code that builds them.
+        build: Builds the arrays.
+        fits: Returns whether loaded arrays have the types and shapes that the caller expects.
     """
     name = f"{kind}-{key}{_SUFFIX}"
     secret = user_secret()
@@ -81,7 +80,7 @@ def load_or_build(kind: str, key: str, build: Callable[[], Arrays], fits: Callab
 
 
 def cache_folder() -> Path:
-    """Return the user's cache folder for SemRef; the environment variable SEMREF_CACHE chooses another one.
+    """Return the user's cache folder for SemRef; the environment variable SEMREF_CACHE overrides it.
 
     Raises:
         RuntimeError: The user has no home folder.
@@ -95,7 +94,7 @@ def cache_folder() -> Path:
 
 
 def user_secret() -> bytes | None:
-    """Return the secret of this user on this machine, made at first use; None without a private cache folder."""
+    """Return the secret of this user on this machine, created at first use; None without a private cache folder."""
     try:
         folder = cache_folder()
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -114,7 +113,7 @@ def user_secret() -> bytes | None:
 
 
 def _is_own(status: os.stat_result) -> bool:
-    """Whether nobody but this user can write to it. Windows protects the folder by its access list."""
+    """Return whether only this user can write to it. On Windows the access list of the folder protects it."""
     return os.name == "nt" or (status.st_uid == os.geteuid() and not status.st_mode & 0o022)
 
 
@@ -129,10 +128,10 @@ def _open(path: Path) -> BinaryIO:
 
 
 def _load(name: str, secret: bytes) -> Arrays | None:
-    """Return the arrays of a file, mapped into memory; None if there is no such file or it is not as it was written.
+    """Return the arrays of a file, mapped into memory; None if the file is missing or was changed.
 
-    Reading 10⁷ landmarks instead takes 3 to 5 times as long and 2 GB in each process. Other users can't truncate the
-    file under the mapping, and SemRef only ever replaces or removes it as a whole.
+    Reading 10⁷ landmarks instead takes 3 to 5 times as long, and 2 GB in each process. Other users can't truncate the
+    file under the mapping, and SemRef only replaces or removes it as a whole.
     """
     path = cache_folder() / name
     try:
@@ -153,7 +152,7 @@ def _load(name: str, secret: bytes) -> Arrays | None:
 
 
 def _store(name: str, secret: bytes, arrays: Arrays) -> None:
-    """Write arrays as a file: MAC, length of the header, header (JSON), arrays; raises OSError."""
+    """Write arrays as a file: MAC, length of the header, header (JSON), arrays. Raises OSError."""
     layout, pieces, offset = {}, [], 0
     for array, values in arrays.items():
         layout[array] = values.dtype.str, values.shape, offset
@@ -171,7 +170,7 @@ def _store(name: str, secret: bytes, arrays: Arrays) -> None:
 
 
 def _write(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
-    """Write a file that only this user can read; an older one is replaced at once. Raises OSError, leaving nothing."""
+    """Write a file that only this user can read, atomically. If it fails, raise OSError and leave no file."""
     descriptor, temporary = tempfile.mkstemp(suffix=_TEMPORARY, dir=path.parent)
     try:
         with os.fdopen(descriptor, "wb") as file:
@@ -186,7 +185,7 @@ def _write(path: Path, pieces: Iterable[bytes | memoryview]) -> None:
 
 
 def _remove_oldest(folder: Path) -> None:
-    """Remove abandoned temporary files, and the files used longest ago until the rest is within the limit."""
+    """Remove abandoned temporary files, and the least recently used files until the rest is within the limit."""
     with contextlib.suppress(OSError):
         files = [(file, file.stat(follow_symlinks=False)) for file in os.scandir(folder)]
         total = 0

@@ -1,4 +1,4 @@
-"""Errors a user or their data can cause; each says one sentence: what is wrong, with the value, and what to do."""
+"""Errors that a user or their data can cause. The message says what is wrong, with the value, and what to do."""
 
 from __future__ import annotations
 
@@ -6,46 +6,46 @@ from .sentences import Sentence, english
 
 
 class SemRefError(Exception):
-    """Base of every error that the user can fix.
+    """Base of all errors that the user can fix.
 
-    Its text is English; ``processing/messages`` says the same in the user's language.
+    The text is English; ``processing/messages`` shows it in the user's language.
 
     >>> str(LabelMapError("{path} has no pixels.", path="a.tif"))
     'a.tif has no pixels.'
 
     Attributes:
-        sentence: What is said to the user.
+        sentence: The message.
     """
 
     def __init__(self, said: str | Sentence, /, **values: object) -> None:
-        """Makes the error.
+        """Make the error.
 
         Args:
-            said: The template, or a sentence that was made already.
-            values: The values that the template names.
+            said: The template, or a complete sentence.
+            values: Values of the template's placeholders.
         """
         self.sentence = said if isinstance(said, Sentence) else Sentence(said, **values)
         super().__init__(self.sentence)
 
     def __str__(self) -> str:
-        """The sentence in English."""
+        """Return the message in English."""
         return english(self.sentence)
 
 
 class ClassTableError(SemRefError):
-    """The class table is malformed, or the asked classes are not in it."""
+    """The class table is malformed, or lacks a requested class."""
 
 
 class LabelMapError(SemRefError):
-    """A label map or label image can't be used as one."""
+    """A label map or label image can't be used."""
 
 
 class AnnotationError(SemRefError):
-    """An annotation layer can't be turned into a label map."""
+    """A land-cover layer can't become a label map."""
 
 
 class WindowError(SemRefError):
-    """Window size, stride or levels don't fit together or don't fit the map."""
+    """Window size, stride and levels do not fit together or do not fit the map."""
 
 
 class DatabaseError(SemRefError):
@@ -53,15 +53,15 @@ class DatabaseError(SemRefError):
 
 
 class DatabaseInUseError(DatabaseError):
-    """Another program is writing the database; it will be done soon."""
+    """Another program is writing the database; the caller can try again soon."""
 
 
 class UnwritableError(SemRefError):
-    """A file can't be written where the user wants it, whatever is in it."""
+    """A file can't be written at the chosen path, whatever its content."""
 
 
 class ParameterError(SemRefError):
-    """A parameter has a value that can't be used."""
+    """A parameter has an unusable value."""
 
 
 class ImageError(SemRefError):
@@ -69,11 +69,11 @@ class ImageError(SemRefError):
 
 
 class ModelError(SemRefError):
-    """A segmentation model is broken, says too little about itself, or doesn't fit what it is used for."""
+    """A segmentation model is broken, lacks necessary metadata, or does not fit its use."""
 
 
 class TrainingError(SemRefError):
-    """A network can't be trained with what is given."""
+    """The given data or settings can't train a network."""
 
 
 class ComponentError(SemRefError):
@@ -81,6 +81,6 @@ class ComponentError(SemRefError):
 
 
 def reason_of(error: BaseException) -> str:
-    """Return the first line of an error of the system or of another library, as part of a sentence."""
+    """Return the first line of an error of the system or of another library, for use inside a sentence."""
     text = getattr(error, "strerror", None) or str(error) or type(error).__name__
     return text.strip().partition("\n")[0].rstrip(".")

@@ -1,4 +1,4 @@
-"""The one result of localizing an image, whatever the road, and what every road is told beforehand."""
+"""The result type of all localization methods, and the prior that they take."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ if TYPE_CHECKING:  # The toolbox lists methods before NumPy is loaded.
 
 
 RISK = 1e-4
-"""Probability of being wrong below which a place is a fix, unless told otherwise: once in 10,000 fixes at most."""
+"""Default maximum error probability of a fix: at most one wrong fix in 10,000."""
 
 LEAST_RISK = 1e-12
-"""No probability of being wrong is told to be smaller: beyond, a confidence could not be told from 1."""
+"""Smallest error probability that is reported; a confidence of 1 − a smaller one would round to 1."""
 
 
 MORE_LIKELY_WRONG = 0.5
-"""Error probability above which places are no candidates: ``ambiguous`` means that two places are both plausible."""
+"""Error probability above which positions are no candidates: ``ambiguous`` means that two positions are plausible."""
 
 
 def risk_of(log_odds: float) -> float:
-    """Probability that a place is wrong, from ln of the odds that it is right; ``LEAST_RISK`` at least."""
+    """Return the error probability of a position from ln of the odds that it is right; ``LEAST_RISK`` at least."""
     return max(LEAST_RISK, 1 / (1 + math.exp(min(log_odds, 700.0))))
 
 
 def log_odds_of(risk: float) -> float:
-    """Logarithm of the odds that a place is right, from its risk: the inverse of ``risk_of``."""
+    """Return ln of the odds that a position is right, from its error probability: the inverse of ``risk_of``."""
     return math.log1p(-risk) - math.log(risk) if 0 < risk < 1 else math.copysign(math.inf, 0.5 - risk)
 
 
@@ -40,14 +40,14 @@ class _Keyed(str, Enum):
     """Members that equal their keys.
 
     Attributes:
-        title: The member in words.
+        title: Display name.
     """
 
     title: Sentence  # type: ignore[assignment] # not the method of str
 
     @property
     def key(self) -> str:
-        """The text that files have."""
+        """The text in files."""
         return self.value
 
     __str__ = str.__str__
@@ -55,15 +55,15 @@ class _Keyed(str, Enum):
 
 
 class Status(_Keyed):
-    """What came of an image; each equals its key, the text of the column ``status``."""
+    """Outcome of localizing an image; each member equals its key, the text of the column ``status``."""
 
-    FIX = "fix", Sentence("Fix")
+    FIX = "fix", Sentence("Position")
     AMBIGUOUS = "ambiguous", Sentence("Ambiguous")
     NO_MATCH = "no_match", Sentence("No match")
     TOO_FEW_REFERENCES = "too_few_references", Sentence("Too few landmarks")
 
     def __new__(cls, key: str, title: Sentence) -> Status:
-        """Makes a member that is its key."""
+        """Make a member that equals its key."""
         member = str.__new__(cls, key)
         member._value_ = key
         member.title = title
@@ -76,11 +76,11 @@ IMAGE_PARTS = {
     "upper": Sentence("upper part"),
     "lower": Sentence("lower part"),
 }
-"""Parts of an image, for sentences."""
+"""Names of the parts of an image, for sentences."""
 
 
 def shown_landmarks(count: int, whole: bool = False) -> Sentence:
-    """How many landmarks an image shows; ``whole``: that its edge does not cut."""
+    """Return how many landmarks an image shows; with ``whole``, landmarks that the image border does not cut."""
     if whole:
         return Sentence(
             "The image shows {count} whole landmark" if count == 1 else "The image shows {count} whole landmarks",
@@ -92,7 +92,7 @@ def shown_landmarks(count: int, whole: bool = False) -> Sentence:
 
 
 def too_few_landmarks(count: int, missing: int, whole: bool = False) -> Sentence:
-    """The reason that an image has no fix: it shows ``count`` landmarks, and ``missing`` more are needed."""
+    """Return the reason for no position: the image shows ``count`` landmarks, and ``missing`` more are needed."""
     needed = Sentence(
         "at least {count} more is needed" if missing == 1 else "at least {count} more are needed", count=missing
     )
@@ -100,7 +100,7 @@ def too_few_landmarks(count: int, missing: int, whole: bool = False) -> Sentence
 
 
 class Method(_Keyed):
-    """A road to a fix; each equals its key, the text of the column ``method``.
+    """A localization method; each member equals its key, the text of the column ``method``.
 
     The order is that of the parameter METHOD: ``list(Method)[number]``.
 
@@ -116,7 +116,7 @@ class Method(_Keyed):
     MAP_CORRELATION = "map correlation", 3, Sentence("Map correlation")
 
     def __new__(cls, key: str, number: int, title: Sentence) -> Method:
-        """Makes a member that is its key."""
+        """Make a member that equals its key."""
         member = str.__new__(cls, key)
         member._value_ = key
         member.number, member.title = number, title
@@ -124,19 +124,19 @@ class Method(_Keyed):
 
     @classmethod
     def of_number(cls, number: int) -> Method:
-        """The method that the parameter METHOD means."""
+        """Return the method for a value of the parameter METHOD."""
         return list(cls)[number]
 
 
 @dataclass(frozen=True)
 class Prior:
-    """What is known of an image beforehand, each narrowing the search; None is nothing.
+    """What is known of an image before the search; every value narrows it. None means unknown.
 
     Attributes:
-        position: Map (x, y) of the image's center; counts only with a radius.
-        radius: How far off that may be, map units.
-        heading_deg: Of the image's top, clockwise from grid north.
-        heading_range_deg: How far off that may be to either side.
+        position: Map (x, y) of the image's center; used only with a radius.
+        radius: Radius of the search area around ``position``, map units.
+        heading_deg: Direction of the image's top, clockwise from grid north.
+        heading_range_deg: Largest error of the heading to either side.
         pixel_size_range: Smallest and largest ground sampling distance, map units.
     """
 
@@ -149,15 +149,15 @@ class Prior:
 
 @dataclass(frozen=True)
 class Place:
-    """Where an image may lie.
+    """A candidate position of an image.
 
     Attributes:
-        position: Map (x, y) of its center.
-        heading_deg: Of its top, clockwise from grid north; None where the method doesn't tell.
-        pixel_size_m: Ground sampling distance; None where the method doesn't tell.
-        log_odds: Natural logarithm of the odds against chance; of the constellation.
-        inliers: Landmarks that agree with the map; of the constellation.
-        score: Correlation of class areas, −1 to 1; of map correlation.
+        position: Map (x, y) of the image's center.
+        heading_deg: Direction of the image's top, clockwise from grid north; None if the method does not find it.
+        pixel_size_m: Ground sampling distance; None if the method does not find it.
+        log_odds: Natural logarithm of the odds against chance; constellation only.
+        inliers: Landmarks that agree with the map; constellation only.
+        score: Correlation of class areas, −1 to 1; map correlation only.
     """
 
     position: tuple[float, float]
@@ -169,10 +169,10 @@ class Place:
 
     @property
     def oriented(self) -> tuple[float, float]:
-        """Heading in degrees and pixel size in map units, of a method that tells both.
+        """Heading in degrees and pixel size in map units.
 
         Raises:
-            ValueError: The method doesn't: topology vectors.
+            ValueError: The method finds neither (topology vectors).
         """
         if self.heading_deg is None or self.pixel_size_m is None:
             raise ValueError("the place has no heading and pixel size")
@@ -181,13 +181,13 @@ class Place:
 
 @dataclass(frozen=True)
 class Matches:
-    """Landmarks of an image and of the map that agree, m of them.
+    """The m landmarks of an image that agree with landmarks of the map.
 
     Attributes:
-        on_map: (m,) int64, those of the database's landmarks.
-        pixels_xy: (m, 2) float64, pixel coordinates (column, row) of the image's landmarks.
-        seen_xy: (m, 2) float64, map coordinates (x, y) where the fix puts them.
-        residuals: (m,) float64, how far from the map's landmarks that is, map units.
+        on_map: (m,) int64 indices of the database's landmarks.
+        pixels_xy: (m, 2) float64 pixel coordinates (column, row) of the image's landmarks.
+        seen_xy: (m, 2) float64 map coordinates (x, y) of ``pixels_xy`` under the fix.
+        residuals: (m,) float64 distances of ``seen_xy`` from the map's landmarks, map units.
     """
 
     on_map: np.ndarray
@@ -196,7 +196,7 @@ class Matches:
     residuals: np.ndarray
 
     def __len__(self) -> int:
-        """How many landmarks agree."""
+        """Return the number of matches."""
         return len(self.on_map)
 
 
@@ -205,12 +205,12 @@ class CorrelationPeaks:
     """How well class areas agree with the map, correlations −1 to 1.
 
     Attributes:
-        score: At the best place.
-        runner_up: Highest at any other place.
-        mirror: At the best place of the mirrored image, which can't be right.
-        detail: How much better what is finer than the pixels of the search agrees at the best place than at all others,
-            the mirrored image's too: −ln of a density, 0 where it is as usual.
-        runner_up_detail: Highest at any other place.
+        score: At the best position.
+        runner_up: Highest at any other position.
+        mirror: Highest of the mirrored image, which has no right position.
+        detail: How much better details finer than the search pixels agree at the best position than at all others,
+            including those of the mirrored image: −ln of a density, 0 where it is as usual.
+        runner_up_detail: Highest at any other position.
     """
 
     score: float
@@ -222,33 +222,33 @@ class CorrelationPeaks:
 
 @dataclass(frozen=True)
 class Localization:
-    """What is known of an image's place; None where the method doesn't tell.
+    """Result of localizing an image; None where the method does not find a value.
 
     Attributes:
-        status: What came of the image.
-        method: The road that found the fix, or was tried first.
-        references: Landmarks described.
-        reason: Why there is no fix; of one, what it doesn't hold for, if anything.
-        best: The best place, also where it is not good enough for a fix.
-        confidence: Of a fix: probability that it is right, 1 − ``risk``; 1 − d/T of topology vectors, as published,
-            which is no probability.
-        risk: Probability that the best place is wrong, from all evidence, calibrated on trials; told without a fix,
-            too. None of topology vectors.
-        is_doubted: There is no fix only because of the risk: more evidence would make it one.
-        alternatives: Without a fix, the places that it may be, most likely first (``best`` among them).
-        error_95_m: Radius around ``best`` that holds the true position in 95 % of fixes, or the longer semi-axis.
-        covariance: Of the best place's position, heading and pixel size.
-        matches: The landmarks that agree with the map at the best place; no part of a comparison of results.
-        search_capped: The search left out the most common patterns, as it does in very large databases.
-        mirror_log_odds: Of the best place of the mirrored image, which can't be right; of the constellation.
-        runner_up_log_odds: Of the best other place; of the constellation, −inf without one.
-        peaks: Of map correlation, also where it was only the second road.
-        distance: Between topology vectors.
-        window: Name of the window matched.
+        status: Outcome.
+        method: The method that found the fix, or was tried first.
+        references: Number of landmarks described.
+        reason: Why there is no fix; for a fix, the part of the image that it is not valid for, if any.
+        best: The best candidate, also if it is not good enough for a fix.
+        confidence: Of a fix: probability that it is right, 1 − ``risk``. For topology vectors 1 − d/T, as published,
+            which is not a probability.
+        risk: Error probability of the best candidate, from all evidence, calibrated on trials; also without a fix.
+            None for topology vectors.
+        is_doubted: Only the error probability prevents a fix: more evidence could make it one.
+        alternatives: Without a fix, the candidates, most likely first (``best`` among them).
+        error_95_m: 95 % radius around ``best``, or the longer semi-axis of the 95 % ellipse.
+        covariance: Covariance of the best candidate's position, heading and pixel size.
+        matches: Landmarks that agree with the map at the best candidate; ignored when results are compared.
+        search_capped: The search omitted the most common patterns, as it does in very large databases.
+        mirror_log_odds: Of the best candidate of the mirrored image, which has no right position; constellation only.
+        runner_up_log_odds: Of the second candidate, −inf without one; constellation only.
+        peaks: Of map correlation, also if it was only the second method.
+        distance: Distance between topology vectors.
+        window: Name of the matched window.
         window_index: Its number in the database.
-        footprint: (4, 2) map coordinates of the ground at the image's corners, upper left first, clockwise, of a fix;
-            the window's where only that is known. No part of a comparison of results.
-        nadir: Map (x, y) straight below the camera of an image that was leveled.
+        footprint: (4, 2) map coordinates of the ground at the image's corners of a fix, upper left first, clockwise;
+            the window's corners where only these are known. Ignored when results are compared.
+        nadir: Map (x, y) straight below the camera of a leveled image.
     """
 
     status: Status
@@ -275,12 +275,12 @@ class Localization:
 
     @property
     def is_fix(self) -> bool:
-        """Whether the best place is accepted."""
+        """Whether the best candidate is accepted."""
         return self.status is Status.FIX
 
     @property
     def place(self) -> Place | None:
-        """Where the image lies; None without a fix."""
+        """The accepted candidate; None without a fix."""
         return self.best if self.is_fix else None
 
     @property
@@ -290,10 +290,10 @@ class Localization:
 
     @property
     def heading_deg(self) -> float | None:
-        """Of the image's top, clockwise from grid north; None without a fix, and of topology vectors."""
+        """Direction of the image's top, clockwise from grid north; None without a fix, and for topology vectors."""
         return None if self.place is None else self.place.heading_deg
 
     @property
     def pixel_size_m(self) -> float | None:
-        """Ground sampling distance; None without a fix, and of topology vectors."""
+        """Ground sampling distance; None without a fix, and for topology vectors."""
         return None if self.place is None else self.place.pixel_size_m

@@ -18,30 +18,31 @@ from .localizer.search import Search
 
 
 class LabelReader(Protocol):
-    """Reads images as labels in the classes of a database: label images, or photos by a network."""
+    """Reads images as labels in the classes of a database: label images, or photos with a network."""
 
     def __call__(self, path: str, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
         """Read an image.
 
         Args:
-            camera: That took it: a network knows by it how large to see a photo.
-            with_pixels: Whether a photo's pixels are needed besides.
+            camera: Camera of the image; it gives the scale at which a network reads the photo.
+            with_pixels: Whether the caller also needs the pixels of a photo.
 
         Raises:
+            SemRefError: The image can't be read.
             SemRefError: It can't be read.
         """
 
 
 @dataclass(frozen=True)
 class ImageResult:
-    """What came of one image.
+    """Result of one image.
 
     Attributes:
-        labels_hw: (H, W) uint8 labels of the image as it was taken.
-        seen: Labels, and what is known of them, as a level camera sees them.
-        leveling: How the image was leveled; None for one that is taken as it is.
-        prior: What was known of the level image, and searched.
-        level: Where the level image was taken.
+        labels_hw: (H, W) uint8 labels of the image as taken.
+        seen: Labels and their properties after leveling.
+        leveling: How the image was leveled; None for an image used as taken.
+        prior: Prior of the leveled image.
+        level: Localization of the leveled image.
     """
 
     labels_hw: np.ndarray
@@ -52,29 +53,25 @@ class ImageResult:
 
     @property
     def shape_hw(self) -> tuple[int, int]:
-        """(height, width) of the image as it was taken."""
+        """(height, width) of the image as taken."""
         return self.labels_hw.shape[0], self.labels_hw.shape[1]
 
     @property
     def localization(self) -> Localization:
-        """Where the image was taken."""
+        """Localization of the image as taken."""
         return self.as_taken(self.level)
 
     def as_taken(self, found: Localization) -> Localization:
-        """Return a result of the level image for the image as it was taken.
-
-        Args:
-            found: Of the level image.
-        """
+        """Return a localization of the leveled image for the image as taken."""
         return found if self.leveling is None else as_taken(found, self.leveling)
 
 
 @dataclass(frozen=True)
 class Pipeline:
-    """Localizes images one by one; an answer depends on nothing that came before.
+    """Localizes images one by one; a result does not depend on earlier images.
 
     Attributes:
-        search: Method, and what is known of all images.
+        search: Method and prior of all images.
     """
 
     localizer: Localizer
@@ -85,24 +82,24 @@ class Pipeline:
         """Read an image and localize it.
 
         Args:
-            camera: How it was held, and what else is known of it.
-            with_pixels: As of ``LabelReader``.
+            camera: Attitude, lens and other data of the image's camera.
+            with_pixels: As for ``LabelReader``.
 
         Raises:
-            SemRefError: The image, or what the camera states, can't be used.
+            SemRefError: The image or the data of its camera can't be used.
         """
         return localize_labels(self.localizer, self.search, self.read(path, camera, with_pixels), camera)
 
 
 def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, camera: Camera) -> ImageResult:
-    """Localize an image whose labels are known, leveled first where its camera states how it was held.
+    """Localize an image from its labels; level it first if the camera's attitude is known.
 
     Args:
-        search: Method, and what is known of all images.
-        seen: Labels of the image as it was taken, with their biases.
+        search: Method and prior of all images.
+        seen: Labels of the image as taken, with their class offsets.
 
     Raises:
-        SemRefError: The labels, or what the camera states, can't be used.
+        SemRefError: The labels or the data of the camera can't be used.
     """
     height, width = seen.labels_hw.shape
     prior = search.prior_of(localizer, camera, (height, width))
@@ -112,13 +109,13 @@ def localize_labels(localizer: Localizer, search: Search, seen: SeenLabels, came
 def localize_with(
     localizer: Localizer, search: Search, seen: SeenLabels, prior: Prior, leveling: Leveling | None
 ) -> ImageResult:
-    """Localize an image of which is known what to search and how to level it.
+    """Localize an image with a given prior and leveling.
 
     Args:
-        search: Method, and whether matches are wanted.
-        seen: Labels of the image as it was taken, with their biases.
-        prior: About the image's center; for one that is leveled with a range of pixel sizes.
-        leveling: How to level the image; None to take it as it is. The method must state heading and pixel size.
+        search: Method, and whether to return matches.
+        seen: Labels of the image as taken, with their class offsets.
+        prior: Prior of the image's center; with a range of pixel sizes if the image is leveled.
+        leveling: How to level the image; None to use it as taken. The method must find heading and pixel size.
     """
     labels_hw = seen.labels_hw
     if leveling is not None:

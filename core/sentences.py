@@ -1,7 +1,7 @@
 """A sentence for the user: an English template with its values.
 
-The template is written where the sentence is made, ``raise LabelMapError("{path} has {bands} bands; …", path=path,
-bands=bands)`` or ``Sentence("…", …)``, and is the key of its translations: whoever shows the sentence chooses the
+Write the template where the sentence is made: ``raise LabelMapError("{path} has {bands} bands; …", path=path,
+bands=bands)`` or ``Sentence("…", …)``. It is the key of its translations; the code that shows the sentence chooses the
 language. ``tools/release/update_translations.py`` finds the templates in the source.
 """
 
@@ -16,70 +16,70 @@ from unicodedata import category
 
 @dataclass(frozen=True, init=False)
 class Sentence:
-    """One sentence for the user: what is said, and with which values.
+    """One sentence for the user: a template and its values.
 
     >>> str(Sentence("The best match is {score:.2f}.", score=0.5))
     'The best match is 0.50.'
 
     Attributes:
-        template: English words with ``{named}`` placeholders as of ``str.format``.
-        values: (name, value) for each placeholder of the template, by name. A value is a text, a path, a number,
-            another sentence (worded in the same language), or a tuple of those (joined with commas).
+        template: English words with ``{named}`` placeholders as for ``str.format``.
+        values: (name, value) of each placeholder, sorted by name. A value is a text, a path, a number, another sentence
+            (shown in the same language), or a tuple of those (joined with commas).
     """
 
     template: str
     values: tuple[tuple[str, object], ...]
 
     def __init__(self, template: str, /, **values: object) -> None:
-        """Makes the sentence.
+        """Make the sentence.
 
         Args:
             template: A literal, or one for each form: ``"{count} place" if count == 1 else "{count} places"``.
-            values: Those that the template names; a list is kept as a tuple.
+            values: Values of the placeholders; a list becomes a tuple.
         """
         frozen = {name: tuple(value) if isinstance(value, list) else value for name, value in values.items()}
         object.__setattr__(self, "template", template)
         object.__setattr__(self, "values", tuple(sorted(frozen.items())))
 
     def __str__(self) -> str:
-        """The sentence in English."""
+        """Return the sentence in English."""
         return english(self)
 
 
 LONGEST_VALUE = 500
-"""Characters of a value in a sentence; paths have hardly more, and of what is longer the ends are enough."""
+"""Characters of a value in a sentence; hardly any path is longer, and of a longer value the ends are enough."""
 
 LONGEST_LIST = 1500
-"""Characters after which a list of values is cut: some hundred names of classes are listed whole."""
+"""Characters after which a list of values is cut: enough for some hundred class names."""
 
 _KEPT_BEFORE, _KEPT_BEHIND = 300, 150
 _LARGEST_WHOLE = 10**64
 
 
 def filled(sentence: Sentence, translated: Callable[[str], str]) -> str:
-    """The sentence with its values, sentences among the values included.
+    """Return the sentence with its values, including sentences among the values.
 
     Args:
-        translated: A template in the language wanted, from the English one.
+        translated: Returns the translation of an English template.
     """
     shown = {name: _shown(value, translated) for name, value in sentence.values}
     return translated(sentence.template).format(**shown)
 
 
 def english(said: object) -> str:
-    """A sentence, or what may be a value of one, in English, as the command line and logs say it."""
+    """Return a sentence, or a value of one, in English, for the command line and logs."""
     return str(_shown(said, str))
 
 
 class _Worded(str):
-    """A sentence or list within a sentence; ``{name:clause}`` begins it in lower case, as after a colon."""
+    """A sentence or list within a sentence; ``{name:clause}`` starts it in lower case, as after a colon."""
 
     def __format__(self, spec: str) -> str:
         return self[:1].lower() + self[1:] if spec == "clause" else super().__format__(spec)
 
 
 def _shown(value: object, translated: Callable[[str], str]) -> object:
-    """A value as ``str.format`` takes it; numbers stay numbers for the template's format."""
+    """Return a value for ``str.format``; numbers stay numbers for the template's format."""
     if isinstance(value, Sentence):
         return _Worded(filled(value, translated))
     if isinstance(value, tuple):
@@ -88,7 +88,7 @@ def _shown(value: object, translated: Callable[[str], str]) -> object:
         # Python refuses to write numbers of some thousand digits.
         return "…"
     if isinstance(value, (list, dict, set)):
-        # What a file holds where something else should be.
+        # A file has this where another type was expected.
         with contextlib.suppress(ValueError, RecursionError):
             return _Worded(legible(str(value)))
         return "…"
@@ -96,7 +96,7 @@ def _shown(value: object, translated: Callable[[str], str]) -> object:
 
 
 def _listed(values: tuple, translated: Callable[[str], str]) -> str:
-    """Values with commas between them, and a mark for those that there is no room for."""
+    """Return values joined with commas, with “…” for those beyond ``LONGEST_LIST``."""
     shown: list[str] = []
     room = LONGEST_LIST
     for value in values:
@@ -108,12 +108,12 @@ def _listed(values: tuple, translated: Callable[[str], str]) -> str:
 
 
 def legible(text: str) -> str:
-    """A text as it may stand in a sentence, wherever it comes from: in one line, and cut in its middle where long."""
+    """Return a text for use in a sentence: in one line, and cut in the middle if it is long."""
     if len(text) > LONGEST_VALUE:
         text = f"{text[:_KEPT_BEFORE]}…{text[-_KEPT_BEHIND:]}"
     return text if text.isprintable() else "".join(_printable(sign) for sign in text)
 
 
 def _printable(sign: str) -> str:
-    """Controls, line ends, what turns the direction of writing and bytes that are no text as Python's escapes."""
+    """Escape control characters, line ends, marks of writing direction, and bytes that are not text."""
     return sign if sign.isprintable() or category(sign) == "Zs" else sign.encode("unicode_escape").decode("ascii")

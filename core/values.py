@@ -1,4 +1,4 @@
-"""Values from files, checked where they are read: of the kind, finite, in range and of bounded length."""
+"""Checks of values from files: type, finite, in range and of limited length."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from typing import Any
 from . import limits
 
 _JSON_STRING = re.compile(r'"(?:[^"\\]|\\.?)*"?', re.DOTALL)
-"""A string, also one that does not end: a pattern that can't fail never goes back, so the search is linear."""
+"""A string, also an unterminated one. The pattern can't fail and never backtracks, so the search is linear."""
 
 
 def read_json(text: str, longest: int = limits.JSON_CHARACTERS) -> Any:  # noqa: ANN401 -- JSON is of any type
-    """What a JSON text says.
+    """Parse a JSON text.
 
     Args:
-        longest: Characters that it may have.
+        longest: Maximum number of characters.
 
     Raises:
-        ValueError: It is no JSON, too long or too deep, or has a whole number of too many digits.
+        ValueError: The text is not JSON, is too long or too deep, or has a whole number with too many digits.
     """
     if len(text) > longest:
         raise ValueError(f"it has {len(text)} characters, more than {longest}")
@@ -39,7 +39,7 @@ def _whole(text: str) -> int:
 
 
 def checked(value: Any, kind: type | tuple[type, ...], name: str) -> Any:  # noqa: ANN401 -- as it came
-    """``value`` if it is of one of the types ``kind``; raises ValueError otherwise. True and false are no numbers."""
+    """Return ``value`` if it has one of the types ``kind``, else raise ValueError. True and false are not numbers."""
     if isinstance(value, bool) or not isinstance(value, kind):
         raise ValueError(f"{name} is {shown(value)}")
     return value
@@ -51,21 +51,21 @@ def number(
     above: float = -math.inf,
     most: float = math.inf,
 ) -> float:
-    """``value`` as a finite number above ``above``, up to ``most``; raises ValueError for anything else."""
+    """Return ``value`` as a finite number above ``above``, up to ``most``; raise ValueError otherwise."""
     if not above < checked(value, (int, float), name) < math.inf or value > most:
         raise ValueError(f"{name} is {shown(value)}")
     return float(value)
 
 
 def short_text(value: Any, name: str, longest: int = limits.NAME_CHARACTERS) -> str:  # noqa: ANN401 -- as it came
-    """``value`` if it is a text of at most ``longest`` characters; raises ValueError for anything else."""
+    """Return ``value`` if it is a text of at most ``longest`` characters; raise ValueError otherwise."""
     if len(checked(value, str, name)) > longest:
         raise ValueError(f"{name} has {len(value)} characters, more than {longest}")
     return value
 
 
 def shown(value: object) -> str:
-    """A value as it may stand in a sentence, cut to what can be read."""
+    """Return a value as text for a sentence, cut to a readable length."""
     if isinstance(value, int) and abs(value) > 10**limits.NUMBER_DIGITS:
         return "a number of too many digits"
     text = repr(value)

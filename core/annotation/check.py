@@ -67,7 +67,7 @@ class AnnotationCheck:
         self.landmarks: list[DrawnRegion] = []
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Checks step by step.
+        """Check step by step.
 
         Yields:
             What is being done, and the share that is done, 0…1.
@@ -104,7 +104,7 @@ class AnnotationCheck:
 
 
 def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartition, maximum_gap: float) -> list[Finding]:
-    """Finds what repairing would give to a neighbor: gaps between polygons, and thin pieces seen between them.
+    """Find what repairing would give to a neighbor: gaps between polygons, and thin pieces seen between them.
 
     Overlaps without priority are taken as repaired.
 
@@ -128,7 +128,7 @@ def find_gaps_and_slivers(polygons: AnnotatedPolygons, partition: PlanarPartitio
 def find_raster_losses(
     landmarks: Sequence[DrawnRegion], runs: RegionRuns, minimum_area: float, pixel_size: float
 ) -> list[Finding]:
-    """Finds what a raster makes of landmarks.
+    """Find what a raster makes of landmarks.
 
     A landmark is lost when none of its pieces has the minimum contour area, merged when its pixels touch those of
     another of its class, and split when its pixels fall into pieces.

@@ -27,7 +27,7 @@ class ClassLookup:
     """Raw attribute value → class value, as the class table says."""
 
     def __init__(self, table: ClassTable, by_raw: dict[str, int] | None = None) -> None:
-        """Keeps what is known.
+        """Keep what is known.
 
         Args:
             by_raw: Class values by the text of the raw value; without it the table's own names and values.
@@ -38,7 +38,7 @@ class ClassLookup:
         self._fixed = by_raw is not None
 
     def value(self, raw: object) -> int | None:
-        """The class value of an attribute, or None when the table does not have it."""
+        """Return the class value of an attribute, or None when the table does not have it."""
         text = raw_text(raw)
         if text not in self._known:
             found = None if self._fixed else self.table.find(text)
@@ -46,7 +46,7 @@ class ClassLookup:
         return self._known[text]
 
     def raw_values(self, value: int, as_numbers: bool) -> list[object]:
-        """What features of a class value may have in the class field: numbers, or texts."""
+        """Return what features of a class value may have in the class field: numbers, or texts."""
         one = self.table.by_value(value)
         names = [one.name] if one and not as_numbers else []
         known_raws = [raw for raw, known in self._known.items() if known == value]
@@ -57,7 +57,7 @@ class ClassLookup:
 
 
 def raw_text(raw: object) -> str:
-    """An attribute as text; whole numbers without their point."""
+    """Return an attribute as text; whole numbers without their point."""
     if isinstance(raw, float) and raw.is_integer():
         return str(int(raw))
     return str(raw).strip()
@@ -74,7 +74,7 @@ def distinct(raws: Iterable[object]) -> list[object]:
 
 
 def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
-    """The classes of an annotation without a class table.
+    """Return the classes of an annotation without a class table.
 
     Args:
         found: What its features have, in order.
@@ -102,7 +102,7 @@ def lookup_of(found: Sequence[StyledClass], is_number: bool) -> ClassLookup:
 
 
 def require_known_classes(unknown: Mapping[str, int], source: str, table: ClassTable) -> None:
-    """Raises AnnotationError naming the class values that the table does not have.
+    """Raise AnnotationError naming the class values that the table does not have.
 
     Args:
         unknown: Features by such a value.

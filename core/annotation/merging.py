@@ -46,7 +46,7 @@ class Merge:
 def merge_gaps_and_slivers(
     partition: PlanarPartition, face_classes: np.ndarray, settings: MergeSettings
 ) -> tuple[np.ndarray, list[Merge]]:
-    """Gives every gap and sliver to the neighbor it shares the longest border with.
+    """Return every gap and sliver to the neighbor it shares the longest border with.
 
     Neighbors that are no slivers themselves come first.
 
@@ -81,7 +81,7 @@ def merge_gaps_and_slivers(
 def merge_finding(
     merge: Merge, severity: str, polygons: AnnotatedPolygons, partition: PlanarPartition, top: np.ndarray
 ) -> Finding:
-    """A gap or sliver as a finding, with the feature that is seen on most of it.
+    """Return a gap or sliver as a finding, with the feature that is seen on most of it.
 
     Args:
         polygons: N polygons.
@@ -104,7 +104,7 @@ def merge_finding(
 
 
 def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
-    """(R,) bool: which regions are gaps or slivers."""
+    """Return (R,) bool: which regions are gaps or slivers."""
     limits = np.where(regions.classes == NOTHING, settings.maximum_gap, settings.minimum_area)
     # A gap as large as the limit is filled, a piece as large as the limit stays.
     too_small = np.where(regions.classes == NOTHING, regions.areas <= limits, regions.areas < limits)
@@ -112,7 +112,7 @@ def _unwanted(regions: Regions, settings: MergeSettings) -> np.ndarray:
 
 
 def _longest_neighbors(regions: Regions, unwanted: np.ndarray, taking: np.ndarray) -> np.ndarray:
-    """(R,) int64: the neighbor, of those ``taking``, that each unwanted region goes to; −1 for none."""
+    """Return (R,) int64: the neighbor, of those ``taking``, that each unwanted region goes to; −1 for none."""
     target = np.full(len(regions.classes), -1, np.int64)
     one, other = regions.neighbors.T
     possible = unwanted[one] & taking[other] & (regions.classes[other] != NOTHING)
@@ -124,7 +124,7 @@ def _longest_neighbors(regions: Regions, unwanted: np.ndarray, taking: np.ndarra
 
 
 def _smallest_only(regions: Regions, target: np.ndarray) -> np.ndarray:
-    """(R,) int64: the target of the smallest region that has one; −1 for all others."""
+    """Return (R,) int64: the target of the smallest region that has one; −1 for all others."""
     merging = np.flatnonzero(target >= 0)
     only = np.full_like(target, -1)
     if len(merging):

@@ -36,7 +36,7 @@ Rows = Callable[[int, int], np.ndarray]
 def outlined(
     rows: Rows, shape_hw: tuple[int, int], proceed: Callable[[], bool] = lambda: True
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The 4-connected regions of a label map but those without a label.
+    """Return the 4-connected regions of a label map but those without a label.
 
     Args:
         shape_hw: (height, width) of the label map in pixels.
@@ -55,7 +55,7 @@ def outlined(
 
 
 def _polygons(corners: _Corners, rows: Rows, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-    """What ``outlined`` gives, of at least one region. Raises _StoppedError."""
+    """Return what ``outlined`` gives, of at least one region. Raises _StoppedError."""
     order, ends = corners.rings(proceed)
     sizes = np.diff(ends, prepend=0)
     begins = ends - sizes
@@ -87,7 +87,7 @@ def _outer(  # noqa: PLR0913 - rings as they were found
     rows: Rows,
     proceed: Callable[[], bool],
 ) -> np.ndarray:
-    """(rings,) number of the ring around each, of one that is no hole its own."""
+    """Return (rings,) number of the ring around each, of one that is no hole its own."""
     outer, holes = np.arange(len(begins)), np.flatnonzero(is_hole)
     if not len(holes):
         return outer
@@ -102,7 +102,7 @@ def _outer(  # noqa: PLR0913 - rings as they were found
 
 
 def _smallest(values: np.ndarray, begins: np.ndarray) -> np.ndarray:
-    """(rings,) place of each ring's first smallest value."""
+    """Return (rings,) place of each ring's first smallest value."""
     count = len(values)
     return np.minimum.reduceat(values * count + np.arange(count), begins) % count
 
@@ -161,7 +161,7 @@ class _Corners:
         return _Corners(shape_hw, places, coming, leaving, labels, touches)
 
     def rings(self, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-        """(N,) numbers of vertices ring by ring, and (rings,) where each ends there; no ring meets itself."""
+        """Return (N,) numbers of vertices ring by ring, and (rings,) where each ends there; no ring meets itself."""
         following = self._following()
         order, ends = _rings(following, proceed)
         ring_of = _spread(order, np.append(0, ends[:-1]))
@@ -180,7 +180,7 @@ class _Corners:
         return _rings(following, proceed)
 
     def _following(self) -> np.ndarray:
-        """(N,) int64 number of the vertex after each."""
+        """Return (N,) int64 number of the vertex after each."""
         found = np.empty(len(self.places), np.int64)
         for direction in range(4):
             along = self._along(direction)
@@ -189,11 +189,11 @@ class _Corners:
         return found
 
     def _along(self, direction: int) -> np.ndarray:
-        """(N,) int64 by which vertices of a line follow each other."""
+        """Return (N,) int64 by which vertices of a line follow each other."""
         return self.places if direction in (RIGHT, LEFT) else self.columns * (self.shape_hw[0] + 1) + self.rows
 
     def left_of(self, leftmost: np.ndarray, rows: Rows, proceed: Callable[[], bool]) -> np.ndarray:
-        """(m,) numbers of the vertices to which the edge comes that bounds a region at its left.
+        """Return (m,) numbers of the vertices to which the edge comes that bounds a region at its left.
 
         Args:
             leftmost: (m,) numbers of vertices which one leaves downwards.
@@ -217,7 +217,7 @@ class _Corners:
 
 
 def _framed(rows: Rows, shape_hw: tuple[int, int]) -> Iterator[tuple[int, np.ndarray]]:
-    """(number of the first row of corners, labels of the rows above and below each, with a frame without a label)."""
+    """Return (number of the first row of corners, labels of the rows above and below each, with a frame without a label)."""
     height, width = shape_hw
     for first in range(0, height + 1, _ROWS_AT_ONCE):
         last = min(first + _ROWS_AT_ONCE, height + 1)
@@ -232,7 +232,7 @@ class _StoppedError(Exception):
 
 
 def _rings(following: np.ndarray, proceed: Callable[[], bool]) -> tuple[np.ndarray, np.ndarray]:
-    """(N,) numbers of vertices ring by ring, and (rings,) where each ends there. Raises _StoppedError."""
+    """Return (N,) numbers of vertices ring by ring, and (rings,) where each ends there. Raises _StoppedError."""
     # One by one, but in plain numbers: numpy would have to double its steps through all of them again and again.
     after, order, ends = array("q", following.tobytes()), array("q"), array("q")
     add = order.append
@@ -251,24 +251,24 @@ def _rings(following: np.ndarray, proceed: Callable[[], bool]) -> tuple[np.ndarr
 
 
 def _spread(order: np.ndarray, begins: np.ndarray) -> np.ndarray:
-    """(N,) number of each vertex's ring."""
+    """Return (N,) number of each vertex's ring."""
     ring_of = np.empty(len(order), np.int64)
     ring_of[order] = np.repeat(np.arange(len(begins)), np.diff(begins, append=len(order)))
     return ring_of
 
 
 def can_simplify() -> bool:
-    """Whether this shapely and GEOS can simplify polygons that share borders (shapely 2.1 and GEOS 3.12 can)."""
+    """Return whether this shapely and GEOS can simplify polygons that share borders (shapely 2.1 and GEOS 3.12 can)."""
     return hasattr(shapely, "coverage_simplify") and shapely.geos_version >= (3, 12, 0)
 
 
 def areas_and_wkb(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(n,) areas and (n,) well-known binaries; of all at once, for asking each polygon takes several times as long."""
+    """Return (n,) areas and (n,) well-known binaries; of all at once, for asking each polygon takes several times as long."""
     return shapely.area(polygons), np.asarray(to_wkb(polygons), object)
 
 
 def simplified(polygons: np.ndarray, tolerance: float) -> np.ndarray:
-    """(n,) polygons of a coverage, borders straightened alike on both sides; needs ``can_simplify``.
+    """Return (n,) polygons of a coverage, borders straightened alike on both sides; needs ``can_simplify``.
 
     Args:
         polygons: (n,) shapely polygons that share borders vertex by vertex.
@@ -278,7 +278,7 @@ def simplified(polygons: np.ndarray, tolerance: float) -> np.ndarray:
 
 
 def on_map(polygons: np.ndarray, transform: Sequence[float]) -> np.ndarray:
-    """(n,) polygons in pixel coordinates (column, row), in map coordinates; ``transform``: GDAL's six numbers."""
+    """Return (n,) polygons in pixel coordinates (column, row), in map coordinates; ``transform``: GDAL's six numbers."""
     x0, x_column, x_row, y0, y_column, y_row = transform
 
     def moved(points: np.ndarray) -> np.ndarray:

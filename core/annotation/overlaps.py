@@ -19,7 +19,7 @@ NARROWEST_M = 0.001
 
 
 def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> tuple[list[Finding], np.ndarray]:
-    """Finds polygons that cover just what an earlier one covers.
+    """Find polygons that cover just what an earlier one covers.
 
     With different classes it is an error, unless a priority says which lies on top.
 
@@ -46,7 +46,7 @@ def find_duplicates(polygons: AnnotatedPolygons, partition: PlanarPartition) -> 
 def find_overlaps(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, ignored: np.ndarray
 ) -> list[Finding]:
-    """Finds each two polygons of different features and classes that share an area.
+    """Find each two polygons of different features and classes that share an area.
 
     Where priorities differ they say what lies on top, and the finding is information; else it is an error.
 
@@ -77,7 +77,7 @@ def find_overlaps(
 def find_hidden(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, duplicates: list[Finding]
 ) -> list[Finding]:
-    """Finds polygons of which nothing is seen from above.
+    """Find polygons of which nothing is seen from above.
 
     Args:
         ranks: (N,) int64, higher lie on top.
@@ -103,7 +103,7 @@ def find_hidden(
 def find_same_class_neighbors(
     polygons: AnnotatedPolygons, partition: PlanarPartition, ranks: np.ndarray, landmark_classes: Sequence[int]
 ) -> list[Finding]:
-    """Finds each two features of one class that touch as seen from above.
+    """Find each two features of one class that touch as seen from above.
 
     Landmarks are told also where they touch in a point only: pixels that touch by a corner belong to one object, too.
 
@@ -135,7 +135,7 @@ def find_same_class_neighbors(
 
 
 def classes_of_faces(polygons: AnnotatedPolygons, top: np.ndarray) -> np.ndarray:
-    """(F,) class values of the polygons seen from above, NOTHING where ``top`` is −1."""
+    """Return (F,) class values of the polygons seen from above, NOTHING where ``top`` is −1."""
     return np.where(top >= 0, np.append(polygons.classes, NOTHING)[top], NOTHING)
 
 
@@ -171,7 +171,7 @@ def _pair(
     pair: tuple[int, int],
     geometry: shapely.Geometry | None = None,
 ) -> Finding:
-    """A finding about two polygons, by their numbers; it shows ``geometry``, or the first polygon."""
+    """Return a finding about two polygons, by their numbers; it shows ``geometry``, or the first polygon."""
     one, other = pair
     shown = polygons.geometries[one] if geometry is None else geometry
     return Finding(

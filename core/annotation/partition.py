@@ -43,7 +43,7 @@ class PlanarPartition:
         return len(self.faces)
 
     def top_polygons(self, ranks: np.ndarray) -> np.ndarray:
-        """The polygon that is seen from above on each face.
+        """Return the polygon that is seen from above on each face.
 
         Args:
             ranks: (N,) of the polygons, higher lie on top.
@@ -85,7 +85,7 @@ class Regions:
 
 
 def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
-    """Cuts polygons into the faces they make together.
+    """Cut polygons into the faces they make together.
 
     Args:
         polygons: (N,) valid shapely polygons, meters.
@@ -108,7 +108,7 @@ def partition_polygons(polygons: np.ndarray) -> PlanarPartition:
 
 
 def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Regions:
-    """Joins neighboring faces of one class.
+    """Join neighboring faces of one class.
 
     Args:
         partition: F faces.
@@ -130,7 +130,7 @@ def find_regions(partition: PlanarPartition, face_classes: np.ndarray) -> Region
 
 
 def region_owners(regions: Regions, top: np.ndarray, face_areas: np.ndarray) -> np.ndarray:
-    """The polygon that covers most of each region as seen from above, the first of equals.
+    """Return the polygon that covers most of each region as seen from above, the first of equals.
 
     Args:
         top: (F,) polygon seen on each face, −1 where the region's class is not this polygon's.
@@ -174,7 +174,7 @@ def corner_neighbors(partition: PlanarPartition, face_classes: np.ndarray) -> np
 
 
 def dissolve(faces: np.ndarray, groups: np.ndarray) -> np.ndarray:
-    """Joins the faces of each group.
+    """Join the faces of each group.
 
     Args:
         faces: (F,) shapely polygons.
@@ -208,7 +208,7 @@ def _count_segments(lines: shapely.Geometry) -> int:
 
 
 def _shared_borders(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(E, 2) int64 pairs of faces, first < second, and the (E,) m that they share."""
+    """Return (E, 2) int64 pairs of faces, first < second, and the (E,) m that they share."""
     rings, face_of_ring = shapely.get_rings(faces, return_index=True)
     coordinates, ring = shapely.get_coordinates(rings, return_index=True)
     vertices = np.unique(coordinates.view(np.complex128).reshape(-1), return_inverse=True)[1].reshape(-1)
@@ -224,7 +224,7 @@ def _shared_borders(faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _summed_pairs(pairs: np.ndarray, weights: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Each of the (P, 2) pairs of numbers below ``count`` once, ordered, with the sum of its weights."""
+    """Return each of the (P, 2) pairs of numbers below ``count`` once, ordered, with the sum of its weights."""
     keys, place = np.unique(pairs[:, 0] * max(count, 1) + pairs[:, 1], return_inverse=True)
     found = np.column_stack(np.divmod(keys, max(count, 1))).reshape(-1, 2)
     return found, np.bincount(place.reshape(-1), weights, len(keys))

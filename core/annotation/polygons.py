@@ -60,11 +60,11 @@ class AnnotatedPolygons:
         return len(self.geometries)
 
     def drawn_ranks(self) -> np.ndarray:
-        """(N,) int64, higher lie on top, as in rasterizing: by priority, among equals the later feature."""
+        """Return (N,) int64, higher lie on top, as in rasterizing: by priority, among equals the later feature."""
         return _ranks(np.lexsort((np.arange(len(self)), self.priorities)))
 
     def repair_ranks(self) -> np.ndarray:
-        """(N,) int64, higher lie on top: by priority, among equals the smaller, then the lower class value."""
+        """Return (N,) int64, higher lie on top: by priority, among equals the smaller, then the lower class value."""
         areas = shapely.area(self.geometries)
         return _ranks(np.lexsort((np.arange(len(self)), -self.classes, -areas, self.priorities)))
 
@@ -83,7 +83,7 @@ class FeatureParts:
 
 
 def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
-    """(M,) shapely geometries, None for features without one or with one that no library reads."""
+    """Return (M,) shapely geometries, None for features without one or with one that no library reads."""
     wkbs = np.array([feature.wkb for feature in features] + [None], object)[:-1]
     with np.errstate(invalid="ignore"):
         geometries = shapely.force_2d(shapely.from_wkb(wkbs, on_invalid="ignore"))
@@ -94,12 +94,12 @@ def feature_geometries(features: Sequence[AnnotatedFeature]) -> np.ndarray:
 
 
 def split_parts(geometries: np.ndarray) -> FeatureParts:
-    """(M,) shapely geometries or None → their single parts."""
+    """Return (M,) shapely geometries or None → their single parts."""
     return FeatureParts(*shapely.get_parts(geometries, return_index=True))
 
 
 def valid_polygons(features: Sequence[AnnotatedFeature], parts: FeatureParts) -> AnnotatedPolygons:
-    """The polygons with area of features with a class; invalid ones are made valid as in rasterizing."""
+    """Return the polygons with area of features with a class; invalid ones are made valid as in rasterizing."""
     geometries, place = _made_valid(parts)
     classes = np.array([feature.class_value for feature in features], np.int64)[place]
     keep = (shapely.get_type_id(geometries) == _POLYGON) & (shapely.area(geometries) > 0) & (classes != NOTHING)
@@ -127,7 +127,7 @@ def _made_valid(parts: FeatureParts) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _ranks(order: np.ndarray) -> np.ndarray:
-    """(N,) int64 place of each thing in ``order``, an order of their numbers."""
+    """Return (N,) int64 place of each thing in ``order``, an order of their numbers."""
     ranks = np.empty(len(order), np.int64)
     ranks[order] = np.arange(len(order))
     return ranks

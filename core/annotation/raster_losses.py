@@ -34,7 +34,7 @@ class RegionRuns:
 
 
 def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
-    """The runs of some rows of a raster.
+    """Return the runs of some rows of a raster.
 
     Args:
         regions_hw: (H, W) numbers of regions, 0 for none.
@@ -55,7 +55,7 @@ def runs_of_strip(regions_hw: np.ndarray, first_row: int) -> RegionRuns:
 
 
 def join_runs(strips: list[RegionRuns]) -> RegionRuns:
-    """The runs of strips that follow each other, top first."""
+    """Return the runs of strips that follow each other, top first."""
     names = ("rows", "starts", "stops", "regions")
     empty = np.empty(0, np.int64)
     return RegionRuns(*(np.concatenate([empty, *(getattr(s, name) for s in strips)]) for name in names))
@@ -79,7 +79,7 @@ def merged_regions(runs: RegionRuns, region_classes: np.ndarray) -> np.ndarray:
 
 
 def count_pieces(runs: RegionRuns, count: int) -> np.ndarray:
-    """(count,) int64 8-connected pieces of the pixels of each region number; 0 for a region without a pixel."""
+    """Return (count,) int64 8-connected pieces of the pixels of each region number; 0 for a region without a pixel."""
     links = touching_runs(runs.rows, runs.starts, runs.stops)
     links = links[runs.regions[links[:, 0]] == runs.regions[links[:, 1]]]
     pieces = connected_components(len(runs), links)
@@ -88,7 +88,7 @@ def count_pieces(runs: RegionRuns, count: int) -> np.ndarray:
 
 
 def lost_regions(runs: RegionRuns, count: int, minimum_area_px: float) -> np.ndarray:
-    """(count,) bool: no piece of the region's pixels has a contour area (``cv2.contourArea``) of that size."""
+    """Return (count,) bool: no piece of the region's pixels has a contour area (``cv2.contourArea``) of that size."""
     lost = np.ones(count, bool)
     order = np.argsort(runs.regions, kind="stable")
     bounds = np.searchsorted(runs.regions[order], np.arange(count + 1))
@@ -102,7 +102,7 @@ def lost_regions(runs: RegionRuns, count: int, minimum_area_px: float) -> np.nda
 
 
 def _mask(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """(H, W) uint8, 1 on the runs."""
+    """Return (H, W) uint8, 1 on the runs."""
     steps = np.zeros((shape[0], shape[1] + 1), np.int8)
     left = starts.min()
     steps[rows, starts - left] = 1

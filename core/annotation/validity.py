@@ -34,7 +34,7 @@ def find_invalid(features: Sequence[AnnotatedFeature], geometries: np.ndarray, p
 def find_unusable(
     features: Sequence[AnnotatedFeature], geometries: np.ndarray, polygons: AnnotatedPolygons
 ) -> list[Finding]:
-    """Finds features without geometry, with one that can't be read, and with one that has no area."""
+    """Find features without geometry, with one that can't be read, and with one that has no area."""
     found = []
     with_area = set(polygons.features.tolist())
     areas = shapely.area(geometries)

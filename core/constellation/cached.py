@@ -20,7 +20,7 @@ FEWEST = 20_000
 
 
 def key_of(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> str:
-    """What tells an index from others: SHA-256 of the landmarks and all that it is built with, hexadecimal."""
+    """Return what tells an index from others: SHA-256 of the landmarks and all that it is built with, hexadecimal."""
     limits = settings.limits
     told = json.dumps([VERSION, pixel_size_m, limits.neighbors, limits.minimum_side_in_sizes])
     columns = references.positions, references.classes, references.areas_m2, references.touches_edge
@@ -45,7 +45,7 @@ def cached_index(references: MapLandmarks, pixel_size_m: float, settings: Conste
 
 
 def _fit(parts: IndexParts, references: MapLandmarks, settings: ConstellationSettings) -> bool:
-    """Whether the arrays have the shapes and kinds of an index of these landmarks."""
+    """Return whether the arrays have the shapes and kinds of an index of these landmarks."""
     expected = part_shapes(len(references), settings)
     if set(parts) != set(expected):
         return False

@@ -56,7 +56,7 @@ class Poses:
         return len(self.centers)
 
     def select(self, chosen: np.ndarray) -> Poses:
-        """The poses of these numbers."""
+        """Return the poses of these numbers."""
         centers, turns, focuses = (value.take(chosen) for value in (self.centers, self.turns, self.focuses))
         return Poses(centers, turns, focuses, self.places.take(chosen, axis=1))
 
@@ -72,13 +72,13 @@ class _Lattice:
     shift: int
 
     def columns(self, places: np.ndarray) -> tuple[np.ndarray, ...]:
-        """(H,) each: cells to the right, up, of the pixel size and of the heading."""
+        """Return (H,) each: cells to the right, up, of the pixel size and of the heading."""
         across, along, sizes, turned = places
         shift = self.shift
         return (across + shift) >> 1, (along + shift) >> 1, sizes, ((turned + shift) >> 1) % _CELLS_AROUND
 
     def numbers(self, places: np.ndarray) -> np.ndarray:
-        """(H,) uint32: numbers that poses in one cell share, and hardly any others do."""
+        """Return (H,) uint32: numbers that poses in one cell share, and hardly any others do."""
         columns = self.columns(places)
         return sum(column.view(np.uint32) * factor for column, factor in zip(columns, _SPREADING))
 
@@ -190,20 +190,20 @@ def _in_full_cells(portions: Sequence[Poses], lattice: _Lattice, count: int) -> 
 
 
 def _groups(numbers: np.ndarray, count: int) -> np.ndarray:
-    """(H,) groups, a few times as many as poses, of numbers (H,) uint32."""
+    """Return (H,) groups, a few times as many as poses, of numbers (H,) uint32."""
     bits = min(count.bit_length() + 1, _GROUP_BITS)
     return (numbers >> np.uint32(32 - bits)).astype(np.intp)
 
 
 def _selected(portions: Sequence[Poses], chosen: np.ndarray) -> list[Poses]:
-    """The poses of these ascending numbers, counted through all portions."""
+    """Return the poses of these ascending numbers, counted through all portions."""
     starts = np.cumsum([0, *(len(poses) for poses in portions)])
     parts = np.split(chosen, np.searchsorted(chosen, starts[1:-1]))
     return [poses.select(part - start) for poses, part, start in zip(portions, parts, starts)]
 
 
 def _keyed(portions: Sequence[Poses], lattice: _Lattice) -> tuple[Poses, np.ndarray]:
-    """The poses as one, and (H,) int64 keys: equal ones are of one cell, and they ascend with the cells."""
+    """Return the poses as one, and (H,) int64 keys: equal ones are of one cell, and they ascend with the cells."""
     if not portions:
         nothing = np.empty(0, complex)
         return Poses(nothing, nothing, nothing, np.empty((4, 0), np.int32)), np.empty(0, np.int64)
@@ -217,7 +217,7 @@ def _keyed(portions: Sequence[Poses], lattice: _Lattice) -> tuple[Poses, np.ndar
 
 
 def _fullest(votes: np.ndarray, count: int) -> np.ndarray:
-    """The ``count`` fullest cells, fullest first."""
+    """Return the ``count`` fullest cells, fullest first."""
     if len(votes) <= count:
         return np.argsort(-votes, kind="stable")
     least = np.partition(votes, len(votes) - count)[len(votes) - count]

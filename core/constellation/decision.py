@@ -65,12 +65,12 @@ def risk_of_best(opponents: Opponents, settings: Decision) -> float:
 
 
 def may_be_a_fix(opponents: Opponents, allowed: float, settings: Decision) -> bool:
-    """Whether the best place would be a fix without any opponent."""
+    """Return whether the best place would be a fix without any opponent."""
     return risk_against(opponents, 0.0, settings) <= allowed
 
 
 def verdict(opponents: Opponents, rivals: int, allowed: float, settings: Decision) -> tuple[Status, Sentence | None]:
-    """Whether the evidence is enough for a fix, and why not.
+    """Return whether the evidence is enough for a fix, and why not.
 
     Args:
         opponents: The best place and what it is compared with.

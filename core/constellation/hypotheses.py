@@ -52,13 +52,13 @@ class SeenLandmarks:
         return int((self.whole & (self.ranks >= 0)).sum())
 
     def select(self, chosen: np.ndarray) -> SeenLandmarks:
-        """The chosen objects of the image, in that order."""
+        """Return the chosen objects of the image, in that order."""
         return SeenLandmarks(
             self.points[chosen], self.ranks[chosen], self.log_areas[chosen], self.whole[chosen], self.diagonal
         )
 
     def mirrored(self) -> SeenLandmarks:
-        """The landmarks of the mirrored image: same density, same regularity, and no camera can see it."""
+        """Return the landmarks of the mirrored image: same density, same regularity, and no camera can see it."""
         return SeenLandmarks(-self.points.conj(), self.ranks, self.log_areas, self.whole, self.diagonal)
 
 
@@ -80,11 +80,11 @@ class QueryTriangles:
         return len(self.members)
 
     def every(self, step: int) -> QueryTriangles:
-        """The first triangle and every ``step``-th after it."""
+        """Return the first triangle and every ``step``-th after it."""
         return QueryTriangles(self.members[::step], self.numbers[::step], self.tolerances[::step])
 
     def mirrored(self) -> QueryTriangles:
-        """The triangles as the mirrored image has them."""
+        """Return the triangles as the mirrored image has them."""
         return QueryTriangles(self.members, self.numbers * np.array([1, -1, 1, 1, 1]), self.tolerances)
 
 

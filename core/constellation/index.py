@@ -86,7 +86,7 @@ class ConstellationIndex:
         return len(self.points)
 
     def members(self, triangles: np.ndarray) -> list[np.ndarray]:
-        """(H,) catalogue objects A, of B and of C, of triangles (H,) given by their number in ``triangles``."""
+        """Return (H,) catalogue objects A, of B and of C, of triangles (H,) given by their number in ``triangles``."""
         count, places = self.neighbors.shape[1], _corner_places(self.neighbors.shape[1])
         codes, near = self.triangles.take(triangles), self.neighbors.ravel()
         anchors = codes // len(places)
@@ -103,18 +103,18 @@ class ConstellationIndex:
         return len(self.class_values) ** 3 <= LABEL_BUCKETS
 
     def anchors(self) -> np.ndarray:
-        """(T,) the object that each triangle was made of with two of its neighbors."""
+        """Return (T,) the object that each triangle was made of with two of its neighbors."""
         return self.triangles // (len(neighbor_pairs(self.neighbors.shape[1])) * len(ORDERS))
 
     def within(self, low: complex, high: complex) -> np.ndarray:
-        """(M,) objects in the box between two corners."""
+        """Return (M,) objects in the box between two corners."""
         first, last = np.searchsorted(self.eastings, (low.real, high.real))
         found = self.by_easting[first:last]
         northings = self.points.imag[found]
         return found[(northings >= low.imag) & (northings <= high.imag)]
 
     def rank_of(self, classes: np.ndarray) -> np.ndarray:
-        """(n,) places of class values in ``class_values``, −1 for classes the catalogue does not have."""
+        """Return (n,) places of class values in ``class_values``, −1 for classes the catalogue does not have."""
         place = np.searchsorted(self.class_values, classes)
         place = np.minimum(place, max(len(self.class_values) - 1, 0))
         known = self.class_values[place] == classes if len(self.class_values) else np.zeros(len(classes), bool)
@@ -148,7 +148,7 @@ def build_index(
 
 
 def index_parts(references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings) -> IndexParts:
-    """What of an index takes time to make, by name; ``part_shapes`` tells their kinds.
+    """Return what of an index takes time to make, by name; ``part_shapes`` tells their kinds.
 
     Args:
         pixel_size_m: Of the label map that they are of.
@@ -187,7 +187,7 @@ def _kind_of_codes(count: int, settings: ConstellationSettings) -> str:
 def index_of_parts(
     references: MapLandmarks, pixel_size_m: float, settings: ConstellationSettings, parts: IndexParts
 ) -> ConstellationIndex:
-    """The index of landmarks whose parts were made, or kept, before."""
+    """Return the index of landmarks whose parts were made, or kept, before."""
     bare = _Bare(references, pixel_size_m)
     return ConstellationIndex(
         bare.origin,
@@ -227,7 +227,7 @@ class _Bare:
 
 
 def area_densities(ranks: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
-    """(C, B) probability density of ln area of each class, smoothed, never 0."""
+    """Return (C, B) probability density of ln area of each class, smoothed, never 0."""
     rows = []
     for rank in range(int(ranks.max()) + 1 if len(ranks) else 0):
         counts = np.histogram(log_areas[ranks == rank], np.append(AREA_BINS, np.inf))[0].astype(float)
@@ -237,7 +237,7 @@ def area_densities(ranks: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
 
 
 def cell_keys(ranks: np.ndarray, class_count: int, cells: np.ndarray) -> np.ndarray:
-    """(T,) uint32 keys of triangles; the last number varies fastest.
+    """Return (T,) uint32 keys of triangles; the last number varies fastest.
 
     Args:
         ranks: (T, 3) label ranks of A, B, C.
@@ -250,12 +250,12 @@ def cell_keys(ranks: np.ndarray, class_count: int, cells: np.ndarray) -> np.ndar
 
 
 def quantized(numbers: np.ndarray) -> np.ndarray:
-    """(T, 5) int64 cells of descriptors (T, 5)."""
+    """Return (T, 5) int64 cells of descriptors (T, 5)."""
     return np.clip(np.floor((numbers - LOWEST) / CELL), 0, CELLS - 1).astype(np.int64)
 
 
 def fine_values(numbers: np.ndarray) -> np.ndarray:
-    """(T, 5) float64: descriptors in steps of 1 / 255 of their range, not rounded."""
+    """Return (T, 5) float64: descriptors in steps of 1 / 255 of their range, not rounded."""
     return np.clip((numbers - LOWEST) / FINE_UNIT, 0, FINE_STEPS)
 
 
@@ -292,7 +292,7 @@ def key_ranges(
 
 
 def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Every number in stretches first … last − 1.
+    """Return every number in stretches first … last − 1.
 
     Args:
         first: (R,) int.
@@ -306,7 +306,7 @@ def expand_ranges(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def numbers_in(first: np.ndarray, spans: np.ndarray) -> np.ndarray:
-    """(H,) every number in stretches (R,) that begin at ``first`` and are ``spans`` long."""
+    """Return (H,) every number in stretches (R,) that begin at ``first`` and are ``spans`` long."""
     ends = np.cumsum(spans)
     numbers = np.repeat(first - (ends - spans), spans)
     numbers += np.arange(len(numbers))
@@ -316,7 +316,7 @@ def numbers_in(first: np.ndarray, spans: np.ndarray) -> np.ndarray:
 def like_triangles(
     index: ConstellationIndex, hits: np.ndarray, source: np.ndarray, numbers: np.ndarray, tolerances: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Those of the hits whose five numbers agree with those of their triangle, and these triangles.
+    """Return those of the hits whose five numbers agree with those of their triangle, and these triangles.
 
     Args:
         hits: (H,) triangles of the index.
@@ -368,7 +368,7 @@ def _all_triangles(
 
 @lru_cache
 def _corner_places(neighbor_count: int) -> np.ndarray:
-    """(P · 6, 3) places of A, B, C among an anchor's neighbors, −1 for the anchor, by the rest of a triangle's code."""
+    """Return (P · 6, 3) places of A, B, C among an anchor's neighbors, −1 for the anchor, by the rest of a triangle's code."""
     pairs = neighbor_pairs(neighbor_count)
     triples_of = np.column_stack([np.full(len(pairs), -1), pairs])
     return triples_of[:, ORDERS].reshape(-1, 3)

@@ -32,7 +32,7 @@ class Lookup:
     def __init__(
         self, index: ConstellationIndex, query: SeenLandmarks, triangles: QueryTriangles, prior: Prior | None
     ) -> None:
-        """Looks nothing up yet.
+        """Look nothing up yet.
 
         Args:
             triangles: All or some of its triangles.
@@ -43,12 +43,12 @@ class Lookup:
         self._found: list[Poses] = []
 
     def mirrored(self) -> Lookup:
-        """Of the mirrored image, which has no heading that could be known."""
+        """Return of the mirrored image, which has no heading that could be known."""
         prior = None if self.prior is None else replace(self.prior, heading_deg=None)
         return Lookup(self.index, self.query.mirrored(), self.triangles.mirrored(), prior)
 
     def every(self, step: int) -> Lookup:
-        """Of the first triangle and every ``step``-th after it."""
+        """Return of the first triangle and every ``step``-th after it."""
         return Lookup(self.index, self.query, self.triangles.every(step), self.prior)
 
     def poses(self, cap: int) -> tuple[list[Poses], bool]:
@@ -89,7 +89,7 @@ class Lookup:
         return np.column_stack([place, place, area, area, area])
 
     def _rarest(self, spans: np.ndarray, cap: int) -> np.ndarray:
-        """(Q,) bool: the triangles with the fewest hits, as many as the cap allows."""
+        """Return (Q,) bool: the triangles with the fewest hits, as many as the cap allows."""
         hits = np.bincount(self._stretches[0], weights=spans, minlength=len(self.triangles))
         order = np.argsort(hits, kind="stable")
         allowed = np.zeros(len(hits), bool)
@@ -112,7 +112,7 @@ class Lookup:
 
 
 def find_seeds(lookup: Lookup, cap: int, count: int | None = None, prior: Prior | None = None) -> Seeds:
-    """The most voted poses of an image.
+    """Return the most voted poses of an image.
 
     Args:
         cap: Triangles of the index looked at, at most, as ``Lookup.poses`` has it.
@@ -178,7 +178,7 @@ def _triangles_near(index: ConstellationIndex, query: SeenLandmarks, prior: Prio
 
 
 def allowed_poses(index: ConstellationIndex, centers: np.ndarray, turns: np.ndarray, prior: Prior | None) -> np.ndarray:
-    """(H,) bool: poses that the prior does not exclude."""
+    """Return (H,) bool: poses that the prior does not exclude."""
     size = np.abs(turns)
     kept = size > 0
     if prior is None:

@@ -52,12 +52,12 @@ def center_noise(log_areas_px: np.ndarray, pixel_size: np.ndarray | float, noise
 
 
 def places_on_map(query: SeenLandmarks, poses: Sequence[Pose]) -> np.ndarray:
-    """(S, n) complex: where each of S poses puts the image's objects."""
+    """Return (S, n) complex: where each of S poses puts the image's objects."""
     return np.array([pose.on_map(query.points) for pose in poses])
 
 
 def nearest_objects(index: ConstellationIndex, query: SeenLandmarks, poses: Sequence[Pose]) -> Nearest:
-    """What is nearest to the image's objects at each of S poses, (S, n) each, with the assumed deviations."""
+    """Return what is nearest to the image's objects at each of S poses, (S, n) each, with the assumed deviations."""
     distances, objects = index.matcher.match(places_on_map(query, poses), query.ranks)
     sizes = np.array([abs(pose.turn) for pose in poses])
     noise = center_noise(query.log_areas, sizes[:, None], index.settings.noise)
@@ -65,7 +65,7 @@ def nearest_objects(index: ConstellationIndex, query: SeenLandmarks, poses: Sequ
 
 
 def matched_within(nearest: Nearest, ends: np.ndarray) -> np.ndarray:
-    """(S, n) bool: matches that end within ``ends`` (S, n); of objects that share one of the map only the nearest.
+    """Return (S, n) bool: matches that end within ``ends`` (S, n); of objects that share one of the map only the nearest.
 
     That it is too far itself lets no other have it.
     """
@@ -88,7 +88,7 @@ def biweight(distances: np.ndarray, ends: np.ndarray) -> np.ndarray:
 
 
 def noise_factor(residuals: np.ndarray, fitted: int) -> np.ndarray:
-    """(…) σ of matches over the assumed one.
+    """Return (…) σ of matches over the assumed one.
 
     From the median, because some matches are wrong. A pose takes its numbers out of the residuals: the squares of n
     true ones are smaller by 2 n / (2 n − fitted). Few residuals tell little, so the assumption counts as well.

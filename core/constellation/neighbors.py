@@ -24,7 +24,7 @@ class ClassMatcher:
     """Finds the nearest object of the same class, quickly and many at a time."""
 
     def __init__(self, points: np.ndarray, ranks: np.ndarray) -> None:
-        """Keeps the objects; the tree of a class is made at its first use.
+        """Keep the objects; the tree of a class is made at its first use.
 
         Args:
             points: (N,) complex, near zero.
@@ -34,7 +34,7 @@ class ClassMatcher:
         self._made: dict[int, tuple[np.ndarray, Any]] = {}
 
     def match(self, places: np.ndarray, ranks: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The nearest object of the same class to each place.
+        """Return the nearest object of the same class to each place.
 
         Args:
             places: (S, n) complex.
@@ -55,7 +55,7 @@ class ClassMatcher:
         return distances, objects
 
     def _tree(self, rank: int) -> tuple[np.ndarray, Any]:
-        """The objects of a class and their tree."""
+        """Return the objects of a class and their tree."""
         if rank not in self._made:
             members = np.flatnonzero(self._ranks == rank)
             self._made[rank] = members, make_tree(as_float32(self._points[members])) if len(members) else None
@@ -63,7 +63,7 @@ class ClassMatcher:
 
 
 def as_float32(points: np.ndarray) -> np.ndarray:
-    """(n, 2) float32 of (n,) complex points."""
+    """Return (n, 2) float32 of (n,) complex points."""
     pairs = np.empty((len(points), 2), np.float32)
     pairs[:, 0], pairs[:, 1] = points.real, points.imag
     return pairs
@@ -77,7 +77,7 @@ def make_tree(points_xy: np.ndarray) -> Any:  # noqa: ANN401 -- OpenCV tells no 
 
 
 def nearest(points_xy: np.ndarray, queries_xy: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """The nearest points of each query, nearest first; exact.
+    """Return the nearest points of each query, nearest first; exact.
 
     Args:
         points_xy: (N, 2) float32.
@@ -91,7 +91,7 @@ def nearest(points_xy: np.ndarray, queries_xy: np.ndarray, count: int) -> tuple[
 
 
 def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.ndarray:
-    """Each object's nearest objects of larger area.
+    """Return each object's nearest objects of larger area.
 
     Whatever the scale of an image, the same objects are found: that is how dense towns are thinned. Objects are halved
     by area; in each half all but the largest are searched for the others' neighbors, so the work is about 2 N
@@ -119,7 +119,7 @@ def nearest_larger(points_xy: np.ndarray, areas: np.ndarray, count: int) -> np.n
 
 
 def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
-    """(N,) objects of the same class per unit of area around each object.
+    """Return (N,) objects of the same class per unit of area around each object.
 
     From the distance of the k-th neighbor of its class, k / (π d²); of the whole extent where a class has few objects.
 
@@ -142,13 +142,13 @@ def local_density(points_xy: np.ndarray, classes: np.ndarray) -> np.ndarray:
 
 
 def centered_float32(points_xy: np.ndarray) -> np.ndarray:
-    """(N, 2) float32 relative to the mean, as map coordinates of millions of meters need."""
+    """Return (N, 2) float32 relative to the mean, as map coordinates of millions of meters need."""
     points = np.asarray(points_xy, np.float64).reshape(-1, 2)
     return np.ascontiguousarray(points - (points.mean(axis=0) if len(points) else 0), np.float32)
 
 
 def spatial_order(points_xy: np.ndarray) -> np.ndarray:
-    """(N,) an order in which near points follow each other (strips), so that searches find their data in the cache."""
+    """Return (N,) an order in which near points follow each other (strips), so that searches find their data in the cache."""
     strips = max(int(np.sqrt(len(points_xy) / 20)), 1)
     low = points_xy[:, 0].min()
     strip = ((points_xy[:, 0] - low) / (np.ptp(points_xy[:, 0]) + 1e-6) * strips).astype(np.int64)
@@ -158,7 +158,7 @@ def spatial_order(points_xy: np.ndarray) -> np.ndarray:
 def _larger_among(
     points: np.ndarray, members: np.ndarray, anchor_count: int, count: int, candidates: int
 ) -> np.ndarray:
-    """(anchor_count, count) nearest larger objects, among so many candidates, of the first members.
+    """Return (anchor_count, count) nearest larger objects, among so many candidates, of the first members.
 
     members are in ascending order of area.
     """

@@ -39,7 +39,7 @@ class Side:
     begins_px: float
 
     def holds(self, points: np.ndarray) -> np.ndarray:
-        """(n,) bool: whether points, pixels from the image's center, lie on it."""
+        """Return (n,) bool: whether points, pixels from the image's center, lie on it."""
         return (points * self.direction.conjugate()).real > self.begins_px
 
 
@@ -57,7 +57,7 @@ class Agreement:
 
 
 def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings: Decision) -> Side | None:
-    """The side of an image on which hardly anything agrees with the map, while on the other much does.
+    """Return the side of an image on which hardly anything agrees with the map, while on the other much does.
 
     Every side of every cut is looked at: the likelihood of two shares that agree, one a side, over that of one share
     for the whole image. Both must tell it: landmarks of the image that are not on the map may be new houses, or errors
@@ -83,7 +83,7 @@ def empty_side(of_image: Agreement, of_map: Agreement, diagonal: float, settings
 
 
 def uneven_side(of_image: Agreement, diagonal: float, settings: Decision) -> Side | None:
-    """The side on which hardly any of the image's landmarks agree, so that another place is worth a search; or None."""
+    """Return the side on which hardly any of the image's landmarks agree, so that another place is worth a search; or None."""
     told = _told(of_image, diagonal, settings)
     best = int(told.argmax())
     return _side(best, diagonal) if told[best] >= UNEVEN_LOG_ODDS else None
@@ -94,7 +94,7 @@ def _side(number: int, diagonal: float) -> Side:
 
 
 def _told(seen: Agreement, diagonal: float, settings: Decision) -> np.ndarray:
-    """(S,) how much more likely two shares are than one, for both sides of every cut of an image.
+    """Return (S,) how much more likely two shares are than one, for both sides of every cut of an image.
 
     0 where there are too few landmarks to tell, or the side is not emptier.
     """
@@ -116,5 +116,5 @@ def _likelihood(successes: np.ndarray, trials: np.ndarray) -> np.ndarray:
 
 
 def _weighed(part: np.ndarray, whole: np.ndarray) -> np.ndarray:
-    """Numbers times ln of their share in others; 0 for none."""
+    """Return numbers times ln of their share in others; 0 for none."""
     return part * np.log(np.maximum(part, 1) / np.maximum(whole, 1))

@@ -68,7 +68,7 @@ class Round(NamedTuple):
 
 
 def rounds(everything: Lookup) -> list[Round]:
-    """A few triangles from all over the image, then all with caps that rise.
+    """Return a few triangles from all over the image, then all with caps that rise.
 
     By chance a map of more landmarks has more places that look like the image, of which more are tried where the first
     rounds brought nothing.
@@ -82,13 +82,13 @@ def rounds(everything: Lookup) -> list[Round]:
 
 
 def search(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list[PoseEvidence], bool]:
-    """The best few poses at different places, best first; and whether the search was capped."""
+    """Return the best few poses at different places, best first; and whether the search was capped."""
     found, seeds = level_poses(verifier, query, reach)
     return tilted_poses(verifier, query, found, seeds), seeds.capped
 
 
 def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple[list[PoseEvidence], Seeds]:
-    """The best few poses of a level camera at different places, best first; and the clusters they come from."""
+    """Return the best few poses of a level camera at different places, best first; and the clusters they come from."""
     settings = verifier.index.settings
     seeds = find_seeds(reach.lookup, reach.cap, reach.seeds, reach.prior)
     found = Found(query, settings.decision)
@@ -113,7 +113,7 @@ def level_poses(verifier: Verifier, query: SeenLandmarks, reach: Round) -> tuple
 def _worth_a_trial(
     query: SeenLandmarks, centers: np.ndarray, turns: np.ndarray, scores: np.ndarray, limits: SearchLimits
 ) -> list[int]:
-    """The roughly fitted poses that are verified, best first: of those at one place the best, none far below the best.
+    """Return the roughly fitted poses that are verified, best first: of those at one place the best, none far below the best.
 
     Args:
         centers: (S,) complex, map units from the index's origin.
@@ -141,7 +141,7 @@ def _worth_a_trial(
 def tilted_poses(
     verifier: Verifier, query: SeenLandmarks, level: list[PoseEvidence], seeds: Seeds
 ) -> list[PoseEvidence]:
-    """The best few poses with those of a camera that may be tilted, best first."""
+    """Return the best few poses with those of a camera that may be tilted, best first."""
     settings = verifier.index.settings
     if not level:
         return []
@@ -180,11 +180,11 @@ class Found:
         return sorted(self.poses, key=lambda evidence: -evidence.log_odds)
 
     def knows(self, evidence: PoseEvidence) -> bool:
-        """Whether there is a pose at its place."""
+        """Return whether there is a pose at its place."""
         return bool(self._at_its_place(evidence, evidence.pose.on_map(self._query.points)).any())
 
     def add(self, evidence: PoseEvidence) -> None:
-        """Takes it in unless a better one is at its place; a tilted one must be clearly better."""
+        """Take it in unless a better one is at its place; a tilted one must be clearly better."""
         on_map = evidence.pose.on_map(self._query.points)
         same = self._at_its_place(evidence, on_map)
         better = evidence.log_odds - (0 if evidence.pose.is_level else self._decision.tilted_margin)
@@ -194,7 +194,7 @@ class Found:
             self._on_map = [*(self._on_map[number] for number in others), on_map]
 
     def _at_its_place(self, evidence: PoseEvidence, on_map: np.ndarray) -> np.ndarray:
-        """(k,) bool: poses that put the image's objects on the same spots, as far as their noise tells."""
+        """Return (k,) bool: poses that put the image's objects on the same spots, as far as their noise tells."""
         if not self.poses:
             return np.zeros(0, bool)
         noise = np.maximum([other.noise for other in self.poses], evidence.noise)
@@ -207,14 +207,14 @@ class Found:
 
 
 def _distances(on_map: np.ndarray, others: list[np.ndarray]) -> np.ndarray:
-    """(k,) median distance on the map between an image's objects (n,) and the same at each of k other poses."""
+    """Return (k,) median distance on the map between an image's objects (n,) and the same at each of k other poses."""
     ordered = np.sort(np.abs(np.array(others) - on_map), axis=1)
     count = ordered.shape[1]
     return (ordered[:, (count - 1) // 2] + ordered[:, count // 2]) / 2
 
 
 def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence) -> bool:
-    """Whether a pose is evident, its noise no more than assumed, and its matches have no use for a tilted camera.
+    """Return whether a pose is evident, its noise no more than assumed, and its matches have no use for a tilted camera.
 
     A few of an image's landmarks may lie so near each other that no tilt shows.
     """
@@ -227,7 +227,7 @@ def _is_level(verifier: Verifier, telling: SeenLandmarks, evidence: PoseEvidence
 
 
 def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, decision: Decision) -> bool:
-    """Whether a tilted pose needs no other: it is as good as a level one and no better, or explains the image."""
+    """Return whether a tilted pose needs no other: it is as good as a level one and no better, or explains the image."""
     if tilted.log_odds < max(level.log_odds - decision.tilted_slack, decision.minimum_log_odds):
         return False
     is_level = len(level.matched) > FEW_OBJECTS and tilted.log_odds < level.log_odds + decision.tilted_margin
@@ -235,21 +235,21 @@ def _is_as_good(tilted: PoseEvidence, level: PoseEvidence, decision: Decision) -
 
 
 def _agrees(evidence: PoseEvidence, decision: Decision) -> bool:
-    """Whether a pose explains the image, so that no other camera needs a trial."""
+    """Return whether a pose explains the image, so that no other camera needs a trial."""
     share = len(evidence.matched) / max(evidence.considered, 1)
     exact = evidence.noise_factor < decision.tilted_noise
     return evidence.log_odds >= decision.minimum_log_odds and exact and share > decision.tilted_share
 
 
 def with_repeats(verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence]) -> list[PoseEvidence]:
-    """The poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
+    """Return the poses found, and the best one moved by the steps at which the map repeats itself there, best first."""
     return _with_moved(verifier, query, found, repeats(verifier, query, found[0]))
 
 
 def with_copies(
     verifier: Verifier, query: SeenLandmarks, found: list[PoseEvidence], prior: Prior | None
 ) -> list[PoseEvidence]:
-    """The poses found, and the best one moved to where the map around looks the same, best first.
+    """Return the poses found, and the best one moved to where the map around looks the same, best first.
 
     An image may have no triangle in common with its place, but by chance one with a copy of that, of two estates built
     by one plan.

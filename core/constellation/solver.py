@@ -88,7 +88,7 @@ def localize(  # noqa: PLR0913 - the image, the map, and what is known and asked
 def matches_at(
     objects: Landmarks, size_wh: tuple[float, float], index: ConstellationIndex, place: Place
 ) -> Matches | None:
-    """Which landmarks agree with the map's at a place that another method found, as the constellation verifies it.
+    """Return which landmarks agree with the map's at a place that another method found, as the constellation verifies it.
 
     Args:
         objects: Landmarks of the whole image, at least one.
@@ -114,7 +114,7 @@ def matches_at(
 
 
 def make_query(objects: Landmarks, index: ConstellationIndex, size_wh: tuple[float, float]) -> SeenLandmarks:
-    """An image's objects as localization uses them; ``size_wh``: (width, height) of the image, pixels."""
+    """Return an image's objects as localization uses them; ``size_wh``: (width, height) of the image, pixels."""
     points = image_points(objects.centers_xy, *size_wh)
     log_areas = np.log(full_area(np.asarray(objects.areas_px, np.float64), 1.0))
     whole = ~np.asarray(objects.touches_edge, bool)
@@ -147,7 +147,7 @@ def _search_for(
 
 
 def _decoys(verifier: Verifier, query: SeenLandmarks, reach: Round, searched: _Searched) -> list[PoseEvidence]:
-    """The best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
+    """Return the best few poses of the mirrored image, best first; those of tilted cameras only where they could count."""
     mirrored, settings = query.mirrored(), verifier.index.settings
     level, seeds = level_poses(verifier, mirrored, reach.mirrored())
     opponents = replace(searched, decoys=level).opponents(verifier.index)
@@ -167,7 +167,7 @@ class _Searched:
     errors: SharedErrors
 
     def opponents(self, index: ConstellationIndex) -> Opponents:
-        """The best place, and what it is compared with."""
+        """Return the best place, and what it is compared with."""
         runner_up = max((other.log_odds for other in self.found[1:]), default=-np.inf)
         mirror = float(max(self.decoys[0].log_odds, 0.0)) if self.decoys else 0.0
         return Opponents(self.found[0].log_odds, float(runner_up), mirror, len(index), self.capped)
@@ -176,7 +176,7 @@ class _Searched:
 def _decide(
     objects: Landmarks, query: SeenLandmarks, verifier: Verifier, searched: _Searched, allowed_risk: float
 ) -> Localization:
-    """The verdict on the poses found."""
+    """Return the verdict on the poses found."""
     index, found, capped = verifier.index, searched.found, searched.capped
     count, settings = query.usable_count, index.settings
     if not found:
@@ -231,13 +231,13 @@ def _flaw(
 
 
 def _agreement(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> Agreement:
-    """Which of the image's landmarks that could be on the map agree with it."""
+    """Return which of the image's landmarks that could be on the map agree with it."""
     telling = telling_objects(query, settings.limits.largest_objects)
     return Agreement(query.points[telling[evidence.possible]], np.isin(evidence.possible, evidence.matched))
 
 
 def _agreement_of_map(index: ConstellationIndex, evidence: PoseEvidence) -> Agreement:
-    """Which of the map's landmarks that the image should show agree with it."""
+    """Return which of the map's landmarks that the image should show agree with it."""
     points = evidence.pose.in_image(index.points[evidence.expected])
     return Agreement(points, np.isin(evidence.expected, evidence.objects))
 
@@ -271,7 +271,7 @@ def _other_place(query: SeenLandmarks, verifier: Verifier, best: PoseEvidence, s
 def _remark(
     of_image: Agreement, of_map: Agreement, diagonal: float, settings: ConstellationSettings
 ) -> Sentence | None:
-    """What a fix doesn't hold for: a side on which hardly any landmarks agree, though they show no other place."""
+    """Return what a fix doesn't hold for: a side on which hardly any landmarks agree, though they show no other place."""
     unknown, unseen = (_counts_of_side(seen, diagonal, settings) for seen in (of_image, of_map))
     if unknown:
         return Sentence(
@@ -289,7 +289,7 @@ def _remark(
 
 
 def _counts_of_side(seen: Agreement, diagonal: float, settings: ConstellationSettings) -> dict[str, object]:
-    """How many landmarks there are on the side on which hardly any agree, and how many do; empty without such a one."""
+    """Return how many landmarks there are on the side on which hardly any agree, and how many do; empty without such a one."""
     side = uneven_side(seen, diagonal, settings.decision)
     if side is None:
         return {}
@@ -312,7 +312,7 @@ def _place(index: ConstellationIndex, evidence: PoseEvidence, pose: Pose) -> Pla
 
 
 def _matched(query: SeenLandmarks, evidence: PoseEvidence, settings: ConstellationSettings) -> np.ndarray:
-    """(m,) the matched ones among all landmarks of the image."""
+    """Return (m,) the matched ones among all landmarks of the image."""
     return telling_objects(query, settings.limits.largest_objects)[evidence.matched]
 
 
@@ -327,7 +327,7 @@ def _matches(objects: Landmarks, query: SeenLandmarks, index: ConstellationIndex
 def _refined(
     index: ConstellationIndex, query: SeenLandmarks, evidence: PoseEvidence, errors: SharedErrors
 ) -> tuple[Pose, PoseCovariance | None]:
-    """The pose with errors that landmarks share, and how exactly it is known; None with too few matches."""
+    """Return the pose with errors that landmarks share, and how exactly it is known; None with too few matches."""
     if len(evidence.matched) < 3:
         return evidence.pose, None
     points = query.points[_matched(query, evidence, index.settings)]

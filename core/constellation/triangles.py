@@ -34,12 +34,12 @@ def triples(points: np.ndarray, areas: np.ndarray, neighbor_count: int) -> tuple
 
 
 def neighbor_pairs(neighbor_count: int) -> np.ndarray:
-    """(P, 2) the pairs of neighbor ranks that make triples with their anchor."""
+    """Return (P, 2) the pairs of neighbor ranks that make triples with their anchor."""
     return np.array(list(combinations(range(neighbor_count), 2)), np.int64).reshape(-1, 2)
 
 
 def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Names the vertices: AB is the longest side, and C lies nearer to A than to B.
+    """Return names the vertices: AB is the longest side, and C lies nearer to A than to B.
 
     Args:
         points: (T, 3) complex.
@@ -55,7 +55,7 @@ def canonical_order(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def describe_triangles(points: np.ndarray, log_areas: np.ndarray) -> np.ndarray:
-    """(T, 5) float64: C in the frame of AB (along, across), then ln(area / |AB|²) of A, B and C.
+    """Return (T, 5) float64: C in the frame of AB (along, across), then ln(area / |AB|²) of A, B and C.
 
     Turning, moving and scaling change nothing; a mirrored triangle has the opposite second number.
 

@@ -114,7 +114,7 @@ class Verifier:
 def match_ratios(
     index: ConstellationIndex, query: SeenLandmarks, nearest: Nearest, log_scale: np.ndarray
 ) -> np.ndarray:
-    """(…, n) likelihood ratio of every object's nearest match against a random hit at the local density.
+    """Return (…, n) likelihood ratio of every object's nearest match against a random hit at the local density.
 
     Without a match it is 0.
 
@@ -147,7 +147,7 @@ def averaged_log_odds(
     assumed: np.ndarray | int,
     noise: NoiseModel,
 ) -> np.ndarray:
-    """(…) logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
+    """Return (…) logarithm of the likelihood ratio of all objects, averaged over shares of distractors and visibilities.
 
     How poor an image's labels are is not known beforehand. At the shares that suit it, a poor image keeps evidence that
     one fixed share would take from it, and a good one loses no more than ln of their number.
@@ -212,7 +212,7 @@ def telling_objects(query: SeenLandmarks, count: int) -> np.ndarray:
 
 
 def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> list[PoseEvidence]:
-    """Refines poses of a level camera by match and fit, each on its own but all at once, then weighs them.
+    """Refine poses of a level camera by match and fit, each on its own but all at once, then weighs them.
 
     Args:
         query: The image's ``telling_objects``.
@@ -222,7 +222,7 @@ def verify(verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose]) -> l
 
 
 def verify_tilted(verifier: Verifier, query: SeenLandmarks, pose: Pose, focus: complex) -> PoseEvidence:
-    """The same for a camera that may be tilted.
+    """Return the same for a camera that may be tilted.
 
     Args:
         query: The image's ``telling_objects``.
@@ -320,7 +320,7 @@ def _fitted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses
 
 
 def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray, poses: list[Pose]) -> list[Pose]:
-    """The same for cameras that may be tilted, beginning at ``poses``."""
+    """Return the same for cameras that may be tilted, beginning at ``poses``."""
     fitted = []
     for pose, points, weight in zip(poses, on_map, weights):
         kept = np.flatnonzero(weight)
@@ -329,7 +329,7 @@ def _fitted_tilted(query: SeenLandmarks, on_map: np.ndarray, weights: np.ndarray
 
 
 def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -> PoseEvidence:
-    """The evidence for a pose as it is.
+    """Return the evidence for a pose as it is.
 
     Args:
         query: The image's ``telling_objects``.
@@ -342,7 +342,7 @@ def weigh(verifier: Verifier, query: SeenLandmarks, pose: Pose, factor: float) -
 def weigh_all(
     verifier: Verifier, query: SeenLandmarks, poses: Sequence[Pose], factors: np.ndarray
 ) -> list[PoseEvidence]:
-    """The evidence for each of S poses, with its factor (S,) of the assumed noise, as ``weigh`` has it."""
+    """Return the evidence for each of S poses, with its factor (S,) of the assumed noise, as ``weigh`` has it."""
     index, settings = verifier.index, verifier.index.settings
     log_sizes = np.log([pose.pixel_sizes(query.points) for pose in poses])
     nearest = nearest_objects(index, query, poses)
@@ -374,7 +374,7 @@ def weigh_all(
 
 
 def expected_objects(verifier: Verifier, query: SeenLandmarks, pose: Pose) -> np.ndarray:
-    """(M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
+    """Return (M,) objects of the map that an image with this pose should show whole, none smaller than those in ``query``."""
     index, settings = verifier.index, verifier.index.settings
     half = complex(verifier.width_px, verifier.height_px) / 2
     corners = pose.on_map(np.array([half, -half, half.conjugate(), -half.conjugate()]))

@@ -68,7 +68,7 @@ class BuildSettings:
     map_accuracy: float = MAP_ACCURACY
 
     def __post_init__(self) -> None:
-        """Refuses values that can't be used."""
+        """Refuse values that can't be used."""
         if not all(0 <= length < limits.LENGTH for length in (self.window_size, self.stride)):
             raise WindowError(
                 "The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, "
@@ -104,7 +104,7 @@ class DatabaseBuilder:
         run: Runner,
         overview: OverviewSink,
     ) -> None:
-        """Makes the builder; nothing is read yet.
+        """Make the builder; nothing is read yet.
 
         Args:
             frame: Where the map's pixels lie, and how many it has.
@@ -127,7 +127,7 @@ class DatabaseBuilder:
         self.database: ReferenceDatabase | None = None
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1).
+        """Yield (what is being done, share done 0…1).
 
         Raises:
             LabelMapError: The map has no landmark.
@@ -153,7 +153,7 @@ class DatabaseBuilder:
         self.database = ReferenceDatabase(windows, references, self._table, parameters, None)
 
     def _scan(self, found: list[TileLandmarks], hashes: list[str]) -> Iterator[float]:
-        """Looks through the tiles; ``hashes`` become those of all blocks, row by row."""
+        """Look through the tiles; ``hashes`` become those of all blocks, row by row."""
         factor = self._settings.overview_factor
         boxes = tile_boxes(self._frame.shape_hw, factor)
         tiles: list[TileLandmarks | None] = [None] * len(boxes)
@@ -172,7 +172,7 @@ class DatabaseBuilder:
         hashes += blocks.ravel().tolist()
 
     def _join(self, found: list[TileLandmarks], rows: list[np.ndarray]) -> Iterator[float]:
-        """Measures what crosses tiles, and adds it to ``rows``."""
+        """Measure what crosses tiles, and adds it to ``rows``."""
         regions = np.array(
             [(value, *region.bounds, *region.first_pixel) for value, region in crossing_regions(found)], np.int64
         ).reshape(-1, 7)
@@ -186,7 +186,7 @@ class DatabaseBuilder:
     def _describe(
         self, objects: Landmarks, described: list[tuple[int, WindowGrid, DescribedWindows]]
     ) -> Iterator[float]:
-        """Describes the windows of all levels, in the order of a database."""
+        """Describe the windows of all levels, in the order of a database."""
         rows, done, total = rows_from_objects(objects), 0, sum(map(len, self.grids))
         shared = self._values, self._minimum_area, self._settings.references_per_vector
         for level, grid in enumerate(self.grids, start=1):
@@ -211,7 +211,7 @@ class DatabaseBuilder:
 def build_from_labels(
     source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
 ) -> ReferenceDatabase:
-    """Builds a database, its overview included, at once.
+    """Build a database, its overview included, at once.
 
     Args:
         source: The label map.
@@ -233,7 +233,7 @@ def build_from_labels(
 
 
 def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: BuildSettings) -> Landmarks:
-    """The map's landmarks; raises LabelMapError where it has none."""
+    """Return the map's landmarks; raises LabelMapError where it has none."""
     if objects is None or not len(objects):
         raise LabelMapError(
             "The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference "
@@ -264,7 +264,7 @@ def windows_of(described: Sequence[tuple[int, WindowGrid, DescribedWindows]], fr
 def parameters_of(
     frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str, block_hashes: tuple[str, ...]
 ) -> BuildParameters:
-    """What a database says of how it was built; ``frame`` has the map's shape."""
+    """Return what a database says of how it was built; ``frame`` has the map's shape."""
     (height, width), pixel = frame.shape_hw, frame.pixel_size
     return BuildParameters(
         crs=frame.crs,
@@ -287,13 +287,13 @@ def parameters_of(
 
 
 def map_references(objects: Landmarks, frame: MapFrame) -> MapLandmarks:
-    """The objects of a map (pixels) as references (map units)."""
+    """Return the objects of a map (pixels) as references (map units)."""
     areas = objects.areas_px * frame.pixel_size**2
     return MapLandmarks(frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge, objects.bounds)
 
 
 def tile_boxes(shape_hw: tuple[int, int], factor: int) -> list[Box]:
-    """The tiles of a map, which whole hashed blocks and whole pixels of the overview fit into.
+    """Return the tiles of a map, which whole hashed blocks and whole pixels of the overview fit into.
 
     They are as wide as the map where a row of blocks then fits: files store rows of pixels, or rows of tiles.
 
@@ -324,7 +324,7 @@ def window_boxes(grid: WindowGrid) -> list[Box]:
 
 
 def _reaching(rows: np.ndarray, box: Box) -> np.ndarray:
-    """Those of the landmarks (N, 8) that reach into a piece."""
+    """Return those of the landmarks (N, 8) that reach into a piece."""
     column, row, width, height = box
     inside = (rows[:, RIGHT] > column) & (rows[:, LEFT] < column + width)
     inside &= (rows[:, BOTTOM] > row) & (rows[:, TOP] < row + height)

@@ -22,7 +22,7 @@ class ChangedLandmarks:
     """
 
     def __init__(self, source: LabelSource, database: ReferenceDatabase, places: Sequence[Bounds]) -> None:
-        """Makes the comparison.
+        """Make the comparison.
 
         Args:
             source: The new label map.
@@ -48,7 +48,7 @@ class ChangedLandmarks:
         return self._landmarks(self._rows)
 
     def steps(self) -> Iterator[float]:
-        """Yields the share done 0…1."""
+        """Yield the share done 0…1."""
         values = self._database.class_table.reference_values
         for n, value in enumerate(values):
             for share in self._compare(value):
@@ -102,7 +102,7 @@ def _bounds_of(landmarks: MapLandmarks, k: int) -> Bounds:
 
 
 def _key(landmarks: MapLandmarks, k: int) -> tuple:
-    """What one landmark is known by: bounds, position and area."""
+    """Return what one landmark is known by: bounds, position and area."""
     return (*landmarks.required_bounds[k].tolist(), *landmarks.positions[k].tolist(), float(landmarks.areas_m2[k]))
 
 
@@ -130,7 +130,7 @@ def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: tuple[in
 
 
 def blocks_of(area: Bounds, shape_hw: tuple[int, int]) -> set[tuple[int, int]]:
-    """(row, column) of the hashed blocks that share a pixel with ``area``."""
+    """Return (row, column) of the hashed blocks that share a pixel with ``area``."""
     left, top, right, bottom = _common(area, (0, 0, shape_hw[1], shape_hw[0]))
     if left >= right or top >= bottom:
         return set()
@@ -140,7 +140,7 @@ def blocks_of(area: Bounds, shape_hw: tuple[int, int]) -> set[tuple[int, int]]:
 
 
 def block_bounds(block: tuple[int, int], shape_hw: tuple[int, int]) -> Bounds:
-    """Where a hashed block (row, column) lies on a map of ``shape_hw`` pixels."""
+    """Return where a hashed block (row, column) lies on a map of ``shape_hw`` pixels."""
     top, left = block[0] * HASHED_BLOCK, block[1] * HASHED_BLOCK
     return left, top, min(left + HASHED_BLOCK, shape_hw[1]), min(top + HASHED_BLOCK, shape_hw[0])
 
@@ -154,7 +154,7 @@ def _meet(a: Bounds, b: Bounds) -> bool:
 
 
 def _meets_any(bounds: np.ndarray, places: Sequence[Bounds]) -> np.ndarray:
-    """(N,) bool: which of the (N, 4) rectangles share a pixel with one of ``places``."""
+    """Return (N,) bool: which of the (N, 4) rectangles share a pixel with one of ``places``."""
     found = np.zeros(len(bounds), bool)
     for left, top, right, bottom in places:
         found |= (bounds[:, 0] < right) & (bounds[:, 2] > left) & (bounds[:, 1] < bottom) & (bounds[:, 3] > top)

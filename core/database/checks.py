@@ -14,7 +14,7 @@ _OFF_MAP_PX = 1.0
 
 
 def require_sound(windows: Windows, landmarks: MapLandmarks, parameters: BuildParameters, table: ClassTable) -> None:
-    """Raises ValueError for a database that SemRef can't have built.
+    """Raise ValueError for a database that SemRef can't have built.
 
     Args:
         parameters: Checked already.
@@ -53,7 +53,7 @@ def _require_sound_landmarks(landmarks: MapLandmarks, parameters: BuildParameter
 
 
 def _require_on_map(places_xy: np.ndarray, what: str, parameters: BuildParameters) -> None:
-    """Raises ValueError unless all (N, 2) places lie on the label map; NaN lies nowhere."""
+    """Raise ValueError unless all (N, 2) places lie on the label map; NaN lies nowhere."""
     x_min, y_min, x_max, y_max = parameters.extent
     slack = _OFF_MAP_PX * parameters.pixel_size
     lowest, highest = np.array([x_min - slack, y_min - slack]), np.array([x_max + slack, y_max + slack])

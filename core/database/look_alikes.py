@@ -27,7 +27,7 @@ class DescribedWindow:
 
 
 def window_at(windows: Windows, x: float, y: float) -> int:
-    """Index of the window whose center is nearest to map (x, y), of the smallest windows that hold it; −1: none."""
+    """Return index of the window whose center is nearest to map (x, y), of the smallest windows that hold it; −1: none."""
     away = np.abs(windows.centers - (x, y)).max(axis=1)
     holding = np.flatnonzero(away <= windows.sizes / 2)
     if not len(holding):
@@ -37,7 +37,7 @@ def window_at(windows: Windows, x: float, y: float) -> int:
 
 
 def describe_window(database: ReferenceDatabase, index: int, count: int = 5) -> DescribedWindow:
-    """The window at ``index`` with up to ``count`` look-alikes, none of which overlaps it or another of them.
+    """Return the window at ``index`` with up to ``count`` look-alikes, none of which overlaps it or another of them.
 
     The objects are those of the map whose centers lie in the window; an object that the window's border cuts has its
     center of gravity elsewhere in the window's own description.
@@ -64,7 +64,7 @@ def describe_window(database: ReferenceDatabase, index: int, count: int = 5) -> 
 
 
 def _apart(windows: Windows, index: int, order: np.ndarray, count: int) -> np.ndarray:
-    """The first ``count`` of ``order`` that overlap neither the window nor one another."""
+    """Return the first ``count`` of ``order`` that overlap neither the window nor one another."""
     chosen = [index]
     for candidate in order.tolist():
         reach = (windows.sizes[chosen] + windows.sizes[candidate]) / 2

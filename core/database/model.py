@@ -55,7 +55,7 @@ class Windows:
 
 
 def first_pixels_of(centers: np.ndarray, sizes: np.ndarray, frame: MapFrame) -> np.ndarray:
-    """(N, 2) int64 first column and row of windows on the label map, from where they lie.
+    """Return (N, 2) int64 first column and row of windows on the label map, from where they lie.
 
     Args:
         centers: (N, 2) map coordinates (x, y).

@@ -86,7 +86,7 @@ class BuildParameters:
 
 
 def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
-    """The parameters of a GeoPackage or onboard file.
+    """Return the parameters of a GeoPackage or onboard file.
 
     Args:
         stored: JSON values by name; others than those of BuildParameters are ignored.
@@ -133,7 +133,7 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
 
 
 def _require_north_up(geotransform: tuple[float, ...]) -> None:
-    """Raises ValueError unless GDAL's numbers are those of a north-up grid of square pixels."""
+    """Raise ValueError unless GDAL's numbers are those of a north-up grid of square pixels."""
     if len(geotransform) == 6:
         _, pixel, column_turn, _, row_turn, down = geotransform
         if pixel > 0 and abs(down + pixel) <= 1e-6 * pixel and max(abs(column_turn), abs(row_turn)) <= 1e-6 * pixel:

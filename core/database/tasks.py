@@ -36,7 +36,7 @@ class Runner(Protocol):
     """Has tasks done, here or elsewhere."""
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yields the number of a call and what it gave, as they are done.
+        """Yield the number of a call and what it gave, as they are done.
 
         Args:
             task: A key of ``TASKS``.
@@ -58,7 +58,7 @@ def scan(
 
 
 def measure(source: LabelSource, minimum_area: float, regions: np.ndarray) -> np.ndarray:
-    """(N, 8) rows of regions that cross tiles.
+    """Return (N, 8) rows of regions that cross tiles.
 
     Args:
         source: The label map.
@@ -106,7 +106,7 @@ def describe(  # noqa: PLR0913 - what a window is described by, and where these 
 def compare(
     _: LabelSource, vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray, first: int, last: int
 ) -> np.ndarray:
-    """(last − first,) distances of some windows to the nearest vector elsewhere, infinity where there is none."""
+    """Return (last − first,) distances of some windows to the nearest vector elsewhere, infinity where there is none."""
     some = vectors[first:last], centers[first:last], sizes[first:last]
     found = [distances for _, distances in nearest_distances(some, (vectors, centers, sizes))]
     return np.concatenate([np.empty(0), *found])
@@ -119,7 +119,7 @@ class Threads:
     """Has tasks done by threads of this process: a ``Runner``."""
 
     def __init__(self, source: LabelSource, count: int = 1, check: Callable[[], None] = lambda: None) -> None:
-        """Starts nothing.
+        """Start nothing.
 
         Args:
             source: The label map; one thread at a time reads from it.
@@ -131,7 +131,7 @@ class Threads:
         self._check = check
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yields the number of a call and what it gave, as they are done; raises what a task raises."""
+        """Yield the number of a call and what it gave, as they are done; raises what a task raises."""
         source, waiting = _InTurns(self._source), enumerate(calls)
         running: dict[Future, int] = {}
         pool = ThreadPoolExecutor(self._count)
@@ -166,7 +166,7 @@ class _InTurns:
         return self._source.shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) uint8 labels. Raises RuntimeError once the work has ended, which nobody waits for."""
+        """Return (height, width) uint8 labels. Raises RuntimeError once the work has ended, which nobody waits for."""
         with self._lock:
             if self.has_ended:
                 raise RuntimeError("the work has ended")

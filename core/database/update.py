@@ -59,7 +59,7 @@ class DatabaseUpdater:
         plugin_version: str,
         run: Runner,
     ) -> None:
-        """Makes the updater.
+        """Make the updater.
 
         Args:
             source: The corrected label map; it is asked for the same pieces several times.
@@ -90,7 +90,7 @@ class DatabaseUpdater:
         return minimum_area_px(self._database.parameters.minimum_area, self._frame.pixel_size)
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yields (what is being done, share done 0…1).
+        """Yield (what is being done, share done 0…1).
 
         Raises:
             LabelMapError: No landmark is left, or the map has a value that no class has.
@@ -218,7 +218,7 @@ class DatabaseUpdater:
 
 
 def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: ReferenceDatabase) -> None:
-    """Refuses a label map that a database can't be updated to.
+    """Refuse a label map that a database can't be updated to.
 
     Args:
         shape_hw: (height, width) of the label map.
@@ -266,7 +266,7 @@ class _Level:
     """The windows of one level as they lie on the map, whatever their order in the database."""
 
     def __init__(self, database: ReferenceDatabase, level: int) -> None:
-        """Makes the level's grid from where its windows lie.
+        """Make the level's grid from where its windows lie.
 
         Raises:
             DatabaseError: Windows are missing.
@@ -290,11 +290,11 @@ class _Level:
             )
 
     def index(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """(M,) indices in the database of the windows with these first pixels."""
+        """Return (M,) indices in the database of the windows with these first pixels."""
         return self._index[rows // self.grid.stride, columns // self.grid.stride]
 
     def windows_around(self, place: Bounds) -> Bounds | None:
-        """What the windows that show a pixel of ``place`` cover together; None when there is none."""
+        """Return what the windows that show a pixel of ``place`` cover together; None when there is none."""
         left, top, right, bottom = place
         size = self.grid.size
         columns = self.grid.columns[(self.grid.columns < right) & (self.grid.columns + size > left)]
@@ -311,14 +311,14 @@ def _copied(windows: Windows) -> Windows:
 
 
 def _distinctiveness(windows: Windows) -> np.ndarray:
-    """(N,) distinctiveness of windows that were compared and read whole."""
+    """Return (N,) distinctiveness of windows that were compared and read whole."""
     if windows.distinctiveness is None:
         raise ValueError("the windows' distinctiveness was not read")
     return windows.distinctiveness
 
 
 def _differ(old: Windows, new: Windows) -> np.ndarray:
-    """(N,) bool: which windows are not what they were."""
+    """Return (N,) bool: which windows are not what they were."""
     before, now = _distinctiveness(old), _distinctiveness(new)
     return (
         (old.counts != new.counts)
@@ -329,7 +329,7 @@ def _differ(old: Windows, new: Windows) -> np.ndarray:
 
 
 def _nearest(windows: Windows, index: np.ndarray, others: np.ndarray) -> np.ndarray:
-    """(n,) distances of the windows ``index`` to the nearest of ``others`` that don't overlap them, else infinity."""
+    """Return (n,) distances of the windows ``index`` to the nearest of ``others`` that don't overlap them, else infinity."""
     found = np.full(len(index), np.inf)
     parts = [(windows.vectors[k], windows.centers[k], windows.sizes[k]) for k in (index, others)]
     for block, distances in nearest_distances(*parts):

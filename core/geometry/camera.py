@@ -1,10 +1,10 @@
-"""What is known of the camera that took an image: how to level that, and how large its pixels are on the ground.
+"""Camera of an image: how to level the image, and how large its pixels are on the ground.
 
-What follows is told as ranges, as wide as such figures are off.
+Values that follow from height and lens are ranges, as wide as the usual errors of such data.
 
-A pixel at the center of an image covers height / focal length (in pixels) of level ground, of a tilted camera divided
-by cos¹·⁵ of the tilt. Neither is known well: most cameras tell their height above the place where they took off, not
-above the ground they see, and the focal length on a film that they don't have.
+A pixel at the center of an image covers height / focal length (in pixels) of level ground, for a tilted camera divided
+by cos¹·⁵ of the tilt. Neither is known well: most cameras record the height above the takeoff point, not above the
+ground they see, and the focal length as if on 35 mm film.
 """
 
 from __future__ import annotations
@@ -18,36 +18,36 @@ from .lens_distortion import LensDistortion
 from .leveling import Attitude, Leveling, focal_length_from_35mm, focal_length_from_view, leveling
 
 LEVEL_DEG = 0.01
-"""An image of a camera this near to level is not worth resampling."""
+"""An image with a smaller tilt is not resampled."""
 
 SAME_SHAPE = 0.02
-"""By how much a label image's ratio of width to height may differ from its photo's."""
+"""Largest relative difference between the width-to-height ratios of a label image and its photo."""
 
 LENS_SPREAD = 0.03
-"""A stated focal length or field of view is off by this share at most: distortion, focus, rounding."""
+"""Largest relative error of a stated focal length or field of view: distortion, focus, rounding."""
 
 FULL_SENSOR = 0.75
-"""Height to width of most sensors: a flatter picture may be cut from such a one, whose diagonal is then the one that
-the “focal length in 35 mm film” keeps."""
+"""Height to width of most sensors. A flatter picture may be cut from a full one; the “focal length in 35 mm film” then
+refers to the diagonal of the full one."""
 
 UNKNOWN_TILT_DEG = 15.0
-"""A camera that doesn't tell its attitude, but is taken to look down, is tilted by so much at most."""
+"""Largest tilt of a camera that looks down and does not record its attitude."""
 
 HEADING_SPREAD_DEG = 25.0
-"""A compass on a drone, its mounting and the way from true to grid north together are off by so much at most."""
+"""Largest error of a drone's compass, its mounting, and the conversion from true to grid north together."""
 
 
 LEAST_DOWN = 0.2
-"""Cosine of the largest tilt at which one size is told for the pixels of an image: beyond it they differ too much."""
+"""Cosine of the largest tilt at which one pixel size describes an image; above it pixel sizes differ too much."""
 
 
 @dataclass(frozen=True)
 class Height:
-    """How high above the ground that it sees a camera was.
+    """Height of a camera above the ground that it sees.
 
     Attributes:
-        share: By what share of it that may be off, to either side.
-        offset_m: How many meters more.
+        share: Relative error to either side.
+        offset_m: Additional error, meters.
     """
 
     meters: float
@@ -56,33 +56,33 @@ class Height:
 
     @property
     def range_m(self) -> tuple[float, float]:
-        """Least and most; never less than ``LEAST_PART`` of what is told."""
+        """Smallest and largest height; never less than ``LEAST_PART`` of the stated one."""
         least = max((1 - self.share) * self.meters - self.offset_m, LEAST_PART * self.meters)
         return least, (1 + self.share) * self.meters + self.offset_m
 
 
 LEAST_PART = 0.4
-"""Where more than that of a height is in doubt, pilots would have hit the ground."""
+"""Smallest share of a stated height that is assumed: with less, the aircraft would have hit the ground."""
 
 
 def above_ground(meters: float) -> Height:
-    """A height above the ground, from a terrain model, a rangefinder or whoever made a table."""
+    """Return a height above the ground, from a terrain model, a rangefinder or a table."""
     return Height(meters, 0.1, 3.0)
 
 
 def above_takeoff(meters: float) -> Height:
-    """A barometer's height above the place of take-off; the ground seen may lie 30 m lower or higher than that."""
+    """Return a barometric height above the takeoff point; the ground seen may be 30 m lower or higher than it."""
     return Height(meters, 0.1, 30.0)
 
 
 @dataclass(frozen=True)
 class Lens:
-    """How wide a camera sees.
+    """Field of view of a camera.
 
     Attributes:
         kind: ``focal_length_px``, ``focal_length_35mm`` or ``field_of_view``.
         value: Pixels of the label image, mm on 35 mm film, or degrees across the width.
-        ratio: Width to height of the photo that told it; None where none did.
+        ratio: Width to height of the photo with this data; None if unknown.
     """
 
     kind: str
@@ -90,17 +90,17 @@ class Lens:
     ratio: float | None = None
 
     def fits(self, shape_hw: tuple[int, int]) -> bool:
-        """Whether an image of this shape can show all that the photo shows."""
+        """Return whether an image of this shape can show all that the photo shows."""
         return self.ratio is None or abs(shape_hw[1] / shape_hw[0] / self.ratio - 1) <= SAME_SHAPE
 
     def focal_length_px(self, shape_hw: tuple[int, int]) -> float:
-        """Focal length in pixels of an image of ``shape_hw`` (height, width)."""
+        """Return the focal length in pixels of an image of ``shape_hw`` (height, width)."""
         if self.kind == "focal_length_35mm":
             return focal_length_from_35mm(self.value, shape_hw)
         return focal_length_from_view(self.value, shape_hw) if self.kind == "field_of_view" else self.value
 
     def focal_lengths_px(self, shape_hw: tuple[int, int]) -> tuple[float, float]:
-        """Least and most that it may be, in pixels of an image of ``shape_hw`` (height, width)."""
+        """Return the smallest and largest possible focal length, pixels of an image of ``shape_hw`` (height, width)."""
         stated, cut = self.focal_length_px(shape_hw), 1.0
         if self.kind == "focal_length_35mm":
             longer, shorter = max(shape_hw), min(shape_hw)
@@ -110,15 +110,15 @@ class Lens:
 
 @dataclass(frozen=True)
 class Camera:
-    """What is known of an image's camera.
+    """Known properties of an image's camera.
 
     Attributes:
-        source: Name of the file that tells the attitude.
+        source: Name of the file with the attitude.
         time_s: Seconds on the clock that all cameras of one call of ``read_cameras`` share.
-        problem: What can't be used.
-        height: Above the ground that it sees.
-        heading_deg: Where the image's top points to, clockwise from north.
-        distortion: How the lens bends, where it is known and the photo not corrected for it.
+        problem: Why the attitude can't be used.
+        height: Above the ground that the camera sees.
+        heading_deg: Direction of the image's top, clockwise from north.
+        distortion: Distortion of the lens, if it is known and the photo is not corrected for it.
     """
 
     attitude: Attitude | None = None
@@ -131,17 +131,17 @@ class Camera:
     distortion: LensDistortion | None = None
 
     def without_leveling(self) -> Camera:
-        """The same, for who takes images as they are."""
+        """Return the camera without the data for leveling."""
         return replace(self, attitude=None, problem=None, distortion=None)
 
     def leveling(self, shape_hw: tuple[int, int]) -> Leveling | None:
-        """How to level an image and straighten what its lens bends; None when neither is needed or known.
+        """Return how to level an image and correct its lens distortion; None if neither is needed or known.
 
         Args:
             shape_hw: (height, width) of the image, 1 or more each.
 
         Raises:
-            ParameterError: What the files say can't be used, or the view comes too near the horizon.
+            ParameterError: The data of the files can't be used, or the view comes too near the horizon.
             LabelMapError: The leveled image would be too large.
         """
         if self.problem:
@@ -156,20 +156,20 @@ class Camera:
         return way if self.attitude is not None else replace(way, nadir=None)
 
     def unbending(self, shape_hw: tuple[int, int]) -> Leveling | None:
-        """How to straighten what the lens bends in an image that is taken as level; None where it bends nothing known.
+        """Return how to correct the lens distortion only; None without a known distortion.
 
         Raises as ``leveling`` does.
         """
         return None if self.distortion is None else replace(self, attitude=None, problem=None).leveling(shape_hw)
 
     def focal_length_px(self, shape_hw: tuple[int, int]) -> float:
-        """In pixels of an image of ``shape_hw`` (height, width): by the lens's calibration where there is one."""
+        """Return the focal length in pixels of an image of ``shape_hw``: from the calibration if there is one, or 0."""
         if self.distortion is not None:
             return sum(self.distortion.focal_xy) / 2 * shape_hw[1]
         return 0.0 if self.lens is None else self.lens.focal_length_px(shape_hw)
 
     def pixel_sizes(self, shape_hw: tuple[int, int]) -> tuple[float, float] | None:
-        """Smallest and largest ground size of a pixel at the image's center, meters; None when not enough is known.
+        """Return the smallest and largest ground size of a pixel at the image's center, meters; None if unknown.
 
         Args:
             shape_hw: (height, width) of the image, 1 or more each.
@@ -185,7 +185,7 @@ class Camera:
         return low * least_slant / longest, high * most_slant / shortest
 
     def pixel_size(self, shape_hw: tuple[int, int]) -> float | None:
-        """Ground size of a pixel at the image's center as height and lens tell it, meters; None when they don't.
+        """Return the ground size of a pixel at the image's center from height and lens, meters; None if unknown.
 
         Args:
             shape_hw: (height, width) of the image, 1 or more each.

@@ -1,4 +1,4 @@
-"""The ground that an image shows."""
+"""Footprint of an image: the ground that it shows."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import numpy as np
 def image_corners(
     center: tuple[float, float], heading_deg: float, pixel_size: float, width_px: int, height_px: int
 ) -> np.ndarray:
-    """(4, 2) map coordinates of an image's upper left, upper right, lower right and lower left corner.
+    """Return (4, 2) map coordinates of an image's upper left, upper right, lower right and lower left corner.
 
     Args:
         center: Map (x, y) of the image's center.
-        heading_deg: Of the image's top, clockwise from grid north.
+        heading_deg: Direction of the image's top, clockwise from grid north.
         pixel_size: Map units.
     """
     heading = np.radians(heading_deg)
@@ -23,9 +23,9 @@ def image_corners(
 
 
 def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
-    """(n, 2) map coordinates of pixels of an image.
+    """Return (n, 2) map coordinates of pixels of an image.
 
-    By the one homography that takes corners to corners: level ground seen by any camera without distortion (Heckbert
+    Uses the homography that maps corners to corners: level ground seen by any camera without distortion (Heckbert
     1989, 2.2.3).
 
     Args:
@@ -35,18 +35,18 @@ def on_ground(points_xy: np.ndarray, footprint: np.ndarray, shape_hw: tuple[int,
     """
     height, width = shape_hw
     right, down = (np.asarray(points_xy, np.float64) / (width, height)).T[:, :, None]
-    # Relative to the first corner: map coordinates of millions of meters would cost digits.
+    # Relative to the first corner: map coordinates in millions of meters would lose digits.
     first = footprint[0]
     _, second, third, fourth = footprint - first
     one, other, both = second - third, fourth - third, third - second - fourth
-    # 0 for a parallelogram, as level images have it.
+    # 0 for a parallelogram, the footprint of a level image.
     slant_right, slant_down = _cross(both, other) / _cross(one, other), _cross(one, both) / _cross(one, other)
     depth = 1 + slant_right * right + slant_down * down
     return first + (second * (1 + slant_right) * right + fourth * (1 + slant_down) * down) / depth
 
 
 def is_parallelogram(footprint: np.ndarray, tolerance: float = 1e-6) -> bool:
-    """Whether the image was level: opposite edges of its footprint (4, 2) are alike, to a share of their length."""
+    """Return whether an image was level: opposite edges of its footprint (4, 2) are equal, within a share of them."""
     one, other = footprint[1] - footprint[0], footprint[2] - footprint[3]
     return bool(np.hypot(*(one - other)) <= tolerance * np.hypot(*one))
 

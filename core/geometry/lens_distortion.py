@@ -1,12 +1,12 @@
-"""Lenses that bend: where a pixel of an image would be had it been taken by a pinhole camera, and back.
+"""Lens distortion: convert between the pixels of an image and those of a pinhole camera.
 
-The model is Brown's, as OpenCV and DJI's “dewarp data” have it. A ray that meets the plane at focal length 1 in (x, y),
-x right, y down, r² = x² + y², is seen at
+The model is Brown's, as in OpenCV and DJI's “dewarp data”. A ray that meets the plane at focal length 1 in (x, y),
+x right, y down, r² = x² + y², appears at
 
     x · s + 2 p₁ x y + p₂ (r² + 2 x²),   y · s + p₁ (r² + 2 y²) + 2 p₂ x y,
     s = (1 + k₁ r² + k₂ r⁴ + k₃ r⁶) / (1 + k₄ r² + k₅ r⁴ + k₆ r⁶)
 
-Lengths are told in widths of the photo, so that they hold for label images of any size.
+Lengths are in widths of the photo, so that they are valid for label images of any size.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from dataclasses import dataclass
 import numpy as np
 
 ROUNDS, EXACT = 50, 1e-7
-"""Of the inversion, whose rest falls by a factor a round; and the rest, in widths, at which it is done."""
+"""Largest number of iterations of the inversion, and the remaining error, in widths, that ends it."""
 
 SAMPLES = 33
-"""Points along each edge of an image by which a lens is checked and its ground measured."""
+"""Points along each edge of an image, for checking a lens and measuring its ground."""
 
 
 @dataclass(frozen=True)
 class LensDistortion:
-    """A lens, calibrated.
+    """Calibration of a lens.
 
     Attributes:
         focal_xy: Focal length along rows and along columns, widths of the photo.
-        center_xy: Of the image by the lens, right and down from the photo's center, widths of the photo.
+        center_xy: Principal point, right and down from the photo's center, widths of the photo.
         radial: k₁, k₂, k₃, then k₄, k₅, k₆ or nothing.
         tangential: p₁, p₂.
     """
@@ -39,7 +39,7 @@ class LensDistortion:
     tangential: tuple[float, float] = (0.0, 0.0)
 
     def seen(self, rays_xy: np.ndarray) -> np.ndarray:
-        """(…, 2) where rays at focal length 1 are seen, right and down from the photo's center in widths."""
+        """Return (…, 2) positions of rays at focal length 1, right and down from the photo's center in widths."""
         x, y = rays_xy[..., 0], rays_xy[..., 1]
         square = x**2 + y**2
         above, below = (*self.radial[:3],), (*self.radial[3:],)
@@ -51,9 +51,9 @@ class LensDistortion:
         return np.stack([center_x + focal_x * bent_x, center_y + focal_y * bent_y], axis=-1)
 
     def rays(self, seen_xy: np.ndarray) -> np.ndarray:
-        """(…, 2) rays at focal length 1 of what is seen at places right and down from the photo's center in widths.
+        """Return (…, 2) rays at focal length 1 of positions right and down from the photo's center in widths.
 
-        NaN where no ray near the plain one is seen there.
+        NaN where no ray near the undistorted one appears.
         """
         focal, center = np.array(self.focal_xy), np.array(self.center_xy)
         plain = (np.asarray(seen_xy, float) - center) / focal
@@ -68,28 +68,28 @@ class LensDistortion:
         return np.where(is_exact[..., None], rays, np.nan)
 
     def shift(self, ratio: float) -> float:
-        """The farthest that a pixel of an image is moved, widths; ``ratio``: its height to its width."""
+        """Return the largest shift of a pixel of an image, widths; ``ratio``: its height to its width."""
         edge = border(ratio)
         rays = self.rays(edge)
         plain = rays * np.array(self.focal_xy) + np.array(self.center_xy)
         return float(np.abs(np.hypot(*(plain - edge).T)).max())
 
     def is_usable(self, ratio: float) -> bool:
-        """Whether every pixel of an image comes from one ray; ``ratio``: its height to its width."""
+        """Return whether every pixel of an image comes from one ray; ``ratio``: its height to its width."""
         if not (min(self.focal_xy) > 0 and np.isfinite([*self.focal_xy, *self.center_xy, *self.radial]).all()):
             return False
         with np.errstate(all="ignore"):
             rays = self.rays(border(ratio))
             if not np.isfinite(rays).all():
                 return False
-            # Along a ray from the center to every corner, what is farther out is seen farther out.
+            # Along a ray from the center to every corner, the distance must grow.
             steps = np.linspace(0, 1, SAMPLES)[:, None, None] * rays
             lengths = np.hypot(*np.moveaxis(self.seen(steps) - np.array(self.center_xy), -1, 0))
         return bool((np.diff(lengths, axis=0) > 0).all())
 
 
 def border(ratio: float) -> np.ndarray:
-    """(n, 2) points around an image, right and down from its center in widths; its corners are among them.
+    """Return (n, 2) points around an image, right and down from its center in widths, corners included.
 
     Args:
         ratio: Height to width.
@@ -102,7 +102,7 @@ def border(ratio: float) -> np.ndarray:
 
 
 def _polynomial(factors: tuple[float, ...], square: np.ndarray) -> np.ndarray:
-    """1 + f₁ r² + f₂ r⁴ and so on."""
+    """Return 1 + f₁ r² + f₂ r⁴ and so on."""
     found = np.zeros_like(square)
     for factor in reversed(factors):
         found = (found + factor) * square

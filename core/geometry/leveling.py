@@ -1,10 +1,10 @@
-"""Cameras that are not level: from roll, pitch and focal length to the image that a level camera would have taken.
+"""Leveling: from roll, pitch and focal length to the image that a level camera would have taken.
 
 Conventions. The camera's frame is (right, top, axis): right and top of its image, and the optical axis. Roll and pitch
 of 0 look straight down. Pitch > 0 tilts the axis towards the image's top, then roll > 0 towards its right, so that
-straight down is (−sin roll · cos pitch, −sin pitch, cos roll · cos pitch) in that frame. Where the camera is heading
-needn't be known. The ground is taken as level; the lens as free of distortion with its axis at the image's center,
-unless its calibration is given.
+straight down is (−sin roll · cos pitch, −sin pitch, cos roll · cos pitch) in that frame. The heading is not needed.
+The ground is assumed to be level, and the lens to be free of distortion with its axis at the image's center, unless its
+calibration is given.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from ..errors import LabelMapError, ParameterError
 from .lens_distortion import LensDistortion, border
 
 STEEPEST_VIEW_DEG = 75.0
-"""A corner of the image may look so far from straight down. There the same solid angle covers 1/cos³ 75° = 58 times the
-ground that it covers straight below, and at 90° is the horizon. A tilt of 35° at a field of view of 60° comes to it."""
+"""Largest angle of a corner of the image from straight down. There the same solid angle covers 1/cos³ 75° = 58 times
+the ground that it covers straight below; 90° is the horizon. A tilt of 35° at a field of view of 60° reaches it."""
 
 STRIP_ROWS = 256
-"""Rows of a level image that a bent lens is looked up for at a time."""
+"""Rows of a level image that are resampled at a time if the lens has distortion."""
 
 DIAGONAL_OF_35MM_FILM = float(np.hypot(36, 24))
-"""Of a 36 × 24 mm picture: a “focal length in 35 mm film” keeps the angle across the diagonal (CIPA DCG-001)."""
+"""Diagonal of a 36 × 24 mm picture: a “focal length in 35 mm film” keeps the angle across it (CIPA DCG-001)."""
 
 
 @dataclass(frozen=True)
 class Attitude:
-    """How a camera is held, as this module's conventions say.
+    """Attitude of a camera, in the conventions of this module.
 
     Attributes:
         roll_deg: Below 90° to either side.
@@ -46,7 +46,7 @@ class Attitude:
     pitch_deg: float
 
     def __post_init__(self) -> None:
-        """Refuses angles of 90° and more."""
+        """Refuse angles of 90° and more."""
         for name, value in (("roll", self.roll_deg), ("pitch", self.pitch_deg)):
             if not abs(value) < 90:
                 raise ParameterError(
@@ -63,7 +63,7 @@ class Attitude:
 
 
 def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
-    """The attitude of a camera on a gimbal that turns by pitch first and by roll after it, as DJI's do.
+    """Return the attitude of a camera on a gimbal that pitches first and rolls second, as DJI's do.
 
     Args:
         roll_deg: About the optical axis, clockwise seen from behind the camera.
@@ -82,7 +82,7 @@ def attitude_from_gimbal(roll_deg: float, pitch_deg: float) -> Attitude:
 
 
 def focal_length_from_35mm(focal_length_mm: float, shape_hw: tuple[int, int]) -> float:
-    """Focal length in pixels from the “focal length in 35 mm film”, which keeps the angle across the diagonal.
+    """Return the focal length in pixels from the “focal length in 35 mm film”, which keeps the diagonal angle.
 
     Args:
         focal_length_mm: On 35 mm film.
@@ -92,7 +92,7 @@ def focal_length_from_35mm(focal_length_mm: float, shape_hw: tuple[int, int]) ->
 
 
 def focal_length_from_view(field_of_view_deg: float, shape_hw: tuple[int, int]) -> float:
-    """Focal length in pixels from the field of view.
+    """Return the focal length in pixels from the field of view.
 
     Args:
         field_of_view_deg: Across the image's width.
@@ -103,18 +103,18 @@ def focal_length_from_view(field_of_view_deg: float, shape_hw: tuple[int, int]) 
 
 @dataclass(frozen=True)
 class Leveling:
-    """The way from an image to what a level camera would have seen from there, and back.
+    """Transformation between an image and the image of a level camera at the same place.
 
-    A pixel at the image's center covers as much ground in both. Offsets are complex numbers in pixels of the level
-    image, x right, y up, from the ground that the image's center shows.
+    A pixel at the image's center covers the same ground in both. Offsets are complex numbers in pixels of the level
+    image, x right, y up, from the ground at the image's center.
 
     Attributes:
         homography: (3, 3) from pixel coordinates (column, row) of the image to those of the level one.
-        shape_hw: (height, width) of the level image, the smallest that holds all the ground seen.
+        shape_hw: (height, width) of the level image, the smallest that contains all the ground seen.
         middle: Offset of the level image's middle.
         corners: (4,) offsets of the image's corners, upper left first, clockwise.
-        nadir: Offset of the ground straight below the camera; None where its attitude is not known.
-        bent: The image as its lens bends it; None for one that does not. ``homography`` is then of a camera without it.
+        nadir: Offset of the ground straight below the camera; None if its attitude is unknown.
+        bent: The image with its lens distortion; None without one. ``homography`` then starts from undistorted pixels.
     """
 
     homography: np.ndarray
@@ -125,25 +125,25 @@ class Leveling:
     bent: BentImage | None = None
 
     def level(self, labels_hw: np.ndarray) -> np.ndarray:
-        """Labels as a level camera sees them, by nearest neighbor.
+        """Return labels as a level camera sees them, by nearest neighbor.
 
         Args:
             labels_hw: (H, W) uint8 labels of the image.
 
         Returns:
-            Uint8 labels of shape ``shape_hw``; 0 is ground not seen.
+            Uint8 labels of shape ``shape_hw``; 0 is unseen ground.
         """
         return self._warped([labels_hw], self.shape_hw, (np.ones(2), np.ones(2)), cv2.INTER_NEAREST)[0]
 
     def level_planes(self, planes_hwk: np.ndarray, image_shape_hw: tuple[int, int]) -> np.ndarray:
-        """Planes on a grid over an image, as a level camera sees them, by linear interpolation.
+        """Return planes on a grid over an image as a level camera sees them, by linear interpolation.
 
         Args:
-            planes_hwk: (h, w, K) uint8, pixels of the grid may be larger than the image's.
+            planes_hwk: (h, w, K) uint8; pixels of the grid may be larger than the image's.
             image_shape_hw: (height, width) of the image that they cover.
 
         Returns:
-            (h', w', K) uint8 over the level image, on pixels as large as near the image's center; 0 is ground not seen.
+            (h', w', K) uint8 over the level image, with the pixel size at the image's center; 0 is unseen ground.
         """
         grid = np.array(planes_hwk.shape[1::-1], float)
         pixel = np.array(image_shape_hw[::-1]) / grid
@@ -155,7 +155,7 @@ class Leveling:
         return np.stack(planes, axis=2) if planes else np.zeros((*to, 0), np.uint8)
 
     def in_image(self, pixels_xy: np.ndarray) -> np.ndarray:
-        """(n, 2) pixel coordinates of the image, of (n, 2) ones of the level image."""
+        """Return (n, 2) pixel coordinates of the image for (n, 2) ones of the level image."""
         straight = self._straight(pixels_xy)
         return straight if self.bent is None else self.bent.seen(straight)
 
@@ -166,14 +166,14 @@ class Leveling:
         pixels: tuple[np.ndarray, np.ndarray],
         how: int,
     ) -> list[np.ndarray]:
-        """Planes over the image, as a level camera sees them.
+        """Return planes over the image as a level camera sees them.
 
         Args:
-            planes: (h, w) each, on pixels that may be larger than the image's own.
-            shape_hw: (height, width) of what comes out.
-            pixels: (2,) width and height of a pixel of ``planes``, in pixels of the image, and of what comes out, in
-                pixels of the level image.
-            how: OpenCV's kind of interpolation.
+            planes: (h, w) each; pixels may be larger than the image's own.
+            shape_hw: (height, width) of the result.
+            pixels: (2,) width and height of a pixel of ``planes``, in pixels of the image, and of a pixel of the
+                result, in pixels of the level image.
+            how: OpenCV's interpolation flag.
         """
         if self.bent is not None:
             return self._unbent(planes, self.bent, shape_hw, pixels, how)
@@ -191,7 +191,7 @@ class Leveling:
         pixels: tuple[np.ndarray, np.ndarray],
         how: int,
     ) -> list[np.ndarray]:
-        """As ``_warped``, each pixel looked up where the lens shows it, strip by strip, once for all planes."""
+        """Warp as ``_warped`` with lens distortion: strip by strip, one lookup table for all planes."""
         height, width = shape_hw
         found = [np.zeros(shape_hw, plane.dtype) for plane in planes]
         for first in range(0, height, STRIP_ROWS):
@@ -199,7 +199,7 @@ class Leveling:
             straight = self._straight((np.column_stack([columns.ravel(), rows.ravel()]) + 0.5) * pixels[1])
             # OpenCV counts from the center of the first pixel.
             seen = (bent.seen(straight) / pixels[0] - 0.5).astype(np.float32)
-            # What lies beyond the image's own edge would be looked up where the lens's formula turns back.
+            # Beyond the edge of the image the formula of the lens may return to positions inside it.
             seen[~bent.holds(straight)] = -2
             for plane, level in zip(planes, found):
                 level[first : first + STRIP_ROWS] = cv2.remap(plane, seen.reshape(*rows.shape, 2), None, how)
@@ -212,11 +212,11 @@ class Leveling:
 
 @dataclass(frozen=True)
 class BentImage:
-    """An image of a lens that bends, and where a camera without it would have its pixels.
+    """An image with lens distortion, and its undistorted pixels.
 
     Attributes:
         shape_hw: (height, width) of the image.
-        focal_length_px: Of the camera without it.
+        focal_length_px: Of the undistorted image.
     """
 
     lens: LensDistortion
@@ -224,23 +224,23 @@ class BentImage:
     focal_length_px: float
 
     def seen(self, straight_xy: np.ndarray) -> np.ndarray:
-        """(n, 2) pixel coordinates of the image, of (n, 2) ones of a camera without the lens."""
+        """Return (n, 2) pixel coordinates of the image for (n, 2) undistorted ones."""
         width = self.shape_hw[1]
         return self._middle + width * self.lens.seen((straight_xy - self._middle) / self.focal_length_px)
 
     def straight(self, seen_xy: np.ndarray) -> np.ndarray:
-        """(n, 2) pixel coordinates of a camera without the lens, of (n, 2) ones of the image."""
+        """Return (n, 2) undistorted pixel coordinates for (n, 2) ones of the image."""
         rays = self.lens.rays((seen_xy - self._middle) / self.shape_hw[1])
         return self._middle + self.focal_length_px * rays
 
     def holds(self, straight_xy: np.ndarray) -> np.ndarray:
-        """(n,) bool: which pixels of a camera without the lens are not farther from the center than the image goes."""
+        """Return (n,) bool: which undistorted pixels are within the image's largest distance from the center."""
         reach = np.hypot(*(self.border - self._middle).T).max() + 1
         return np.hypot(*(straight_xy - self._middle).T) <= reach
 
     @property
     def border(self) -> np.ndarray:
-        """(n, 2) pixel coordinates of a camera without the lens, around the image."""
+        """(n, 2) undistorted pixel coordinates around the image."""
         height, width = self.shape_hw
         return self.straight(self._middle + width * border(height / width))
 
@@ -253,15 +253,15 @@ class BentImage:
 def leveling(
     attitude: Attitude, focal_length_px: float, shape_hw: tuple[int, int], lens: LensDistortion | None = None
 ) -> Leveling:
-    """How to level an image.
+    """Return the leveling of an image.
 
     Args:
         focal_length_px: Of the camera, pixels of the image.
         shape_hw: (height, width) of the image, pixels.
-        lens: Its calibration; None for one that does not bend.
+        lens: Its calibration; None for a lens without distortion.
 
     Raises:
-        ParameterError: The focal length is none that a camera has, or the view comes too near the horizon.
+        ParameterError: The focal length is out of range, or the view comes too near the horizon.
         LabelMapError: The image is empty or too large to warp.
     """
     height, width = shape_hw
@@ -284,7 +284,7 @@ def leveling(
     if steepest > STEEPEST_VIEW_DEG:
         raise ParameterError(
             "With roll {roll_deg:g}° and pitch {pitch_deg:g}° a corner of the image looks {steepest:.0f}° away from "
-            "straight down, more than {most_deg:g}° and too near the horizon; use images that look down more steeply.",
+            "straight down; at most {most_deg:g}° is possible. Use images that look down more steeply.",
             roll_deg=attitude.roll_deg,
             pitch_deg=attitude.pitch_deg,
             steepest=steepest,
@@ -298,8 +298,8 @@ def leveling(
     size = int(top - bottom), int(right - left)
     if max(*size, *shape_hw) > limits.WARPED_EDGE_PX:
         raise LabelMapError(
-            "The image has {width} × {height} pixels and {level_width} × {level_height} when leveled, but an edge may "
-            "have {most} at most; reduce it first.",
+            "The image has {width} × {height} pixels, and {level_width} × {level_height} after leveling. An edge may "
+            "have at most {most} pixels; reduce the image first.",
             width=width,
             height=height,
             level_width=size[1],
@@ -314,25 +314,25 @@ def leveling(
 
 
 def _rays(pixels_xy: np.ndarray, shape_hw: tuple[int, int], focal_length_px: float) -> np.ndarray:
-    """(n, 3) rays in the camera's frame of (n, 2) pixels of an image without distortion."""
+    """Return (n, 3) rays in the camera's frame of (n, 2) pixels of an image without distortion."""
     height, width = shape_hw
     x, y = pixels_xy.T
     return np.column_stack([x - width / 2, height / 2 - y, np.full(len(pixels_xy), focal_length_px)])
 
 
 def _around(x: float, y: float) -> tuple[tuple[float, float], ...]:
-    """Upper left, upper right, lower right and lower left corner, y up."""
+    """Return the upper left, upper right, lower right and lower left corner, y up."""
     return (-x, y), (x, y), (x, -y), (-x, -y)
 
 
 def _ground_matrix(down: np.ndarray, focal_length_px: float) -> np.ndarray:
-    """(3, 3) from rays in the camera's frame to homogeneous offsets on the ground from where the optical axis meets it.
+    """Return (3, 3) from camera rays to homogeneous ground offsets from the point that the optical axis meets.
 
-    The level frame is the camera's, turned by the shortest way until its axis points straight down. The camera is so
-    low that a pixel at the center covers a ground of area 1: at height h it covers h² / (f² cos³ tilt).
+    The level frame is the camera's, rotated by the smallest angle until its axis points straight down. The scale is
+    such that a pixel at the center covers a ground area of 1: at height h it covers h² / (f² cos³ tilt).
     """
     cosine = down[2]
-    # The axis, (0, 0, 1), turns about what is at right angles to it and to ``down``.
+    # The rotation axis is perpendicular to the optical axis, (0, 0, 1), and to ``down``.
     across = np.array([-down[1], down[0], 0.0])
     sine = np.hypot(*down[:2])
     turn = across * (np.arctan2(sine, cosine) / sine if sine else 0.0)
@@ -343,6 +343,6 @@ def _ground_matrix(down: np.ndarray, focal_length_px: float) -> np.ndarray:
 
 
 def _complex(matrix: np.ndarray, rays: np.ndarray) -> np.ndarray:
-    """(…,) complex points of homogeneous coordinates, after a matrix."""
+    """Return (…,) complex points of homogeneous coordinates after a matrix."""
     x, y, w = matrix @ rays.T
     return (x + 1j * y) / w

@@ -1,4 +1,4 @@
-"""Map coordinates to longitude and latitude by polynomials, for computers that have no PROJ."""
+"""Longitude and latitude of map coordinates by polynomials, for computers without PROJ."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ LOWEST_DEGREE, HIGHEST_DEGREE = 2, 9
 """Degrees tried: 9 has 55 terms; the UTM coordinates of a map of 50 km need 5."""
 
 WANTED_ERROR_M = 0.01
-"""The lowest degree that is so close is taken: a tenth of the error of the best fixes."""
+"""The lowest degree with at most this error is used: a tenth of the error of the best fixes."""
 
 LARGEST_ERROR_M = 1.0
-"""A polynomial that is farther off is not stored: the map is too large, or has a pole in it."""
+"""A polynomial with a larger error is not stored: the map is too large, or contains a pole."""
 
 _CHECKED = 41
-"""Places along each axis where the error is measured; other ones than those that are fitted."""
+"""Points along each axis where the error is measured; they differ from the fitted ones."""
 
 _EQUATOR_M, _MERIDIAN_M = 111_319.5, 110_574.3
-"""Meters a degree of longitude and the shortest meters a degree of latitude, at WGS 84's equator."""
+"""Meters a degree of longitude and smallest meters a degree of latitude, at the equator of WGS 84."""
 
 _SEMI_MAJOR_M, _SQUARED_ECCENTRICITY = 6_378_137.0, 0.00669437999014
 """Of the ellipsoid of WGS 84."""
 
 _STEP = 1.0
-"""Map units that axes are measured over."""
+"""Step for measuring the axes, map units."""
 
 Transform = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 @dataclass(frozen=True)
 class LonLatPolynomial:
-    """Longitude and latitude (degrees, EPSG:4326) of map coordinates (x, y).
+    """Longitude and latitude (degrees, EPSG:4326) as a function of map coordinates (x, y).
 
     With u = (x − center_x) / half_width and v = (y − center_y) / half_height, both are sums of c · uⁱ · vʲ over all
     i + j ≤ degree in the order (0, 0), (0, 1), … (0, degree), (1, 0), … (degree, 0).
@@ -56,13 +56,13 @@ class LonLatPolynomial:
     error_m: float
 
     def __call__(self, points_xy: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(N, 2) map coordinates → longitudes (N,) in [−180, 180), latitudes (N,)."""
+        """Return longitudes (N,) in [−180, 180) and latitudes (N,) of (N, 2) map coordinates."""
         terms = _terms(points_xy, self.degree, self.center, self.half_size)
         longitudes = (terms @ np.array(self.longitude) + 180) % 360 - 180
         return longitudes, terms @ np.array(self.latitude)
 
     def is_on_earth(self, extent: tuple[float, float, float, float]) -> bool:
-        """Whether all of a map has a latitude of -90 to 90 and a longitude.
+        """Return whether all of a map has a finite longitude and a latitude of −90 to 90.
 
         Args:
             extent: (x_min, y_min, x_max, y_max) of the map.
@@ -75,18 +75,18 @@ class LonLatPolynomial:
 
 
 def fit_lon_lat(transform: Transform, extent: tuple[float, float, float, float]) -> LonLatPolynomial | None:
-    """The polynomial of lowest degree within WANTED_ERROR_M of ``transform``, else the best one.
+    """Return the polynomial of the lowest degree within WANTED_ERROR_M of ``transform``, or the best one.
 
     Args:
-        transform: (N, 2) map coordinates → longitudes (N,) and latitudes (N,), NaN where there are none.
+        transform: (N, 2) map coordinates → longitudes (N,) and latitudes (N,), NaN where undefined.
         extent: (x_min, y_min, x_max, y_max) of the map.
 
     Returns:
-        None when no polynomial comes within LARGEST_ERROR_M.
+        None if no polynomial is within LARGEST_ERROR_M.
     """
     center = (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2
     half_size = (extent[2] - extent[0]) / 2, (extent[3] - extent[1]) / 2
-    # Chebyshev's nodes lie closest together at the edges, where polynomials swing out.
+    # Chebyshev nodes are densest at the edges, where polynomials oscillate.
     nodes = np.cos((np.arange(2 * HIGHEST_DEGREE) + 0.5) * np.pi / (2 * HIGHEST_DEGREE))
     fitted, checked = _grid(nodes, center, half_size), _grid(np.linspace(-1, 1, _CHECKED), center, half_size)
     true_lon, true_lat = transform(fitted)
@@ -109,7 +109,7 @@ def fit_lon_lat(transform: Transform, extent: tuple[float, float, float, float])
 
 
 def meters_from(origin: tuple[float, float], place: tuple[float, float]) -> tuple[float, float]:
-    """(north, east) in meters of a place from an origin, by the ellipsoid's curvatures halfway between.
+    """Return (north, east) in meters of a position from an origin, by the ellipsoid's curvatures halfway between.
 
     Args:
         origin: (latitude, longitude), degrees.
@@ -123,7 +123,7 @@ def meters_from(origin: tuple[float, float], place: tuple[float, float]) -> tupl
 
 
 def local_axes(lon_lat: LonLatPolynomial, position: tuple[float, float]) -> np.ndarray:
-    """(2, 2): east and north, in meters, of a step of one map unit along the map's x, and of one along its y.
+    """Return (2, 2): east and north, in meters, of a step of one map unit along the map's x, and along its y.
 
     Args:
         position: Map (x, y).
@@ -136,12 +136,12 @@ def local_axes(lon_lat: LonLatPolynomial, position: tuple[float, float]) -> np.n
 
 
 def term_count(degree: int) -> int:
-    """Coefficients of a polynomial of two variables."""
+    """Return the number of coefficients of a polynomial of two variables."""
     return (degree + 1) * (degree + 2) // 2
 
 
 def _terms(points_xy: np.ndarray, degree: int, center: Sequence[float], half_size: Sequence[float]) -> np.ndarray:
-    """(N, term_count) values of uⁱ · vʲ."""
+    """Return (N, term_count) values of uⁱ · vʲ."""
     u, v = ((np.asarray(points_xy, np.float64).reshape(-1, 2) - center) / half_size).T
     return np.column_stack([u**i * v**j for i in range(degree + 1) for j in range(degree + 1 - i)])
 
@@ -152,6 +152,6 @@ def _grid(along: np.ndarray, center: Sequence[float], half_size: Sequence[float]
 
 
 def _distances_m(lon: np.ndarray, lat: np.ndarray, other_lon: np.ndarray, other_lat: np.ndarray) -> np.ndarray:
-    """Upper bounds of the distances between nearby places on the ground, a percent too large at most near the poles."""
+    """Return upper bounds of distances between nearby positions, at most one percent too large near the poles."""
     east = ((lon - other_lon + 180) % 360 - 180) * np.cos(np.radians(other_lat)) * _EQUATOR_M * 1.004
     return np.hypot(east, (lat - other_lat) * _MERIDIAN_M * 1.011)

@@ -1,8 +1,8 @@
 """Similarity transforms between an image and the map, as complex numbers: fit, heading, scale, uncertainty.
 
-An image point is u = (column − W/2) + i (H/2 − row): pixels from the image's center, y up. A pose (center, turn) puts
-it at center + turn · u on the map; center is the position of the image's center, |turn| the pixel size,
-and the image's top points to turn · i.
+An image point is u = (column − W/2) + i (H/2 − row): pixels from the image's center, y up. A pose (center, turn) maps
+it to center + turn · u; center is the map position of the image's center, |turn| the pixel size, and the image's top
+points to turn · i.
 """
 
 from __future__ import annotations
@@ -12,18 +12,18 @@ from dataclasses import dataclass
 import numpy as np
 
 HUBER_IN_NOISE = 1.345
-"""A match farther off than this many σ pulls no harder than one that is just so far off: Huber's own value. On the
-northern half of Liechtenstein merged and split objects cost less with it: median error 0.29 m, 0.33 m with 2.0."""
+"""A match with a larger residual in σ pulls no harder than one of this residual: Huber's own value. On the northern
+half of Liechtenstein merged and split objects cost less with it: median error 0.29 m, 0.33 m with 2.0."""
 
 STRETCH_DEVIATION = 0.01
 SLOPE_DEVIATION = 0.08
-"""How tilted cameras are expected to be: 10° and a field of view of 60° make a stretch of 0.008 and, over half the
-image's diagonal, a slope of 0.14."""
+"""Expected tilt of cameras: 10° and a field of view of 60° cause a stretch of 0.008 and, over half the image's
+diagonal, a slope of 0.14."""
 
 _TILT_PRECISIONS = np.array([0.0] * 4 + [STRETCH_DEVIATION**-2.0] * 2 + [SLOPE_DEVIATION**-2.0] * 2)
 
 LOOSEST = 1e-14
-"""Precision of numbers of which points tell nothing, as a share of that of all: the system can always be solved."""
+"""Precision of numbers that the points do not determine, as a share of the total: the system is always solvable."""
 
 
 @dataclass(frozen=True)
@@ -43,16 +43,16 @@ class Ellipse:
 
 @dataclass(frozen=True)
 class PoseCovariance:
-    """How exactly a pose is known.
+    """Uncertainty of a pose.
 
     Attributes:
-        position: ((xx, xy), (xy, yy)) of the position along the map's axes, map units².
+        position: ((xx, xy), (xy, yy)) covariance of the position along the map's axes, map units².
         heading_deviation_deg: Standard deviation of the heading.
         pixel_size_deviation: Standard deviation of the pixel size, map units.
-        ellipse_95: Holds the position in 95 % of fixes.
-        radius_95: Of the circle that does.
-        full: (4, 4) of map x and y, heading in radians, ln pixel size, as rows.
-        parts: What the radius is made of: (cause, the 95 % radius that it would make alone, map units), largest first.
+        ellipse_95: 95 % ellipse of the position.
+        radius_95: 95 % radius of the position.
+        full: (4, 4) covariance of map x and y, heading in radians, ln pixel size, as rows.
+        parts: Error budget: (cause, 95 % radius of this cause, map units), largest first.
     """
 
     position: tuple[tuple[float, float], tuple[float, float]]
@@ -69,25 +69,25 @@ class PoseCovariance:
         return self.position[0][0] ** 0.5, self.position[1][1] ** 0.5
 
     def part(self, cause: str) -> float:
-        """The 95 % radius that a cause would make alone, map units; 0 for one that is not told."""
+        """Return the 95 % radius of one cause, map units; 0 for a cause that is not listed."""
         return dict(self.parts).get(cause, 0.0)
 
     @property
     def correlation(self) -> float:
-        """Of the errors along the map's axes, −1 to 1."""
+        """Correlation of the errors along the map's axes, −1 to 1."""
         east, north = self.deviations
         return self.position[0][1] / (east * north) if east * north > 0 else 0.0
 
 
 @dataclass(frozen=True)
 class Pose:
-    """Where an image lies: u goes to center + turn · (u + stretch · ū) / (1 + Re(slope* · u)).
+    """Pose of an image: u maps to center + turn · (u + stretch · ū) / (1 + Re(slope* · u)).
 
-    With stretch and slope its 8 numbers make a homography: any view of level ground by a tilted camera.
+    With stretch and slope its 8 numbers describe a homography: any view of level ground by a tilted camera.
 
     Attributes:
         center: Map position x + i y of the image's center.
-        turn: Heading and pixel size there.
+        turn: Heading and pixel size at the center.
         stretch: 0 for a camera that looks straight down.
         slope: Per pixel; 0 for a camera that looks straight down.
     """
@@ -103,13 +103,13 @@ class Pose:
         return self.stretch == 0 and self.slope == 0
 
     def on_map(self, image: np.ndarray) -> np.ndarray:
-        """(n,) complex map points of (n,) complex image points."""
+        """Return (n,) complex map points of (n,) complex image points."""
         if self.is_level:
             return self.center + self.turn * image
         return self.center + self.turn * (image + self.stretch * image.conj()) / self.depth(image)
 
     def in_image(self, on_map: np.ndarray) -> np.ndarray:
-        """The inverse of ``on_map``."""
+        """Return (n,) complex image points of (n,) complex map points: the inverse of ``on_map``."""
         z = (on_map - self.center) / self.turn
         if self.is_level:
             return z
@@ -121,11 +121,11 @@ class Pose:
         return ((yy * z.real - xy * z.imag) + 1j * (xx * z.imag - yx * z.real)) / determinant
 
     def depth(self, image: np.ndarray) -> np.ndarray:
-        """(n,) how near the ground is, against the image's center; 1 everywhere for a level camera."""
+        """Return (n,) depth of the ground relative to the image's center; 1 everywhere for a level camera."""
         return np.maximum(1 + (self.slope.conjugate() * image).real, 0.2)
 
     def tilt_surprise(self, diagonal: float) -> float:
-        """How much less likely, ln, such a tilt is than none, of a camera as they are expected; 0 for a level one.
+        """Return −ln prior likelihood of the tilt, relative to a level camera; 0 for a level one.
 
         Args:
             diagonal: Of the image, pixels.
@@ -134,31 +134,31 @@ class Pose:
         return (stretch**2 + slope**2) / 2
 
     def pixel_sizes(self, image: np.ndarray) -> np.ndarray:
-        """(n,) size of a pixel on the ground at image points: the root of the area it covers."""
+        """Return (n,) ground size of a pixel at image points: the square root of its area."""
         return abs(self.turn) * self.depth(image) ** -1.5
 
 
 def image_points(points_xy: np.ndarray, width_px: float, height_px: float) -> np.ndarray:
-    """(n,) complex image points of pixel coordinates (n, 2) (column, row)."""
+    """Return (n,) complex image points of pixel coordinates (n, 2) (column, row)."""
     points = np.asarray(points_xy, np.float64).reshape(-1, 2)
     return (points[:, 0] - width_px / 2) + 1j * (height_px / 2 - points[:, 1])
 
 
 def heading_of(turn: complex) -> float:
-    """Degrees clockwise from grid north of the image's top, 0 ≤ heading < 360."""
+    """Return the direction of the image's top, degrees clockwise from grid north, 0 ≤ heading < 360."""
     top = turn * 1j
     return float(np.degrees(np.arctan2(top.real, top.imag)) % 360)
 
 
 def turn_of(heading_deg: float, pixel_size: float) -> complex:
-    """The inverse of ``heading_of`` with a pixel size."""
+    """Return the turn for a heading and a pixel size: the inverse of ``heading_of``."""
     return complex(pixel_size * np.exp(-1j * np.radians(heading_deg)))
 
 
 def fit_similarity(image: np.ndarray, on_map: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Weighted least squares along the last axis: (…,) complex centers and turns from (…, n) complex points.
+    """Fit by weighted least squares along the last axis: (…,) complex centers and turns from (…, n) complex points.
 
-    Rows whose weighted image points coincide give a turn of 0.
+    Rows with coinciding weighted image points give a turn of 0.
     """
     total = np.maximum(weights.sum(axis=-1), 1e-300)
     image_mean = (weights * image).sum(axis=-1) / total
@@ -170,19 +170,19 @@ def fit_similarity(image: np.ndarray, on_map: np.ndarray, weights: np.ndarray) -
 
 
 def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float) -> Pose:
-    """The pose of a possibly tilted camera by linear least squares, with a prior that tilt is moderate.
+    """Fit the pose of a possibly tilted camera by linear least squares, with a prior of moderate tilt.
 
     Args:
         image: (n,) complex image points.
         on_map: (n,) complex map points.
         deviations: (n,) σ per axis, map units.
-        pose: A first one.
+        pose: Initial pose.
         diagonal: Of the image, pixels.
     """
     solution = np.linalg.solve(*_tilted_system(image, on_map, deviations, pose, diagonal))
     center, turn, stretched, slope = (complex(*solution[k : k + 2]) for k in (0, 2, 4, 6))
-    # The equations have the center above the depth, a pose has it beside: center = center · depth / depth, and what
-    # depth adds, center · Re(slope* · u), is part of the turn and of the stretch.
+    # The equations have the center above the depth, a pose has it outside: center = center · depth / depth. The part
+    # center · Re(slope* · u) of the depth belongs to the turn and the stretch.
     turn, stretched = turn - center * slope.conjugate() / 2, stretched - center * slope / 2
     scale = diagonal / 2
     return Pose(pose.center + pose.turn * scale * center, pose.turn * turn, stretched / turn, slope / scale)
@@ -191,13 +191,13 @@ def fit_tilted(image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, po
 def _tilted_system(
     image: np.ndarray, on_map: np.ndarray, deviations: np.ndarray, pose: Pose, diagonal: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Normal equations for (center + turn · u + stretched · ū) / (1 + Re(slope* · u)), relative to ``pose``.
+    """Return normal equations for (center + turn · u + stretched · ū) / (1 + Re(slope* · u)), relative to ``pose``.
 
-    For so few columns they are made and solved several times faster than the equations themselves.
+    For so few columns this is several times faster than solving the equations themselves.
 
     Returns:
-        (8, 8) and (8,), of size 1 but for the weights, with the prior; points that leave something open leave it as it
-        is in ``pose``.
+        (8, 8) and (8,), of size 1 except for the weights, with the prior. Numbers that the points do not determine
+        stay as in ``pose``.
     """
     scale = diagonal / 2
     u = image / scale
@@ -219,11 +219,11 @@ def _tilted_system(
 
 
 def as_pairs(covariance: np.ndarray) -> tuple[tuple[float, float], tuple[float, float]]:
-    """A (2, 2) covariance as ``PoseCovariance`` keeps it: results can be compared."""
+    """Return a (2, 2) covariance as tuples, so that results can be compared."""
     (xx, xy), (yx, yy) = covariance.tolist()
     return (xx, xy), (yx, yy)
 
 
 def huber(distances: np.ndarray, deviations: np.ndarray) -> np.ndarray:
-    """(n,) weights: 1 up to HUBER_IN_NOISE σ, then falling so that the pull stays the same."""
+    """Return (n,) weights: 1 up to HUBER_IN_NOISE σ, then decreasing so that the pull stays constant."""
     return HUBER_IN_NOISE / np.maximum(distances / deviations, HUBER_IN_NOISE)

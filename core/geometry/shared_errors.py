@@ -1,11 +1,9 @@
-"""How exactly a pose is known when errors are shared: generalized least squares on the landmarks that agree.
+"""Covariance of a pose with shared errors: generalized least squares on the landmarks that agree.
 
-See docs/explanation/method.md#position-error.
-
-Landmarks near each other are displaced alike, a network shifts all landmarks of a
-class, a lens bends and a tilt stretches the whole image: such errors don't average out. Each is a random effect with a
-variance. Variances that residuals can show (noise of single landmarks, displacement of the map, lens and tilt) are
-averaged over by their restricted likelihood; the others are stated figures.
+See docs/explanation/method.md#how-exactly. A map displaces neighboring landmarks alike, a network shifts all landmarks
+of a class, lens distortion and tilt deform the whole image: such errors do not average out. Each is a random effect
+with a variance. Variances that residuals can show (noise of single landmarks, displacement of the map, lens and tilt)
+are integrated out with their restricted likelihood; the others are stated values.
 """
 
 from __future__ import annotations
@@ -25,28 +23,28 @@ MEDIAN_OF_RAYLEIGH = 1.1774
 """Median length of a residual whose two coordinates have a standard deviation of 1."""
 
 LEAST_NOISE = 0.1
-"""Residuals smaller than this share of the noise that was assumed are by chance, or of a map against itself."""
+"""Smaller residuals, as a share of the assumed noise, are chance or come from a map matched with itself."""
 
 OUTLIER_IN_NOISE = 2.5
-"""Residuals of so many σ pull no harder if they are longer; Gaussian ones hardly ever are (4 in 100)."""
+"""Residuals of more σ pull no harder; Gaussian ones are rarely so long (4 in 100)."""
 
 ErrorPart = tuple[str, float]
-"""A cause, and the 95 % radius that it would make alone, map units."""
+"""A cause, and the 95 % radius of this cause, map units."""
 
 LANDMARKS, AREAS, MAP, VIEW, CLASSES, PIXELS = "landmarks", "areas", "map", "view", "classes", "pixels"
 
 _FIRST_CLASS = 9
-"""Effects before those of the classes: the pose's four, the lens, stretch and slope of a tilt, two each."""
+"""Number of effects before those of the classes: the pose's four, the lens, stretch and slope of a tilt, two each."""
 
 
 @dataclass(frozen=True)
 class MatchedPoints:
-    """Landmarks of an image and of the map that agree, n of them.
+    """The n landmarks of an image that agree with landmarks of the map.
 
     Attributes:
         image: (n,) complex image points.
         on_map: (n,) complex map points.
-        deviations: (n,) σ per axis that each is assumed to have by itself, map units.
+        deviations: (n,) assumed independent σ per axis, map units.
         classes: (n,) class values.
         diagonal: Of the image, pixels.
     """
@@ -58,7 +56,7 @@ class MatchedPoints:
     diagonal: float
 
     def thinned(self, most: int) -> MatchedPoints:
-        """At most so many of them, evenly chosen in their order, for the time grows with the cube of their number."""
+        """Return at most ``most`` of them, evenly chosen: the time grows with the cube of their number."""
         if len(self.image) <= most:
             return self
         kept = np.linspace(0, len(self.image) - 1, most).round().astype(np.int64)
@@ -68,15 +66,15 @@ class MatchedPoints:
 
 
 def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tuple[Pose, PoseCovariance]:
-    """The pose with shared errors accounted for, and how exactly it is known.
+    """Return the pose with shared errors considered, and its covariance.
 
     Args:
-        matched: Three landmarks at least.
+        matched: At least three landmarks.
         pose: A fit to them.
-        errors: What is known of the map and of the network.
+        errors: Prior knowledge of the map and of the network.
 
     Returns:
-        The pose as the mean over all variances that may be; its covariance with what is stated added.
+        The pose as the mean over all possible variances; its covariance with the stated variances added.
     """
     system = _System(matched.thinned(errors.settings.most_landmarks), pose, errors)
     variances = system.variances(errors.map_accuracy)
@@ -100,10 +98,10 @@ def refined_pose(matched: MatchedPoints, pose: Pose, errors: SharedErrors) -> tu
 
 
 def inverted(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Inverses (…, p, p) of symmetric positive definite matrices (…, p, p), and ln of their determinants (…).
+    """Return inverses (…, p, p) of symmetric positive definite matrices (…, p, p), and ln of their determinants (…).
 
-    By elimination in all of them at once, which needs no pivots: LAPACK is called for each by itself, and on busy
-    processors waits longer for its threads than so small matrices take.
+    Eliminates in all of them at once, without pivoting. LAPACK would run once per matrix and, on busy processors, wait
+    longer for its threads than such small matrices take.
     """
     rest = np.array(matrices, dtype=np.float64)
     logarithms = np.zeros(rest.shape[:-2])
@@ -120,18 +118,18 @@ def inverted(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def eliminated(matrices: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """What is left of symmetric matrices (…, p, p) without their last unknowns, and ln of the pivots' products (…).
+    """Return symmetric matrices (…, p, p) without their last unknowns, and ln of the products of the pivots (…).
 
     Args:
-        matrices: Of normal equations; those that border them may be among the first rows and columns.
-        count: Unknowns that are eliminated, last ones first.
+        matrices: Normal equations; bordering rows and columns may be among the first ones.
+        count: Number of unknowns to eliminate, last ones first.
 
     Returns:
         (…, p − count, p − count), the Schur complements.
     """
     rest, logarithms = matrices, np.zeros(matrices.shape[:-2])
     for _ in range(count):
-        # A copy: of numbers that lie apart NumPy's logarithm differs in the last bit by where the result comes to lie.
+        # A copy: for non-contiguous numbers the last bit of NumPy's logarithm depends on the address of the result.
         pivot, column = rest[..., -1, -1].copy(), rest[..., :-1, -1]
         logarithms += np.log(pivot)
         rest = rest[..., :-1, :-1] - column[..., :, None] * (column / pivot[..., None])[..., None, :]
@@ -139,7 +137,7 @@ def eliminated(matrices: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray
 
 
 def bordered(precisions: np.ndarray, means: np.ndarray) -> np.ndarray:
-    """(…, p + 1, p + 1) normal equations of what is known beforehand, bordered by the means (p,).
+    """Return (…, p + 1, p + 1) normal equations of the prior, bordered by its means (p,).
 
     ``precisions``: (…, p).
     """
@@ -153,12 +151,12 @@ def bordered(precisions: np.ndarray, means: np.ndarray) -> np.ndarray:
 
 
 def covariance_of(full: np.ndarray, pixel_size: float, parts: tuple[ErrorPart, ...]) -> PoseCovariance:
-    """What is told of a covariance.
+    """Return the uncertainty of a pose from its covariance.
 
     Args:
         full: (4, 4) of map x and y, heading in radians, ln pixel size.
         pixel_size: Map units.
-        parts: What the 95 % radius is made of.
+        parts: Error budget of the 95 % radius.
     """
     position = full[:2, :2]
     rows = tuple(tuple(row) for row in full.tolist())
@@ -174,13 +172,13 @@ def covariance_of(full: np.ndarray, pixel_size: float, parts: tuple[ErrorPart, .
 
 
 def phase_deviation(turn: complex, map_pixel_size: float, size_px: float) -> float:
-    """σ per axis, map units, of the shift that all of an image has because both it and the map are made of pixels.
+    """Return σ per axis, map units, of the common shift of an image because both it and the map consist of pixels.
 
-    Where rows of the image run along rows of the map and pixels are as large, every boundary is rounded alike. Else the
-    phase drifts over the image, and the shifts average out.
+    If rows of the image are parallel to rows of the map and pixels are equally large, every boundary is rounded alike.
+    Otherwise the phase drifts over the image, and the shifts average out.
 
     Args:
-        map_pixel_size: Of the label map, map units; 0 where it has no pixels.
+        map_pixel_size: Of the label map, map units; 0 for a map without pixels.
     """
     if map_pixel_size <= 0:
         return 0.0
@@ -201,7 +199,7 @@ class _System:
         seen = (matched.image + pose.stretch * matched.image.conj()) / pose.depth(matched.image) / half
         off = (matched.on_map - pose.center) / pose.turn / half - seen
         own = matched.deviations / scale
-        # Noise as it is: only what is far off for it is taken to be an outlier.
+        # Scale the noise to the residuals; only residuals that are large for it count as outliers.
         own = own * max(float(np.median(np.abs(off) / own)) / MEDIAN_OF_RAYLEIGH, LEAST_NOISE)
         own = own * np.sqrt(np.maximum(np.abs(off) / own / OUTLIER_IN_NOISE, 1))
         columns, self._stated, self._spreads = self._effects(matched, image, pose, errors)
@@ -209,7 +207,7 @@ class _System:
         shared = sum(share * np.exp(-away / length) for length, share in settings.map_kernels)
         self._strengths, directions = np.linalg.eigh(shared / own[:, None] / own)
         self._strengths = np.maximum(self._strengths, 0)
-        # In these directions every covariance of the family is diagonal. What is observed borders the effects.
+        # In these directions every covariance of the family is diagonal. The observations border the effects.
         seen_first = np.column_stack([off, columns]) / own[:, None]
         turned = (directions.T @ seen_first.view(np.float64)).view(np.complex128)
         products = turned.real[:, :, None] * turned.real[:, None] + turned.imag[:, :, None] * turned.imag[:, None]
@@ -218,7 +216,7 @@ class _System:
     def _effects(
         self, matched: MatchedPoints, image: np.ndarray, pose: Pose, errors: SharedErrors
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(n, p) complex columns of all effects; their stated means (p,); spreads (p − 9,) of the classes' effects."""
+        """Return (n, p) complex columns of all effects, their stated means (p,), spreads (p − 9,) of class effects."""
         ones = np.ones(len(image))
         columns = [ones, 1j * ones, image, 1j * image, image * np.abs(image) ** 2]
         columns += [image.conj(), 1j * image.conj(), -image * image.real, -image * image.imag]
@@ -229,32 +227,32 @@ class _System:
             bias = errors.bias_of(value)
             belongs = (matched.classes == value).astype(np.float64)
             columns += [belongs, 1j * belongs]
-            # What a network shows too far east lies, on the map, west of where it is seen.
+            # A landmark that a network shows too far east is west of it on the map.
             effect = -bias.in_image(pose.turn) / self._scale
             stated += [effect.real, effect.imag]
             spreads += [errors.spread_of(bias, abs(pose.turn)) / self._scale] * 2
         unstated = np.isin(matched.classes, errors.unstated(np.unique(matched.classes).tolist())).astype(np.float64)
         if errors.class_spread and unstated.any():
-            # Of one network: shadows and its own habits shift all of its classes alike.
+            # Effects of one network: shadows and its own properties shift all its classes alike.
             columns += [unstated, 1j * unstated]
             stated += [0.0, 0.0]
             spreads += [errors.common_spread / self._scale] * 2
         return np.column_stack(columns), np.array(stated), np.array(spreads)
 
     def variances(self, map_accuracy: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Factors (A,) of own noise, deviations (A,) of the map, ln prior (A,), and views (B, 3): lens, tilt, share."""
+        """Return factors (A,) of own noise, map deviations (A,), ln prior (A,), and views (B, 3): lens, tilt, share."""
         settings = self._settings
         own, shared = (axis.ravel() for axis in np.meshgrid(settings.own_factors, settings.map_factors, indexing="ij"))
-        # Half Cauchy in the map's deviation about what is stated, log normal in the landmarks' own.
+        # Half Cauchy for the map's deviation around the stated one, log normal for the landmarks' own.
         prior = np.log(shared / (1 + shared**2)) - 0.5 * (np.log(own) / settings.own_spread) ** 2
         return own, shared * map_accuracy / self._scale, prior, np.array(settings.views)
 
     def solved(self, variances: tuple) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Weights (K,), poses (K, 4) and their covariances (K, 4, 4) of all variances that may be."""
+        """Return weights (K,), poses (K, 4) and covariances (K, 4, 4) for all possible variances."""
         own, shared, prior, views = variances
         inverse = 1 / (own[:, None] ** 2 + shared[:, None] ** 2 * self._strengths)
         precisions = self._precisions(views)
-        # The system of the classes' effects is the same whatever the camera is.
+        # The system of the classes' effects is independent of the camera.
         classes = np.where(np.arange(precisions.shape[1]) < _FIRST_CLASS, 0, precisions[0])
         rest, of_classes = eliminated(self._normal(inverse) + bordered(classes, self._stated), len(self._spreads))
         of_view = bordered(precisions[:, :_FIRST_CLASS], self._stated[:_FIRST_CLASS])
@@ -268,12 +266,12 @@ class _System:
         return weights / weights.sum(), solutions.reshape(-1, FITTED), covariances.reshape(-1, FITTED, FITTED)
 
     def _normal(self, inverse: np.ndarray) -> np.ndarray:
-        """(A, p + 1, p + 1) normal equations of inverse variances (A, n), bordered by what is observed."""
+        """Return (A, p + 1, p + 1) normal equations for inverse variances (A, n), bordered by the observations."""
         count = len(self._stated) + 1
         return (inverse @ self._products).reshape(-1, count, count)
 
     def _precisions(self, views: np.ndarray) -> np.ndarray:
-        """(B, p) of the effects, 0 for those of the pose itself."""
+        """Return (B, p) precisions of the effects, 0 for those of the pose itself."""
         found = np.zeros((len(views), len(self._stated)))
         units = np.array([1.0, *[STRETCH_DEVIATION] * 2, *[SLOPE_DEVIATION] * 2])
         deviations = np.column_stack([views[:, 0], *[views[:, 1]] * 4]) * units
@@ -282,16 +280,16 @@ class _System:
         return found
 
     def parts(self, weights: np.ndarray, variances: tuple, variance: float, phase: float) -> tuple[ErrorPart, ...]:
-        """What the position's variance is made of, the largest part first.
+        """Return the error budget of the position, the largest part first.
 
-        Causes are added one after the other at the mean of the variances that may be: landmarks by themselves, then the
-        map, the view, the classes.
+        Causes are added one after the other at the mean of the possible variances: single landmarks, then the map, the
+        view, the classes.
 
         Args:
-            weights: (K,) of ``solved``
-            variances: that they belong to
-            variance: of the position along an axis, map units²
-            phase: its part of the pixels, a deviation
+            weights: (K,) of ``solved``.
+            variances: The variances that ``weights`` belong to.
+            variance: Of the position along an axis, map units².
+            phase: Standard deviation from the pixels.
         """
         own, shared, _, views = variances
         by_own = weights.reshape(len(own), len(views))
@@ -310,7 +308,7 @@ class _System:
         return tuple(sorted(((name, CIRCLE_95 * part) for name, part in found), key=lambda part: -part[1]))
 
     def _variance(self, own: float, shared: float, precisions: np.ndarray) -> float:
-        """Of the position along an axis, with precisions (p − 4,) of the effects."""
+        """Return the variance of the position along an axis, with precisions (p − 4,) of the effects."""
         count = len(self._stated)
         inverse = 1 / (own**2 + shared**2 * self._strengths)
         normal = self._normal(inverse[None])[0, 1:, 1:]
@@ -319,9 +317,9 @@ class _System:
 
 
 def _on_map(covariance: np.ndarray, unit: complex, scale: float) -> np.ndarray:
-    """(4, 4) covariance of map x, y, heading in radians and ln pixel size, from one in the image's frame."""
+    """Return the (4, 4) covariance of map x, y, heading in radians and ln pixel size, from one in the image's frame."""
     to_map = np.zeros((4, 4))
     to_map[:2, :2] = scale * np.array([[unit.real, -unit.imag], [unit.imag, unit.real]])
-    # The heading grows clockwise, a turn against it.
+    # The heading grows clockwise, ``turn`` counter-clockwise.
     to_map[2, 3], to_map[3, 2] = -1.0, 1.0
     return to_map @ covariance @ to_map.T

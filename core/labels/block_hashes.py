@@ -19,7 +19,7 @@ class BlockHasher:
     """Hashes a map while its rows come by from top to bottom: ``add`` them all, then take ``hashes``."""
 
     def __init__(self, width: int) -> None:
-        """Begins with the first row.
+        """Begin with the first row.
 
         Args:
             width: Of the map, pixels.
@@ -30,7 +30,7 @@ class BlockHasher:
         self._done: list[str] = []
 
     def add(self, labels_hw: np.ndarray) -> None:
-        """Takes the next rows of the map.
+        """Take the next rows of the map.
 
         Args:
             labels_hw: (h, W) uint8 labels, any number of rows.
@@ -70,7 +70,7 @@ class _BlockDigest:
         self._pixels: hashlib.blake2b | None = None
 
     def add(self, labels_hw: np.ndarray) -> None:
-        """The block's next rows, (h, w) uint8."""
+        """Return the block's next rows, (h, w) uint8."""
         if self._pixels is None:
             if self._continues(labels_hw):
                 self._value, self._count = int(labels_hw[0, 0]), self._count + labels_hw.size
@@ -79,7 +79,7 @@ class _BlockDigest:
         self._pixels.update(np.ascontiguousarray(labels_hw).data)
 
     def hexdigest(self) -> str:
-        """Of the rows so far."""
+        """Return of the rows so far."""
         return self._pixels.hexdigest() if self._pixels else _hash_of_one_value(self._value, self._count)
 
     def _continues(self, labels_hw: np.ndarray) -> bool:
@@ -103,7 +103,7 @@ def _hash_of_one_value(value: int, count: int) -> str:
 
 
 def blocks_shape(shape_hw: tuple[int, int]) -> tuple[int, int]:
-    """(rows, columns) of the blocks of a map of ``shape_hw`` pixels."""
+    """Return (rows, columns) of the blocks of a map of ``shape_hw`` pixels."""
     return -(-shape_hw[0] // HASHED_BLOCK), -(-shape_hw[1] // HASHED_BLOCK)
 
 

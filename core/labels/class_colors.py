@@ -58,19 +58,19 @@ def _pattern(words: str) -> re.Pattern:
 
 
 def known_color(name: str) -> str | None:
-    """The color ``#rrggbb`` that a class is known by; None for a name that tells nothing."""
+    """Return the color ``#rrggbb`` that a class is known by; None for a name that tells nothing."""
     kind = _kind(name)
     return kind and kind[0]
 
 
 def is_usual_landmark(name: str) -> bool:
-    """Whether regions of such a class usually are compact and stay where they are, as buildings and ponds do."""
+    """Return whether regions of such a class usually are compact and stay where they are, as buildings and ponds do."""
     kind = _kind(name)
     return kind is not None and kind[1]
 
 
 def _kind(name: str) -> tuple[str, bool] | None:
-    """The first kind that one of the name's words belongs to."""
+    """Return the first kind that one of the name's words belongs to."""
     words = [word for word in re.split(r"[^\w]+|_", name) if word]
     for color, is_landmark, known in _KINDS:
         if any(_pattern(known).fullmatch(word) for word in words):
@@ -79,7 +79,7 @@ def _kind(name: str) -> tuple[str, bool] | None:
 
 
 def shades(colors: Iterable[str]) -> list[str]:
-    """The same colors; one that comes again is another shade each time, lighter and darker in turn."""
+    """Return the same colors; one that comes again is another shade each time, lighter and darker in turn."""
     given: list[str] = []
     counts: dict[str, int] = {}
     for color in colors:

@@ -35,7 +35,7 @@ class FoundClass:
 
 
 def proposed_table(found: Sequence[FoundClass], preset: ClassTable | None = None) -> ClassTable:
-    """A class for each that was found, under the text that the layer has, so that the table is the layer's.
+    """Return a class for each that was found, under the text that the layer has, so that the table is the layer's.
 
     A class that is known by its number keeps it as its value and is named by the style. Of the others those that the
     nomenclature knows have its values; the rest take the next free ones.
@@ -79,7 +79,7 @@ def _values(found: Sequence[FoundClass], known: Sequence[LandCoverClass | None])
 
 
 def _names(found: Sequence[FoundClass], known: Sequence[LandCoverClass | None]) -> list[str]:
-    """Names by which the layer's own texts find their classes: numbers may be named by style or nomenclature."""
+    """Return names by which the layer's own texts find their classes: numbers may be named by style or nomenclature."""
     names = []
     for one, same in zip(found, known):
         name = one.text

@@ -81,7 +81,7 @@ class LandCoverClass:
     hsv_max: Hsv | None = None
 
     def __post_init__(self) -> None:
-        """Refuses values that no class can have."""
+        """Refuse values that no class can have."""
         if self.draw_order is not None and not math.isfinite(self.draw_order):
             raise ClassTableError(
                 "The class {name} has a draw_order that is no number; give one such as 3.", name=shown(self.name)
@@ -175,7 +175,7 @@ class ClassTable:
         return tuple(c.value for c in self.references)
 
     def by_value(self, value: int) -> LandCoverClass | None:
-        """The class of pixels with a value; None without one."""
+        """Return the class of pixels with a value; None without one."""
         return next((c for c in self.classes if c.value == value), None)
 
     @property
@@ -184,7 +184,7 @@ class ClassTable:
         return next((c for c in self.classes if c.value != UNLABELED and c.draw_order == BENEATH_ALL), None)
 
     def with_filling(self) -> ClassTable:
-        """The same with a class that lies wherever no polygon does: ``other``, unless there is one.
+        """Return the same with a class that lies wherever no polygon does: ``other``, unless there is one.
 
         Raises:
             ClassTableError: All values are taken.
@@ -201,7 +201,7 @@ class ClassTable:
         return ClassTable((*kept, replace(known, draw_order=BENEATH_ALL)))
 
     def find(self, text: str) -> LandCoverClass | None:
-        """The class a person means by ``text``: its name (case-insensitive if need be), half of it, or its value.
+        """Return the class a person means by ``text``: its name (case-insensitive if need be), half of it, or its value.
 
         Names of nomenclatures begin with a code of three digits or more: “311 Broad-leaved forest” is also found by
         “311” and by “Broad-leaved forest”.
@@ -219,7 +219,7 @@ class ClassTable:
         return self.by_value(int(wanted)) if re.fullmatch(r"\d{1,3}", wanted) else None
 
     def with_references(self, names_or_values: Sequence[str]) -> ClassTable:
-        """The same table with exactly the named classes as references.
+        """Return the same table with exactly the named classes as references.
 
         Args:
             names_or_values: As ``find`` takes them.
@@ -271,7 +271,7 @@ class ClassTable:
 
 
 def class_table_from_csv(text: str, source: str = "the class table") -> ClassTable:
-    """Reads ``value,name,color,role[,draw_order][,hsv_min,hsv_max]``; ``;`` or tab as separator will do too.
+    """Read ``value,name,color,role[,draw_order][,hsv_min,hsv_max]``; ``;`` or tab as separator will do too.
 
     ``color`` and ``role`` may be left out: a color is then chosen, the role is ``background``.
 
@@ -315,7 +315,7 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
 
 
 def class_table_from_names(names: Iterable[str]) -> ClassTable:
-    """A table for classes known only by name: values 1, 2, … in the given order, colors chosen, all background."""
+    """Return a table for classes known only by name: values 1, 2, … in the given order, colors chosen, all background."""
     found = list(names)
     require_class_count(len(found))
     colors = chosen_colors(enumerate(found, start=1))
@@ -323,7 +323,7 @@ def class_table_from_names(names: Iterable[str]) -> ClassTable:
 
 
 def require_class_count(count: int) -> None:
-    """Raises ClassTableError for more classes than a label map has values."""
+    """Raise ClassTableError for more classes than a label map has values."""
     if count > MAXIMUM_VALUE:
         raise ClassTableError(
             "There are {count} classes, but a label map holds {most}; choose another class field, or merge classes "
@@ -334,24 +334,24 @@ def require_class_count(count: int) -> None:
 
 
 def class_table_from_values(values: Iterable[int]) -> ClassTable:
-    """A table for classes known only by value: named by their value, colors chosen, all background."""
+    """Return a table for classes known only by value: named by their value, colors chosen, all background."""
     return ClassTable(tuple(LandCoverClass(v, str(v), default_color(v)) for v in sorted(set(values))))
 
 
 def default_color(value: int) -> str:
-    """A color ``#rrggbb`` for a class that brings none, the same every time."""
+    """Return a color ``#rrggbb`` for a class that brings none, the same every time."""
     if 0 <= value <= len(_PALETTE):
         return _PALETTE[value - 1]
     return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
 
 
 def chosen_colors(classes: Iterable[tuple[int, str]]) -> list[str]:
-    """A color ``#rrggbb`` for each (value, name): what its name is known by, else any; the same every time."""
+    """Return a color ``#rrggbb`` for each (value, name): what its name is known by, else any; the same every time."""
     return shades([known_color(name) or default_color(value) for value, name in classes])
 
 
 def _code_and_title(name: str) -> tuple[str, ...]:
-    """The code that a name begins with and what stands behind it; nothing for a name without one."""
+    """Return the code that a name begins with and what stands behind it; nothing for a name without one."""
     found = re.fullmatch(r"(\d{3,})\s+(.+)", name)
     return found.groups() if found else ()
 
@@ -362,14 +362,14 @@ def split_list(text: str | None) -> list[str]:
 
 
 def shortened(items: Sequence[str], most: int = 12) -> tuple[str, ...] | Sentence:
-    """The items as a value of a sentence; of many the first ``most``, and how many more there are."""
+    """Return the items as a value of a sentence; of many the first ``most``, and how many more there are."""
     if len(items) <= most:
         return tuple(items)
     return Sentence("{shown} and {count} more", shown=items[:most], count=len(items) - most)
 
 
 def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCoverClass, bool]:
-    """(the class, whether the row has its color)."""
+    """Return (the class, whether the row has its color)."""
     cell = {
         key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
     }
@@ -413,7 +413,7 @@ def _hsv(text: str, where: Sentence) -> Hsv | None:
 
 
 def _number_text(number: float) -> str:
-    """The shortest text that reads back as the same number: 3, 0.1, 1234567.0."""
+    """Return the shortest text that reads back as the same number: 3, 0.1, 1234567.0."""
     short = f"{number:g}"
     return short if float(short) == number else repr(number)
 

@@ -20,7 +20,7 @@ def decode_colors(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
 
 
 def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
-    """Labels by each class's HSV range, as published; where ranges overlap the first class by value wins.
+    """Label by each class's HSV range, as published; where ranges overlap the first class by value wins.
 
     ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8; 0 where no range matches.
     Raises ClassTableError when no class has an HSV range.
@@ -38,7 +38,7 @@ def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
 
 
 def decode_by_nearest_color(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
-    """Labels by the nearest class color in RGB; black counts as unlabeled unless a class is black.
+    """Label by the nearest class color in RGB; black counts as unlabeled unless a class is black.
 
     ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8.
     """

@@ -31,7 +31,7 @@ class ClassMatch:
     only_predicted: tuple[str, ...] = ()
 
     def name(self, value: int) -> str:
-        """The class's name; “unlabeled” for 0, the number for a class without a name."""
+        """Return the class's name; “unlabeled” for 0, the number for a class without a name."""
         found = None if self.table is None else self.table.by_value(value)
         return found.name if found else ("unlabeled" if value == UNLABELED else str(value))
 
@@ -139,7 +139,7 @@ def _share(part: int, whole: int) -> float | None:
 
 
 def count_pairs(annotated_hw: np.ndarray, predicted_hw: np.ndarray) -> np.ndarray:
-    """(256, 256) int64 pixels of each pair of annotated (down) and predicted value of two (H, W) uint8 maps."""
+    """Return (256, 256) int64 pixels of each pair of annotated (down) and predicted value of two (H, W) uint8 maps."""
     first, second = (np.ascontiguousarray(labels).reshape(-1, 1) for labels in (annotated_hw, predicted_hw))
     counts = np.zeros((_VALUES, _VALUES), np.int64)
     for start in range(0, len(first), _EXACT):
@@ -149,12 +149,12 @@ def count_pairs(annotated_hw: np.ndarray, predicted_hw: np.ndarray) -> np.ndarra
 
 
 def disagreement_codes(annotated_hw: np.ndarray, predicted_hw: np.ndarray) -> np.ndarray:
-    """(H, W) uint16: 256 · annotated + predicted value where the maps disagree; 0 where not, and without annotation."""
+    """Return (H, W) uint16: 256 · annotated + predicted value where the maps disagree; 0 where not, and without annotation."""
     codes = annotated_hw.astype(np.uint16) * _VALUES + predicted_hw
     codes[(annotated_hw == predicted_hw) | (annotated_hw == UNLABELED)] = 0
     return codes
 
 
 def decode_disagreement(code: int) -> tuple[int, int]:
-    """(annotated, predicted) value of a code of ``disagreement_codes``."""
+    """Return (annotated, predicted) value of a code of ``disagreement_codes``."""
     return divmod(code, _VALUES)

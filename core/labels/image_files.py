@@ -61,7 +61,7 @@ _BITS = 258
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
-    """A query image's labels (H, W) uint8: single-band or paletted values, or three bands decoded by color.
+    """Return a query image's labels (H, W) uint8: single-band or paletted values, or three bands decoded by color.
 
     PNG, TIFF and JPEG. Colors are decoded by the table's HSV ranges if it has any, else by nearest color; a TIFF's
     nodata value counts as unlabeled. Raises LabelMapError.
@@ -100,7 +100,7 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
 
 
 def read_photo(path: str) -> Photo:
-    """A photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent or nodata.
+    """Return a photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent or nodata.
 
     Only what stands in the file itself counts, not what lies in others beside it. Raises ImageError.
     """
@@ -135,7 +135,7 @@ def read_photo(path: str) -> Photo:
 
 
 def _has_16_bits(raw_mode: str, tags: Tags) -> bool:
-    """Whether colors had 16 bits: Pillow takes the upper 8 of them."""
+    """Return whether colors had 16 bits: Pillow takes the upper 8 of them."""
     return "16" in raw_mode or max(tags.get(_BITS) or (8,)) == 16
 
 
@@ -158,12 +158,12 @@ def image_files(paths: list[str]) -> list[str]:
 
 
 def is_image_name(name: str) -> bool:
-    """Whether a file of a folder counts as an image; hidden ones don't."""
+    """Return whether a file of a folder counts as an image; hidden ones don't."""
     return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
 
 
 def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> None:
-    """Refuses a file that begins as another kind than its name says: one of the two is a mistake, or a trick.
+    """Refuse a file that begins as another kind than its name says: one of the two is a mistake, or a trick.
 
     Args:
         path: The file; names without a suffix of PNG, TIFF or JPEG promise nothing.
@@ -219,7 +219,7 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
 
 
 def open_at_once(path: str, flags: int) -> int:
-    """Opens a file without waiting: a pipe that nobody writes into would be waited for without end.
+    """Open a file without waiting: a pipe that nobody writes into would be waited for without end.
 
     Args:
         flags: As ``open`` passes them to its opener.

@@ -16,7 +16,7 @@ class ImageSource(Protocol):
         """(height, width) in pixels."""
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """(height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
+        """Return (height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
 
         Pixels without data are 0, or as they are where they are merely not wanted. The piece lies wholly on the image.
         Pieces are asked for row by row of tiles, from top to bottom.
@@ -27,7 +27,7 @@ class ArrayImage:
     """An image in memory, (H, W, 3) uint8, red first."""
 
     def __init__(self, image_hw3: np.ndarray, has_data_hw: np.ndarray | None = None) -> None:
-        """Keeps the image, without a copy.
+        """Keep the image, without a copy.
 
         Args:
             image_hw3: (H, W, 3) uint8, red first.
@@ -87,7 +87,7 @@ class PixelMask(Protocol):
     """Which pixels of an image are wanted, told in pieces."""
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) bool of a piece that lies wholly on the image."""
+        """Return (height, width) bool of a piece that lies wholly on the image."""
 
 
 class MaskedImage:

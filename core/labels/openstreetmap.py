@@ -53,7 +53,7 @@ class Rules:
     """Rules that are looked up by tag."""
 
     def __init__(self, rules: Iterable[Rule]) -> None:
-        """Of two rules for one tag the first counts."""
+        """Return of two rules for one tag the first counts."""
         self._rules: dict[tuple[str, str], Rule] = {}
         self._by_theme: dict[str, Rule] = {}
         for rule in rules:
@@ -62,7 +62,7 @@ class Rules:
             self._by_theme.setdefault(theme, rule)
 
     def __len__(self) -> int:
-        """How many tags have a rule."""
+        """Return how many tags have a rule."""
         return len(self._rules)
 
     @property
@@ -72,7 +72,7 @@ class Rules:
         return tuple(dict.fromkeys(rule.class_name for rule in sorted(named, key=lambda rule: -rule.priority)))
 
     def of(self, tags: Mapping[str, str]) -> Rule | None:
-        """The rule of the highest priority that fits one of the tags; None where none does.
+        """Return the rule of the highest priority that fits one of the tags; None where none does.
 
         A rule for a tag's very value counts instead of one for any value of its key.
         """
@@ -86,7 +86,7 @@ class Rules:
 
 
 def rules_from_csv(text: str, source: str) -> Rules:
-    """Reads ``key,value,class,priority``; ``;`` or tab as separator will do too.
+    """Read ``key,value,class,priority``; ``;`` or tab as separator will do too.
 
     Args:
         text: The CSV text, with its header.
@@ -120,7 +120,7 @@ def rules_from_csv(text: str, source: str) -> Rules:
 
 
 def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
-    """The tags of a feature.
+    """Return the tags of a feature.
 
     Args:
         columns: Value by column: a column a tag, as GDAL and QuickOSM give them, and columns of TAG_COLUMNS.

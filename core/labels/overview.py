@@ -30,7 +30,7 @@ class HeldOverview(AbstractContextManager):
         """Nothing to close."""
 
     def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
-        """Takes a piece (h, w) uint8 whose first pixel lies there."""
+        """Take a piece (h, w) uint8 whose first pixel lies there."""
         self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
 
 
@@ -39,7 +39,7 @@ _WORD = 0x01010101
 
 
 def most_frequent_labels(labels_hw: np.ndarray, factor: int = OVERVIEW_FACTOR) -> np.ndarray:
-    """(⌈H/f⌉, ⌈W/f⌉) uint8: the most frequent label of each f × f block; of equally frequent ones the smallest.
+    """Return (⌈H/f⌉, ⌈W/f⌉) uint8: the most frequent label of each f × f block; of equally frequent ones the smallest.
 
     Blocks that stick out over the right and lower edge count the pixels they have.
     """

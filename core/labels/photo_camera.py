@@ -42,7 +42,7 @@ CALIBRATED = (0.85, 1.18)
 
 
 def photo_camera(path: str) -> Camera:
-    """What the tags of an image tell, or of a photo of its name beside it; nothing is no error."""
+    """Return what the tags of an image tell, or of a photo of its name beside it; nothing is no error."""
     beside = [os.path.splitext(path)[0] + extension for extension in PHOTO_EXTENSIONS]
     for photo in (path, *(name for name in beside if name != path)):
         camera = camera_of(read_tags(photo), os.path.basename(photo))
@@ -52,7 +52,7 @@ def photo_camera(path: str) -> Camera:
 
 
 def camera_of(tags: PhotoTags, name: str) -> Camera:
-    """The camera of a photo."""
+    """Return the camera of a photo."""
     attitude, heading, problem = None, None, None
     # A photo that viewers turn may have been turned before it was labeled.
     if tags.orientation == 1:

@@ -53,7 +53,7 @@ class PhotoTags:
     xmp: str = ""
 
     def number(self, name: str) -> float | None:
-        """A number of the XMP packet, written as an attribute or as an element; None where it is missing or none.
+        """Return a number of the XMP packet, written as an attribute or as an element; None where it is missing or none.
 
         Args:
             name: Of the property, with or without the prefix of its namespace.
@@ -62,7 +62,7 @@ class PhotoTags:
         return float(found.group(1)) if found else None
 
     def text(self, name: str) -> str:
-        """A text of the XMP packet, written as an attribute or as an element; empty where it is missing.
+        """Return a text of the XMP packet, written as an attribute or as an element; empty where it is missing.
 
         Args:
             name: Of the property, with or without the prefix of its namespace.
@@ -143,7 +143,7 @@ def _tiff_tags(file: BinaryIO) -> PhotoTags:
 
 
 def _number(tags: Tags, tag: int) -> float | None:
-    """A positive number; None for any other: unknown, in EXIF."""
+    """Return a positive number; None for any other: unknown, in EXIF."""
     found = value_of(tags, tag)
     try:
         value = float(found[0] if isinstance(found, tuple) else found)

@@ -19,14 +19,14 @@ class LabelSource(Protocol):
         """(height, width) in pixels."""
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """(height, width) uint8 labels, not to be changed; the piece lies wholly on the map."""
+        """Return (height, width) uint8 labels, not to be changed; the piece lies wholly on the map."""
 
 
 class ArrayLabels:
     """A label map in memory."""
 
     def __init__(self, labels_hw: np.ndarray) -> None:
-        """Keeps the labels, without a copy.
+        """Keep the labels, without a copy.
 
         Args:
             labels_hw: (H, W) uint8 labels.
@@ -39,12 +39,12 @@ class ArrayLabels:
         return self._labels_hw.shape[0], self._labels_hw.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """A view of a piece of the labels."""
+        """Return a view of a piece of the labels."""
         return self._labels_hw[row : row + height, column : column + width]
 
 
 def count_labels(labels_hw: np.ndarray) -> np.ndarray:
-    """(256,) int64 pixels of each value of (H, W) uint8 labels; many times faster than ``np.bincount``."""
+    """Return (256,) int64 pixels of each value of (H, W) uint8 labels; many times faster than ``np.bincount``."""
     flat = np.ascontiguousarray(labels_hw).reshape(-1, 1)
     counts = np.zeros(256, np.int64)
     for first in range(0, len(flat), _EXACT):

@@ -121,7 +121,7 @@ def pixel_size_m(tags: Tags, shape_hw: tuple[int, int]) -> tuple[float, float] |
 
 
 def _geotransform(tags: Tags) -> tuple[float, float, float, float, float] | None:
-    """Map units that x and y grow by a column and by a row, and y of the upper left corner; None without any."""
+    """Return map units that x and y grow by a column and by a row, and y of the upper left corner; None without any."""
     matrix = _numbers(tags, _TRANSFORMATION)
     if len(matrix) == 16:
         return matrix[0], matrix[1], matrix[4], matrix[5], matrix[7]
@@ -139,7 +139,7 @@ def _geo_keys(tags: Tags) -> dict[Any, Any]:
 
 
 def _meters_per_degree(latitude_deg: float) -> tuple[float, float]:
-    """Of longitude and of latitude."""
+    """Return of longitude and of latitude."""
     flattened = 1 - _ECCENTRICITY_SQUARED * sin(radians(latitude_deg)) ** 2
     east = _EQUATOR_RADIUS_M / flattened**0.5 * cos(radians(latitude_deg))
     north = _EQUATOR_RADIUS_M * (1 - _ECCENTRICITY_SQUARED) / flattened**1.5

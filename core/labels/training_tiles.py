@@ -52,7 +52,7 @@ ENOUGH_TILES, MOST_TILES = 24, 2000
 
 
 def fitting_tiles(shape_hw: tuple[int, int]) -> tuple[int, int]:
-    """(edge, stride) in pixels of the tiles that suit an image: the largest of which it has room for enough.
+    """Return (edge, stride) in pixels of the tiles that suit an image: the largest of which it has room for enough.
 
     They overlap by half where the image is small, and lie apart where it is huge.
     """
@@ -70,7 +70,7 @@ def block_size(shape_hw: tuple[int, int], tile_size: int) -> int:
 
 
 def validation_blocks(labeled: np.ndarray, fraction: float) -> np.ndarray:
-    """(R, C) bool: the blocks set aside, so that they hold about ``fraction`` of the labeled pixels.
+    """Return (R, C) bool: the blocks set aside, so that they hold about ``fraction`` of the labeled pixels.
 
     Blocks are drawn in a fixed random order; one is taken when the share comes nearer to the fraction by it. At least
     one labeled block stays for training.

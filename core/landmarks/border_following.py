@@ -30,11 +30,11 @@ class _Surroundings:
         self.offsets = tuple(dx + dy * self.width for dx, dy in _STEPS)
 
     def holds_neighbors(self, x: int, y: int) -> bool:
-        """Whether all eight neighbors of a pixel are held."""
+        """Return whether all eight neighbors of a pixel are held."""
         return 0 < x - self.left < self.width - 1 and 0 < y - self.top < self.width - 1
 
     def direction(self, x: int, y: int, first: int, turn: int) -> int | None:
-        """The first direction with a set neighbor, from ``first`` on, counter-clockwise (turn 1) or clockwise (−1)."""
+        """Return the first direction with a set neighbor, from ``first`` on, counter-clockwise (turn 1) or clockwise (−1)."""
         place = (y - self.top) * self.width + x - self.left
         for step in range(8):
             direction = (first + turn * step) % 8
@@ -46,7 +46,7 @@ class _Surroundings:
 def follow_outer_border(
     source: LabelSource, value: int, first_pixel: tuple[int, int], minimum_area: float
 ) -> tuple | None:
-    """Measures an 8-connected region by following its border.
+    """Measure an 8-connected region by following its border.
 
     Area and center are those of the polygon through the border pixels' centers (Green's formula, exact in
     integers), as ``cv2.contourArea`` and ``cv2.moments`` give.

@@ -81,7 +81,7 @@ class ClassShift:
 
 
 def piece_shifts(true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Sequence[int]) -> list[PieceShift]:
-    """Of each class with enough pairs.
+    """Return of each class with enough pairs.
 
     Args:
         true_hw: (H, W) uint8 labels.
@@ -105,7 +105,7 @@ def piece_shifts(true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Se
 
 
 def class_shifts(pieces: Sequence[PieceShift]) -> list[ClassShift]:
-    """All pieces together, by class: a random effect a piece, its variance by DerSimonian and Laird (1986)."""
+    """Return all pieces together, by class: a random effect a piece, its variance by DerSimonian and Laird (1986)."""
     found = []
     for value in sorted({piece.value for piece in pieces}):
         own = [piece for piece in pieces if piece.value == value]
@@ -130,7 +130,7 @@ def _between(shifts: np.ndarray, variances: np.ndarray) -> float:
 
 
 def _paired(true: Landmarks, predicted: Landmarks) -> np.ndarray:
-    """(n,) complex: how far right and down of the true ones those lie that are each other's nearest and as large."""
+    """Return (n,) complex: how far right and down of the true ones those lie that are each other's nearest and as large."""
     if not len(true) or not len(predicted):
         return np.zeros(0, complex)
     apart = predicted.centers_xy @ (1, 1j) - (true.centers_xy @ (1, 1j))[:, None]

@@ -54,7 +54,7 @@ class LandmarkErrors:
         )
 
     def ragged_px(self, shift_px: float = 0.0) -> float | None:
-        """Standard deviation of how far edges are moved, beyond a shift of the class; None where none was found."""
+        """Return standard deviation of how far edges are moved, beyond a shift of the class; None where none was found."""
         if not self.apart_px:
             return None
         deviation = DEVIATION_OF_MEAN * float(np.median(self.apart_px))
@@ -65,7 +65,7 @@ class LandmarkErrors:
 def piece_errors(
     true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float
 ) -> dict[int, LandmarkErrors]:
-    """Of each class in one piece of ground. A landmark is the same when place and size agree, as in ``class_shifts``.
+    """Return of each class in one piece of ground. A landmark is the same when place and size agree, as in ``class_shifts``.
 
     Args:
         true_hw: (H, W) uint8 labels, 0 where nothing is known.
@@ -96,7 +96,7 @@ def piece_errors(
 
 
 def _partners(some: Landmarks, others: Landmarks, of_same_class: bool) -> np.ndarray:
-    """(n,) the other landmark at the place and of the size of each, the nearest; -1 for none."""
+    """Return (n,) the other landmark at the place and of the size of each, the nearest; -1 for none."""
     if not len(some) or not len(others):
         return np.full(len(some), -1)
     apart = np.abs(some.centers_xy @ (1, 1j) - (others.centers_xy @ (1, 1j))[:, None]).T
@@ -109,7 +109,7 @@ def _partners(some: Landmarks, others: Landmarks, of_same_class: bool) -> np.nda
 
 
 def _apart_px(true_hw: np.ndarray, predicted_hw: np.ndarray, value: int, bounds: np.ndarray) -> float:
-    """How far apart a landmark's edges lie on average: the area between them over the length of the true one."""
+    """Return how far apart a landmark's edges lie on average: the area between them over the length of the true one."""
     left, top, right, bottom = bounds.tolist()
     part = slice(max(top - MARGIN_PX, 0), bottom + MARGIN_PX), slice(max(left - MARGIN_PX, 0), right + MARGIN_PX)
     true, predicted = true_hw[part] == value, predicted_hw[part] == value

@@ -6,7 +6,7 @@ import numpy as np
 
 
 def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
-    """Joins things that are linked, also over others.
+    """Join things that are linked, also over others.
 
     Args:
         count: How many things there are.
@@ -31,7 +31,7 @@ def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
 
 
 def touching_runs(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
-    """Runs of pixels that touch (8-connected) in rows that follow each other.
+    """Run of pixels that touch (8-connected) in rows that follow each other.
 
     Args:
         rows: (K,) int64 row of each run; runs are in reading order.

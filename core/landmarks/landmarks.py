@@ -42,7 +42,7 @@ class Landmarks:
         return len(self.classes)
 
     def select(self, index: np.ndarray) -> Landmarks:
-        """The landmarks picked by a boolean mask or an index array, in that order."""
+        """Return the landmarks picked by a boolean mask or an index array, in that order."""
         return Landmarks(
             self.centers_xy[index],
             self.classes[index],
@@ -53,7 +53,7 @@ class Landmarks:
 
 
 def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> Landmarks:
-    """Finds every connected region that is large enough, of some classes.
+    """Find every connected region that is large enough, of some classes.
 
     Per class: mask → outer boundary of every 8-connected region (``RETR_CCOMP``, those without a parent) →
     ``cv2.contourArea`` → ``cv2.moments`` → center of gravity (paper §2.2.2 (2)). Regions without area (single pixels,
@@ -70,18 +70,18 @@ def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimu
 
 
 def class_mask(labels_hw: np.ndarray, value: int) -> np.ndarray:
-    """(H, W) uint8 mask, 1 where the label is ``value``."""
+    """Return (H, W) uint8 mask, 1 where the label is ``value``."""
     # Not cv2.compare: it refuses an image of one pixel.
     return (labels_hw == np.uint8(value)).view(np.uint8)
 
 
 def minimum_area_px(minimum_area_m2: float, pixel_size_m: float) -> float:
-    """The area threshold in pixels."""
+    """Return the area threshold in pixels."""
     return whole_half_pixels(minimum_area_m2 / pixel_size_m**2)
 
 
 def whole_half_pixels(area_px: float) -> float:
-    """The smallest contour area (they are whole halves of a pixel) that reaches ``area_px``.
+    """Return the smallest contour area (they are whole halves of a pixel) that reaches ``area_px``.
 
     So a threshold of 100 m² that arithmetic made 100.00000000000001 pixels means the same for map and image.
     """
@@ -94,7 +94,7 @@ NO_ROWS = np.empty((0, 8), np.float64)
 
 
 def outer_contours(mask: np.ndarray) -> list:
-    """The outer boundary of every 8-connected region of ``mask`` (H, W) uint8, as OpenCV contours."""
+    """Return the outer boundary of every 8-connected region of ``mask`` (H, W) uint8, as OpenCV contours."""
     contours, hierarchy = cv2.findContours(mask, cv2.RETR_CCOMP, cv2.CHAIN_APPROX_SIMPLE)
     if not contours:
         return []
@@ -103,7 +103,7 @@ def outer_contours(mask: np.ndarray) -> list:
 
 
 def region_rows(mask: np.ndarray, value: int, minimum_area: float) -> np.ndarray:
-    """(N, 8) rows of the regions of ``mask`` that are large enough."""
+    """Return (N, 8) rows of the regions of ``mask`` that are large enough."""
     rows = (contour_row(contour, value, minimum_area) for contour in outer_contours(mask))
     return rows_array([row for row in rows if row is not None])
 
@@ -133,7 +133,7 @@ def contour_row(contour: np.ndarray, value: int, minimum_area: float) -> tuple |
 
 
 def center_coordinate(first: int, six_moments: int, six_areas: int) -> float:
-    """Pixel coordinate of a center of gravity from six times the moment about ``first`` and six times the area."""
+    """Return pixel coordinate of a center of gravity from six times the moment about ``first`` and six times the area."""
     return first + round(six_moments / six_areas * CENTER_STEPS) / CENTER_STEPS + CENTER_OF_FIRST_PIXEL
 
 
@@ -143,7 +143,7 @@ def rows_array(rows: list) -> np.ndarray:
 
 
 def shift_rows(rows: np.ndarray, column: int, row: int) -> np.ndarray:
-    """Rows of a piece of a larger image, in the larger image's coordinates."""
+    """Return rows of a piece of a larger image, in the larger image's coordinates."""
     rows[:, (CENTER_X, LEFT, RIGHT)] += column
     rows[:, (CENTER_Y, TOP, BOTTOM)] += row
     return rows
@@ -166,7 +166,7 @@ def objects_from_rows(rows: np.ndarray, shape_hw: Iterable[int]) -> Landmarks:
 
 
 def rows_from_objects(objects: Landmarks) -> np.ndarray:
-    """The inverse of ``objects_from_rows``: (N, 8) float64."""
+    """Return the inverse of ``objects_from_rows``: (N, 8) float64."""
     return np.column_stack(
         [objects.classes, objects.centers_xy, objects.areas_px, objects.bounds.reshape(-1, 4)]
     ).astype(np.float64)

@@ -32,7 +32,7 @@ class ReachingRegions:
     def __init__(
         self, source: LabelSource, value: int, places: Sequence[Bounds], minimum_area: float, tile_px: int = TILE
     ) -> None:
-        """Reads nothing yet.
+        """Read nothing yet.
 
         Args:
             source: The label map.
@@ -48,7 +48,7 @@ class ReachingRegions:
         self.regions: set[Region] = set()
 
     def steps(self) -> Iterator[None]:
-        """Yields after each piece that was read."""
+        """Yield after each piece that was read."""
         for place in self._places:
             self._read(place)
             yield
@@ -76,7 +76,7 @@ class ReachingRegions:
         )
 
     def _beyond(self, runs: np.ndarray, wanted: np.ndarray) -> set[tuple[int, int]]:
-        """(column, row) of the tiles that pixels beside the wanted runs lie in."""
+        """Return (column, row) of the tiles that pixels beside the wanted runs lie in."""
         boxes = np.repeat(np.array(self._boxes).reshape(-1, 4), [len(tile.runs) for tile in self._tiles], axis=0)
         chosen = wanted[runs[:, 5]]
         found = set()
@@ -91,11 +91,11 @@ class ReachingRegions:
         return {cell for cell in found if 0 <= cell[0] <= last[0] and 0 <= cell[1] <= last[1]}
 
     def _tile_of(self, place: int) -> int:
-        """The column (or row) of tiles that a column (or row) of pixels lies in."""
+        """Return the column (or row) of tiles that a column (or row) of pixels lies in."""
         return (place + self._size // 2) // self._size
 
     def _bounds(self, cell: tuple[int, int]) -> Bounds:
-        """Of a tile, as far as it lies on the map."""
+        """Return of a tile, as far as it lies on the map."""
         (left, top), (height, width) = (number * self._size - self._size // 2 for number in cell), self._source.shape_hw
         return max(left, 0), max(top, 0), min(left + self._size, width), min(top + self._size, height)
 

@@ -39,7 +39,7 @@ class Region:
 
 
 def whole_region(pieces: Sequence[Region]) -> Region:
-    """The region that the pieces make together."""
+    """Return the region that the pieces make together."""
     lefts, tops, rights, bottoms = zip(*(piece.bounds for piece in pieces))
     first_pixel = min((piece.first_pixel for piece in pieces), key=lambda pixel: (pixel[1], pixel[0]))
     return Region((min(lefts), min(tops), max(rights), max(bottoms)), first_pixel)
@@ -65,7 +65,7 @@ class TileLandmarks:
 def tile_landmarks(
     labels_hw: np.ndarray, first: tuple[int, int], map_hw: tuple[int, int], values: Sequence[int], minimum_area: float
 ) -> TileLandmarks:
-    """Looks through one tile.
+    """Look through one tile.
 
     Args:
         labels_hw: (h, w) uint8.
@@ -98,7 +98,7 @@ def crossing_regions(tiles: Iterable[TileLandmarks]) -> list[tuple[int, Region]]
 
 
 def join_tiles(tiles: Iterable[TileLandmarks]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """All pieces and runs of tiles, numbered through, and the (P,) int64 region that each piece belongs to."""
+    """Return all pieces and runs of tiles, numbered through, and the (P,) int64 region that each piece belongs to."""
     pieces, runs, count = [NO_PIECES], [NO_RUNS], 0
     for tile in tiles:
         pieces.append(tile.pieces)
@@ -126,7 +126,7 @@ def measure_region(
     minimum_area_px: float,
     patch_pixels: int = PATCH_PIXELS,
 ) -> tuple | None:
-    """Measures one region.
+    """Measure one region.
 
     Args:
         source: The label map.
@@ -158,7 +158,7 @@ def _region(piece: list[int]) -> Region:
 
 
 def _links(runs: np.ndarray) -> np.ndarray:
-    """(L, 2) numbers of pieces of one class that touch across a seam, be it by a corner."""
+    """Return (L, 2) numbers of pieces of one class that touch across a seam, be it by a corner."""
     links = [np.empty((0, 2), np.int64)]
     for value in np.unique(runs[:, 0]):
         for direction in (0, 1):
@@ -170,7 +170,7 @@ def _links(runs: np.ndarray) -> np.ndarray:
 
 
 def _open_sides(mask: np.ndarray, first: tuple[int, int], map_hw: tuple[int, int]) -> list[int]:
-    """The sides that have pixels of the class and behind which the map goes on."""
+    """Return the sides that have pixels of the class and behind which the map goes on."""
     (height, width), (column, row) = mask.shape, first
     goes_on = row > 0, row + height < map_hw[0], column > 0, column + width < map_hw[1]
     return [side for side in range(4) if goes_on[side] and _line(mask, side).any()]
@@ -196,7 +196,7 @@ def _divided(mask: np.ndarray, sides: list[int]) -> tuple[list, list]:
 
 
 def _pieces(contours: list, value: int, first: tuple[int, int]) -> np.ndarray:
-    """(P, 7), see ``TileLandmarks``."""
+    """Return (P, 7), see ``TileLandmarks``."""
     found = []
     for contour in contours:
         left, top, across, down = cv2.boundingRect(contour)
@@ -209,7 +209,7 @@ def _pieces(contours: list, value: int, first: tuple[int, int]) -> np.ndarray:
 def _runs(  # noqa: PLR0913 - what a run tells
     mask: np.ndarray, contours: list, side: int, value: int, first: tuple[int, int], base: int
 ) -> np.ndarray:
-    """(R, 6) runs of set pixels along one side, see ``TileLandmarks``.
+    """Return (R, 6) runs of set pixels along one side, see ``TileLandmarks``.
 
     A contour turns at both ends of such a run, so ``CHAIN_APPROX_SIMPLE`` keeps them: they tell whose run it is.
     """
@@ -229,6 +229,6 @@ def _runs(  # noqa: PLR0913 - what a run tells
 
 
 def _points(contours: list) -> Iterator[np.ndarray]:
-    """(n, 2) column, row of the points of each contour."""
+    """Return (n, 2) column, row of the points of each contour."""
     for contour in contours:
         yield contour[:, 0]

@@ -21,7 +21,7 @@ from .settings import LOCALIZER, LocalizerSettings
 def checked_by_areas(
     found: Localization, agreement: float | None, settings: LocalizerSettings = LOCALIZER
 ) -> Localization:
-    """The constellation's place, judged by class areas there as well: they may speak against a fix, or make one.
+    """Return the constellation's place, judged by class areas there as well: they may speak against a fix, or make one.
 
     Where landmarks are, the constellation searched; how well class areas agree there, nobody searched for, so that it
     is evidence of its own (``agreement_curve``).
@@ -50,7 +50,7 @@ def checked_by_areas(
 
 
 def worth_of(agreement: float, settings: LocalizerSettings = LOCALIZER) -> float:
-    """What a correlation of class areas is worth: logarithm of the likelihood ratio of right places against wrong ones.
+    """Return what a correlation of class areas is worth: logarithm of the likelihood ratio of right places against wrong ones.
 
     Args:
         agreement: Correlation, −1 to 1.
@@ -63,7 +63,7 @@ def worth_of(agreement: float, settings: LocalizerSettings = LOCALIZER) -> float
 def agreed(
     objects: Localization, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER
 ) -> Localization | None:
-    """The fix of two roads that searched the whole map on their own and found the same place; else None.
+    """Return the fix of two roads that searched the whole map on their own and found the same place; else None.
 
     Args:
         objects: Of the constellation, without class areas.
@@ -85,7 +85,7 @@ def agreed(
 
 
 def _as_fix(found: Localization, risk: float) -> Localization:
-    """A place as a fix with the risk that all evidence together leaves; what a fix was said not to hold for stays."""
+    """Return a place as a fix with the risk that all evidence together leaves; what a fix was said not to hold for stays."""
     said = found.reason if found.is_fix else None
     return replace(
         found, status=Status.FIX, reason=said, confidence=1 - risk, risk=risk, is_doubted=False, alternatives=()
@@ -93,7 +93,7 @@ def _as_fix(found: Localization, risk: float) -> Localization:
 
 
 def _same(place: Place, areas: Localization, shorter_edge_px: int, settings: LocalizerSettings) -> bool:
-    """Whether a place is that of map correlation, as exactly as that is known."""
+    """Return whether a place is that of map correlation, as exactly as that is known."""
     if areas.best is None:
         return False
     heading_deg, pixel_size = place.oriented
@@ -106,7 +106,7 @@ def _same(place: Place, areas: Localization, shorter_edge_px: int, settings: Loc
 
 
 def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: LocalizerSettings = LOCALIZER) -> Prior:
-    """What the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known.
+    """Return what the constellation looks for to confirm map correlation's fix: the same pose, as exactly as that is known.
 
     Args:
         fix: Of map correlation.
@@ -131,7 +131,7 @@ def near(fix: Localization, prior: Prior, shorter_edge_px: int, settings: Locali
 
 
 def confirmed(areas: Localization, objects: Localization, closer: Prior) -> Localization | None:
-    """The fix at the constellation's finer pose, when that is map correlation's too; else None.
+    """Return the fix at the constellation's finer pose, when that is map correlation's too; else None.
 
     Where several places are alike for the constellation, map correlation may tell which it is.
 
@@ -193,7 +193,7 @@ def neither(
 
 
 def _within(place: Place, prior: Prior) -> bool:
-    """Whether a place is as near to the expected position as a prior says."""
+    """Return whether a place is as near to the expected position as a prior says."""
     if prior.position is None or prior.radius is None:
         return True
     return bool(np.hypot(*np.subtract(place.position, prior.position)) <= prior.radius)
@@ -202,7 +202,7 @@ def _within(place: Place, prior: Prior) -> bool:
 def saying_what_was_searched(
     found: Localization, reason: Sentence, sizes: tuple[float, float], prior: Prior
 ) -> Localization:
-    """The result, its reason with the pixel sizes, headings and ground that were searched in vain."""
+    """Return the result, its reason with the pixel sizes, headings and ground that were searched in vain."""
     headings, ground = Sentence("all headings"), Sentence("the whole map")
     if prior.heading_deg is not None and prior.heading_range_deg < 180:
         spread, heading = prior.heading_range_deg, prior.heading_deg % 360

@@ -13,7 +13,7 @@ from ..localization import Localization, Prior
 
 
 def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
-    """What is seen in an image as a level camera sees it.
+    """Return what is seen in an image as a level camera sees it.
 
     Args:
         seen: In the image as it is.
@@ -26,7 +26,7 @@ def level_labels(seen: SeenLabels, way: Leveling) -> SeenLabels:
 
 
 def of_leveled(prior: Prior, way: Leveling) -> Prior:
-    """What is known of the middle of the level image, which is searched for.
+    """Return what is known of the middle of the level image, which is searched for.
 
     Args:
         prior: About the image's center, with a range of pixel sizes.

@@ -66,7 +66,7 @@ class DescribedImage:
 def describe_image(
     labels_hw: np.ndarray, reference_values: tuple[int, ...], area_fraction: float, references_per_vector: int
 ) -> DescribedImage:
-    """Describes an image as a window is described: in its largest centered square, objects and topology vector.
+    """Describe an image as a window is described: in its largest centered square, objects and topology vector.
 
     Args:
         labels_hw: (H, W) uint8 labels.
@@ -97,7 +97,7 @@ class Localizer:
         settings: LocalizerSettings = LOCALIZER,
         sun_deg: float | None = None,
     ) -> None:
-        """Makes the localizer; indexes are built when they are first needed.
+        """Make the localizer; indexes are built when they are first needed.
 
         Args:
             database: With its overview for map correlation.
@@ -122,7 +122,7 @@ class Localizer:
         return tuple(one.name for one in self._database.class_table if one.is_reference)
 
     def localize_by_topology_vector(self, labels_hw: np.ndarray) -> Localization:
-        """The published method, exactly: nearest topology vector, accepted up to distance T.
+        """Return the published method, exactly: nearest topology vector, accepted up to distance T.
 
         See docs/explanation/method.md#topology-vector.
 
@@ -165,7 +165,7 @@ class Localizer:
         )
 
     def nearest_windows(self, labels_hw: np.ndarray, count: int) -> list[tuple[int, float]]:
-        """(index, distance) of the windows with the vectors nearest to the image's, nearest first.
+        """Return (index, distance) of the windows with the vectors nearest to the image's, nearest first.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
@@ -177,7 +177,7 @@ class Localizer:
         return [(index, distance) for distance, index, _ in self._nearest_windows(labels_hw, count)[1]]
 
     def _nearest_windows(self, labels_hw: np.ndarray, count: int) -> tuple[int, list[tuple[float, int, int]]]:
-        """The most landmarks the image has at any level; (distance, index, landmarks) of the nearest windows."""
+        """Return the most landmarks the image has at any level; (distance, index, landmarks) of the nearest windows."""
         most, found = 0, []
         for size, index, vectors in self._levels:
             described = self.describe(labels_hw, size)
@@ -224,7 +224,7 @@ class Localizer:
         return solve(objects, (width, height), self.index, prior, smallest, allowed_risk, errors)
 
     def _objects(self, labels_hw: np.ndarray, largest_pixel_size: float) -> tuple[Landmarks, float]:
-        """The image's landmarks, and the smallest contour area, px², that the map's may have in it."""
+        """Return the image's landmarks, and the smallest contour area, px², that the map's may have in it."""
         parameters = self._database.parameters
         smallest = max(parameters.minimum_area / largest_pixel_size**2, SMALLEST_OBJECT_PX)
         return extract_landmarks(labels_hw, self._database.class_table.reference_values, smallest), smallest
@@ -287,7 +287,7 @@ class Localizer:
         shares: ClassShares | None = None,
         biases: KnownBiases = UNBIASED,
     ) -> Localization:
-        """The constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
+        """Return the constellation, checked by class areas; where that has no fix, map correlation, made finer by the first.
 
         A database without overview leaves the constellation alone. Takes as long as map correlation for images without
         a fix by the constellation.
@@ -334,7 +334,7 @@ class Localizer:
         return scales[0] * min(edges) / shorter, scales[1] * max(edges) / shorter
 
     def check(self, method: Method) -> None:
-        """Refuses a method that the database can't serve for any image.
+        """Refuse a method that the database can't serve for any image.
 
         Args:
             method: How images are to be localized.
@@ -358,7 +358,7 @@ class Localizer:
         shares: ClassShares | None = None,
         biases: KnownBiases = UNBIASED,
     ) -> Localization:
-        """Localizes an image.
+        """Localize an image.
 
         Args:
             labels_hw: (H, W) uint8 labels of the database's class table.
@@ -394,7 +394,7 @@ class Localizer:
     def _saying_what_was_searched(
         self, found: Localization, method: Method, shape_hw: tuple[int, int], prior: Prior
     ) -> Localization:
-        """The result, its reason with the pixel sizes, headings and ground that were searched in vain."""
+        """Return the result, its reason with the pixel sizes, headings and ground that were searched in vain."""
         if found.reason is None or found.status is Status.TOO_FEW_REFERENCES and found.peaks is None:
             return found
         smallest, largest = prior.pixel_size_range or self.pixel_sizes(shape_hw, default_scales(method))
@@ -406,7 +406,7 @@ class Localizer:
         return matches_at(objects, (width, height), self.index, place) if len(objects) else None
 
     def describe(self, labels_hw: np.ndarray, window_size: float) -> DescribedImage:
-        """The image as windows of ``window_size`` (map units) of this database are described."""
+        """Return the image as windows of ``window_size`` (map units) of this database are described."""
         parameters = self._database.parameters
         return describe_image(
             labels_hw,
@@ -417,7 +417,7 @@ class Localizer:
 
 
 def _shape(labels_hw: np.ndarray) -> tuple[int, int]:
-    """(height, width).
+    """Return (height, width).
 
     Raises:
         LabelMapError: The image has no pixels.

@@ -15,7 +15,7 @@ ESTIMATED, INVALID = 6, 0
 
 
 def record(result: Localization, wording: Callable[[Sentence], str] = english) -> dict[str, Any]:
-    """A localization by the columns of *Localize images*, as docs/reference/file_formats.md tells them.
+    """Return a localization by the columns of *Localize images*, as docs/file-formats.md tells them.
 
     Args:
         wording: How its reason is said.
@@ -73,7 +73,7 @@ TOLD_SHARE = 0.2
 
 
 def radius_parts(known: PoseCovariance) -> Sentence | None:
-    """What makes the radius, its largest parts; None where it isn't known."""
+    """Return what makes the radius, its largest parts; None where it isn't known."""
     if not known.parts:
         return None
     least = TOLD_SHARE * known.parts[0][1]
@@ -89,7 +89,7 @@ def _reason(result: Localization, wording: Callable[[Sentence], str]) -> str:
 
 
 def _deviations(result: Localization) -> dict[str, Any]:
-    """How exactly a fix is known, beside ``error_95``, the radius of the circle that holds 95 % of such errors."""
+    """Return how exactly a fix is known, beside ``error_95``, the radius of the circle that holds 95 % of such errors."""
     known = result.covariance
     if not result.is_fix or known is None or known.ellipse_95 is None:
         return {}

@@ -27,7 +27,7 @@ class Search:
     with_matches: bool = False
 
     def prior_of(self, localizer: Localizer, camera: Camera, shape_hw: tuple[int, int]) -> Prior:
-        """What is known of an image beforehand: what the user said, else what its camera states.
+        """Return what is known of an image beforehand: what the user said, else what its camera states.
 
         Args:
             camera: Of the image; its meters are map units.

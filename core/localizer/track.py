@@ -12,7 +12,7 @@ def jumps(
     confidences: np.ndarray,
     maximum_speed: float,
 ) -> np.ndarray:
-    """(N,) bool: fixes that an aircraft of ``maximum_speed`` can't have reached from, or left for, those kept.
+    """Return (N,) bool: fixes that an aircraft of ``maximum_speed`` can't have reached from, or left for, those kept.
 
     As few as possible are flagged: kept is the longest chain in time in which every fix can be reached from the one
     before, by dynamic programming; of equally long ones that with the largest sum of confidences. Two fixes agree

@@ -20,7 +20,7 @@ Found = tuple[np.ndarray, float, int]
 def segment_blocks(
     tiles: Tiles, tile_hw: tuple[int, int], segment: Callable[[Iterable[tuple]], Iterator[Found]]
 ) -> Iterator[tuple[float, SegmentedRows]]:
-    """Yields the share done (0…1) and each row of tiles, from top to bottom.
+    """Yield the share done (0…1) and each row of tiles, from top to bottom.
 
     Args:
         tile_hw: (height, width) of a tile.
@@ -37,7 +37,7 @@ def segment_blocks(
 
 
 def _band(tiles: Tiles, blocks: list[Tiles], found: Iterator[Found]) -> Iterator[SegmentedRows]:
-    """The blocks that lie side by side, as whole rows."""
+    """Return the blocks that lie side by side, as whole rows."""
     _, top, _, bottom = blocks[0].box
     sure = Sureness()
     # In a file without a name: of an orthophoto of a country it is gigabytes.

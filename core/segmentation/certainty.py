@@ -54,7 +54,7 @@ class Sureness:
     count: int = 0
 
     def add(self, probabilities: np.ndarray | Sureness) -> None:
-        """Adds pixels by the probability of their label, or what is known of others."""
+        """Add pixels by the probability of their label, or what is known of others."""
         if isinstance(probabilities, Sureness):
             self.total, self.count = self.total + probabilities.total, self.count + probabilities.count
         else:
@@ -68,13 +68,13 @@ class Sureness:
 
 
 def are_probabilities(scores: np.ndarray) -> bool:
-    """Whether (N, C, H, W) scores are probabilities as they are, not yet through a softmax."""
+    """Return whether (N, C, H, W) scores are probabilities as they are, not yet through a softmax."""
     sums = scores.sum(axis=1, dtype=np.float32)
     return bool((scores >= 0).all() and np.abs(sums - 1).max() <= SUMS_TO_ONE)
 
 
 def softmax(scores: np.ndarray) -> np.ndarray:
-    """(C, …) float32 probabilities of (C, …) scores, along the first axis."""
+    """Return (C, …) float32 probabilities of (C, …) scores, along the first axis."""
     powers = np.exp(scores - scores.max(axis=0))
     powers /= powers.sum(axis=0)
     return powers

@@ -24,7 +24,7 @@ _SUN = "sun"
 
 
 def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, source: str) -> dict[str, ClassBias]:
-    """What a model's metadata state, by name in small letters; their values are 0.
+    """Return what a model's metadata state, by name in small letters; their values are 0.
 
     Args:
         texts: The metadata by key.
@@ -46,7 +46,7 @@ def read_class_bias(texts: Mapping[str, str], names: Sequence[str] | None, sourc
 
 
 def known_biases(stated: Mapping[str, ClassBias], table: ClassTable) -> KnownBiases:
-    """What a model states, in a database's classes; classes of landmarks that it leaves out have the usual spread."""
+    """Return what a model states, in a database's classes; classes of landmarks that it leaves out have the usual spread."""
     found = [(entry, stated.get(entry.name.casefold())) for entry in table]
     biases = tuple(_of_value(bias, entry.value) for entry, bias in found if bias is not None)
     is_whole = all(bias is not None and bias.spread is not None for entry, bias in found if entry.is_reference)
@@ -54,7 +54,7 @@ def known_biases(stated: Mapping[str, ClassBias], table: ClassTable) -> KnownBia
 
 
 def class_bias_text(biases: Mapping[str, ClassBias]) -> str:
-    """The entry of a model's metadata for biases by class name."""
+    """Return the entry of a model's metadata for biases by class name."""
     return json.dumps({name: _entry(bias) for name, bias in biases.items()}, ensure_ascii=False)
 
 

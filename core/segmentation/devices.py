@@ -43,12 +43,12 @@ KEYS = (AUTO, *(device.key for device in DEVICES))
 
 
 def device_of(key: str) -> Device | None:
-    """The device that was chosen; None for AUTO and for what is none."""
+    """Return the device that was chosen; None for AUTO and for what is none."""
     return next((device for device in DEVICES if device.key == key), None)
 
 
 def devices_to_try(asked: str, there: Sequence[str]) -> list[Device]:
-    """What may run a network, in this order, the CPU last.
+    """Return what may run a network, in this order, the CPU last.
 
     Args:
         asked: One of KEYS.

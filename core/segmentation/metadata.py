@@ -50,7 +50,7 @@ class ModelClasses:
     table: ClassTable
 
     def values_in(self, table: ClassTable, source: str) -> tuple[int, ...]:
-        """The value in ``table`` of each channel, by name; 0 for classes that ``table`` does not have.
+        """Return the value in ``table`` of each channel, by name; 0 for classes that ``table`` does not have.
 
         Raises ModelError when a reference class of ``table`` is not among the model's. ``source``: the model's name.
         """
@@ -124,7 +124,7 @@ def read_settings(texts: Mapping[str, str], source: str) -> ModelSettings:
 
 
 def named_channels(texts: Mapping[str, str], source: str) -> list[str] | None:
-    """The class names in a model's metadata, in the order of its channels; None without any. Raises ModelError."""
+    """Return the class names in a model's metadata, in the order of its channels; None without any. Raises ModelError."""
     key = next((key for key in ("class_names", "names") if key in texts), None)
     # JSON's escapes can name halves of characters, which no file can be written with.
     return (
@@ -177,7 +177,7 @@ def read_classes(texts: Mapping[str, str], channels: int, source: str, given: Cl
 def _classes(
     texts: Mapping[str, str], names: Sequence[str], source: str, given: ClassTable | None
 ) -> tuple[tuple[int, ...], ClassTable]:
-    """(class value of each channel, table of the classes other than 0)."""
+    """Return (class value of each channel, table of the classes other than 0)."""
     if given is not None:
         return _given_classes(names, source, given)
     first_is_none = names[0].casefold() in BACKGROUND_NAMES
@@ -211,7 +211,7 @@ def _given_classes(names: Sequence[str], source: str, given: ClassTable) -> tupl
 
 
 def _by_channel(texts: Mapping[str, str], key: str, source: str, count: int | None = None) -> list[Any]:
-    """A list, or a dict of channel number → item, as a list in the order of the channels."""
+    """Return a list, or a dict of channel number → item, as a list in the order of the channels."""
     found = _literal(texts[key])
     if isinstance(found, dict):
         try:

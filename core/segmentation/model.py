@@ -83,7 +83,7 @@ class SegmentationModel:
         return not self._gives_numbers
 
     def _start(self, threads: int, asked: str) -> tuple[Mapping[str, str], np.ndarray]:
-        """Opens the network on the first device that runs it; its metadata, and what it gives for a black image."""
+        """Open the network on the first device that runs it; its metadata, and what it gives for a black image."""
         devices, chosen = devices_to_try(asked, available_providers()), device_of(asked)
         reasons: dict[Device, object] = {}
         for device in devices[:-1]:
@@ -116,7 +116,7 @@ class SegmentationModel:
         return found
 
     def _open(self, device: Device, threads: int) -> tuple[Mapping[str, str], np.ndarray]:
-        """Opens the network on a device; its metadata, and what it gives for a black image. Raises ModelError."""
+        """Open the network on a device; its metadata, and what it gives for a black image. Raises ModelError."""
         self.device = device
         self.notes: list[Sentence] = []
         self.runs_at_once = min(RUNS_AT_ONCE, threads) if device is CPU else 1
@@ -135,7 +135,7 @@ class SegmentationModel:
         return texts, self._probe()
 
     def scores(self, images: Sequence[np.ndarray]) -> np.ndarray:
-        """(N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
+        """Return (N, C, H, W) float32: for each image the score of each class; the highest is the pixel's.
 
         ``images``: N of (H, W, 3) uint8, red first, H × W = ``tile_hw``.
         Raises ModelError when the network fails or gives values that are no numbers.
@@ -159,7 +159,7 @@ class SegmentationModel:
         return found
 
     def probabilities(self, scores: np.ndarray) -> np.ndarray:
-        """(C, …) float32 probability of each class, of (C, …) scores or their weighted means."""
+        """Return (C, …) float32 probability of each class, of (C, …) scores or their weighted means."""
         if self._gives_probability:
             return np.stack([1 - scores[1], scores[1]])
         if self._gives_probabilities:
@@ -234,7 +234,7 @@ class SegmentationModel:
             )
 
     def _probe(self) -> np.ndarray:
-        """What the network gives for a black image; its stated shape may be silent on the number of classes."""
+        """Return what the network gives for a black image; its stated shape may be silent on the number of classes."""
         height, width = self.tile_hw
         outputs = self._run([np.zeros((height, width, _BANDS), np.uint8)])
         if outputs.ndim not in (3, 4) or outputs.shape != (1, *outputs.shape[1:-2], height, width):
@@ -249,7 +249,7 @@ class SegmentationModel:
         return outputs
 
     def _planes(self, images: Sequence[np.ndarray]) -> np.ndarray:
-        """(N, 3, H, W) standardized pixels, as the network takes them."""
+        """Return (N, 3, H, W) standardized pixels, as the network takes them."""
         planes = np.empty((len(images), _BANDS, *self.tile_hw), self._type)
         for image, plane in zip(images, planes):
             for band, pixels in enumerate(cv2.split(image)):

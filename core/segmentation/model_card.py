@@ -84,7 +84,7 @@ class ModelCard:
 
 
 def read_card(path: str) -> ModelCard:
-    """The card of an ONNX file; of one that can't be used it says why not."""
+    """Return the card of an ONNX file; of one that can't be used it says why not."""
     # A pipe would be waited for without end.
     if not os.path.isfile(path):
         return ModelCard(path, Sentence("{path} does not exist; choose a model file (.onnx).", path=path))
@@ -105,7 +105,7 @@ def read_card(path: str) -> ModelCard:
 
 
 def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
-    """The card that a model's metadata make."""
+    """Return the card that a model's metadata make."""
     fault, classes, resolution = None, [], None
     try:
         resolution = read_settings(texts, path).resolution_m
@@ -138,7 +138,7 @@ def card_of_texts(texts: Mapping[str, str], path: str) -> ModelCard:
 
 
 def _json(texts: Mapping[str, str], key: str, kind: type) -> Any:  # noqa: ANN401 - of the kind
-    """What is said under a key where it is of a kind, else an empty one."""
+    """Return what is said under a key where it is of a kind, else an empty one."""
     try:
         found = read_json(texts.get(key, ""), limits.VALUE_CHARACTERS)
     except ValueError:
@@ -157,7 +157,7 @@ def _number(value: object) -> float | None:
 
 
 def _shares(value: object) -> dict[str, float]:
-    """Numbers in 0…1 by name."""
+    """Return numbers in 0…1 by name."""
     if not isinstance(value, dict):
         return {}
     found = {_text(name): _number(share) for name, share in value.items()}
@@ -165,7 +165,7 @@ def _shares(value: object) -> dict[str, float]:
 
 
 def _matrix(rows: list, size: int) -> tuple[tuple[float, ...], ...]:
-    """A square of shares; empty where it is none."""
+    """Return a square of shares; empty where it is none."""
     found = []
     for row in rows:
         shares = [share for share in map(_number, row) if share is not None] if isinstance(row, list) else []

@@ -46,7 +46,7 @@ class OnnxHeader:
 
 
 def header_of(path: str) -> OnnxHeader | None:
-    """What an ONNX file says; None when it can't be read or is none. Of large files only what is looked at is read."""
+    """Return what an ONNX file says; None when it can't be read or is none. Of large files only what is looked at is read."""
     try:
         # An empty one can't be mapped.
         with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
@@ -56,7 +56,7 @@ def header_of(path: str) -> OnnxHeader | None:
 
 
 def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
-    """What the bytes of an ONNX file say; None when they are no protobuf or hold no graph."""
+    """Return what the bytes of an ONNX file say; None when they are no protobuf or hold no graph."""
     ir_version, opset, graph = 0, 0, None
     try:
         for number, value in _fields(memoryview(data)):
@@ -77,13 +77,13 @@ def read_header(data: bytes | mmap.mmap) -> OnnxHeader | None:
 
 
 def read_metadata(data: bytes | mmap.mmap) -> dict[str, str]:
-    """The entries of an ONNX file's metadata, of whose bytes ``read_header`` says something; damaged ones are none."""
+    """Return the entries of an ONNX file's metadata, of whose bytes ``read_header`` says something; damaged ones are none."""
     entries = (_entry(number, value) for number, value in _fields(memoryview(data)))
     return dict(entry for entry in entries if entry is not None)
 
 
 def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:
-    """(key, text) of a field that is an entry of metadata; None for any other."""
+    """Return (key, text) of a field that is an entry of metadata; None for any other."""
     if number != _METADATA or not isinstance(value, memoryview):
         return None
     try:
@@ -97,7 +97,7 @@ def _entry(number: int, value: int | memoryview) -> tuple[str, str] | None:
 
 
 def with_metadata(data: bytes, key: str, text: str) -> bytes:
-    """An ONNX file with an entry of its metadata set, all else as it is.
+    """Return an ONNX file with an entry of its metadata set, all else as it is.
 
     Args:
         data: The file's bytes, of which ``read_header`` says something.
@@ -119,7 +119,7 @@ def _length_delimited(number: int, content: bytes) -> bytes:
 
 
 def smallest_model(ir_version: int, opset: int) -> bytes:
-    """A model of one operator, to ask onnxruntime which versions it knows (each from 1 to 127)."""
+    """Return a model of one operator, to ask onnxruntime which versions it knows (each from 1 to 127)."""
 
     def part(number: int, data: bytes) -> bytes:
         return bytes([number << 3 | _LENGTH, len(data)]) + data
@@ -159,12 +159,12 @@ def _aligns_corners(graph: memoryview) -> bool:
 
 
 def _fields(data: memoryview) -> Iterator[tuple[int, int | memoryview]]:
-    """(number, value) of each field; raises ValueError where the bytes are no protobuf."""
+    """Return (number, value) of each field; raises ValueError where the bytes are no protobuf."""
     return ((number, value) for number, value, _ in _parts(data))
 
 
 def _parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview]]:
-    """(number, value, all its bytes) of each field; raises ValueError where the bytes are no protobuf."""
+    """Return (number, value, all its bytes) of each field; raises ValueError where the bytes are no protobuf."""
     place = 0
     while place < len(data):
         first = place
@@ -184,7 +184,7 @@ def _parts(data: memoryview) -> Iterator[tuple[int, int | memoryview, memoryview
 
 
 def _varint(data: memoryview, place: int) -> tuple[int, int]:
-    """A whole number and the place behind it."""
+    """Return a whole number and the place behind it."""
     value = 0
     for shift in range(0, 70, 7):
         if place >= len(data):

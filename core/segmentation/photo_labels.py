@@ -66,7 +66,7 @@ class PhotoLabels:
         self.shares: ClassShares | None = None
 
     def steps(self) -> Iterator[float]:
-        """Yields the share done (0…1) tile by tile; raises what ``tiling.segment`` raises."""
+        """Yield the share done (0…1) tile by tile; raises what ``tiling.segment`` raises."""
         found, sums = [], self._sums()
         wanted = Certainty(of_each=sums is not None)
         for share, rows in segment(self._model, self.image, self._values, self._model.settings.overlap, wanted):
@@ -85,11 +85,11 @@ class PhotoLabels:
         return ScoreShares(self._values, shape_hw, grid_of(shape_hw))
 
     def found(self) -> np.ndarray:
-        """(H, W) uint8 labels, for who needn't follow the steps."""
+        """Return (H, W) uint8 labels, for who needn't follow the steps."""
         return self.seen().labels_hw
 
     def seen(self) -> SeenLabels:
-        """Labels and shares, for who needn't follow the steps."""
+        """Label and shares, for who needn't follow the steps."""
         for _ in self.steps():
             continue
         return self.seen_labels
@@ -128,7 +128,7 @@ class PhotoReader:
         return self.read(path, self._open(path), camera, with_pixels)
 
     def read(self, path: str, photo: Photo, camera: Camera | None = None, with_pixels: bool = False) -> SeenLabels:
-        """The same of a photo that is open.
+        """Return the same of a photo that is open.
 
         Args:
             photo: Its pixels, and how large they are.

@@ -83,7 +83,7 @@ class ResampledImage:
     """
 
     def __init__(self, image: ImageSource, shape_hw: tuple[int, int]) -> None:
-        """Takes an image and the (height, width) wanted."""
+        """Take an image and the (height, width) wanted."""
         self._image = image
         self._shape_hw = shape_hw
         shrinks = shape_hw[1] < image.shape_hw[1]
@@ -95,7 +95,7 @@ class ResampledImage:
         return self._shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """A piece of the resampled image, as ``ImageSource`` says."""
+        """Return a piece of the resampled image, as ``ImageSource`` says."""
         rows, columns = self._rows.taps(row, height), self._columns.taps(column, width)
         pixels, has_data = self._image.read(columns.first, rows.first, columns.count, rows.count)
         total = float(self._rows.total * self._columns.total)
@@ -137,7 +137,7 @@ class _Axis:
         self.total = self._numerator if shrinks else 2 * self._denominator
 
     def taps(self, first: int, count: int) -> _Taps:
-        """Those of the new pixels from ``first`` on."""
+        """Return those of the new pixels from ``first`` on."""
         wanted = np.arange(first, first + count, dtype=np.int64)
         places, weights = self._means(wanted) if self._shrinks else self._between(wanted)
         places = np.clip(places, 0, self._old - 1)
@@ -145,7 +145,7 @@ class _Axis:
         return _Taps(start, int(places.max()) + 1 - start, places - start, weights.astype(np.float64))
 
     def _means(self, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Each old pixel counts by the share that lies in the new one; in units of 1 / denominator of an old one."""
+        """Return each old pixel counts by the share that lies in the new one; in units of 1 / denominator of an old one."""
         begin = wanted * self._numerator
         end = begin + self._numerator
         most = 2 + (self._numerator - 1) // self._denominator
@@ -155,7 +155,7 @@ class _Axis:
         return places, np.maximum(weights, 0)
 
     def _between(self, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The two old pixels whose centers lie around the new one's; in units of half a new pixel."""
+        """Return the two old pixels whose centers lie around the new one's; in units of half a new pixel."""
         center = (2 * wanted + 1) * self._numerator - self._denominator
         before = center // (2 * self._denominator)
         beyond = center - before * 2 * self._denominator
@@ -163,7 +163,7 @@ class _Axis:
 
 
 def _weighted(pixels: np.ndarray, rows: _Taps, columns: _Taps) -> np.ndarray:
-    """(N, M, C) float64 weighted sums, whole numbers below 2⁵³ for images of up to 10¹² pixels, of (H, W, C) uint8."""
+    """Return (N, M, C) float64 weighted sums, whole numbers below 2⁵³ for images of up to 10¹² pixels, of (H, W, C) uint8."""
     _, width, bands = pixels.shape
     by_row = _sums_along(pixels.reshape(len(pixels), -1), rows).reshape(-1, width, bands)
     by_column = _sums_along(by_row.swapaxes(0, 1).reshape(width, -1), columns)
@@ -171,7 +171,7 @@ def _weighted(pixels: np.ndarray, rows: _Taps, columns: _Taps) -> np.ndarray:
 
 
 def _sums_along(values: np.ndarray, taps: _Taps) -> np.ndarray:
-    """(N, X) float64 sums of the (Y, X) values' rows that make each new one."""
+    """Return (N, X) float64 sums of the (Y, X) values' rows that make each new one."""
     sums = np.zeros((len(taps.places), values.shape[1]))
     for places, weights in zip(taps.places.T, taps.weights.T):
         sums += np.multiply(values[places], weights[:, None], dtype=np.float64)

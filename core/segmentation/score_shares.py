@@ -20,7 +20,7 @@ FINEST_EDGE = 512
 
 
 def grid_of(shape_hw: tuple[int, int]) -> tuple[int, int]:
-    """(w, h) of the grid for an image of that shape, never more than it has pixels."""
+    """Return (w, h) of the grid for an image of that shape, never more than it has pixels."""
     height, width = shape_hw
     step = max(1.0, float(np.sqrt(height * width)) / FINEST_EDGE)
     return max(1, round(width / step)), max(1, round(height / step))
@@ -46,7 +46,7 @@ class ScoreShares:
         self._sums = np.zeros((len(self._values), size_wh[1], size_wh[0]), np.float32)
 
     def add(self, rows: SegmentedRows) -> None:
-        """Adds rows with the percents of each channel; pixels without data count as unknown."""
+        """Add rows with the percents of each channel; pixels without data count as unknown."""
         if rows.percents_chw is None:
             raise ValueError("The rows have no percents of each channel.")
         has_data = rows.percents_chw[0] != NO_DATA
@@ -67,6 +67,6 @@ class ScoreShares:
         return begin, (np.maximum(inside, 0) / step).astype(np.float32)
 
     def found(self) -> ClassShares:
-        """The shares, once all rows are added."""
+        """Return the shares, once all rows are added."""
         shares = np.rint(np.clip(self._sums / 100, 0, 1) * FULL).astype(np.uint8)
         return ClassShares(self._values, np.ascontiguousarray(np.moveaxis(shares, 0, 2)))

@@ -39,12 +39,12 @@ def _onnxruntime() -> ModuleType:
 
 
 def failures_of_a_run() -> tuple[type[BaseException], ...]:
-    """What running a network may raise."""
+    """Return what running a network may raise."""
     return (*_failures(), MemoryError, cv2.error)
 
 
 def _failures() -> tuple[type[BaseException], ...]:
-    """The exceptions of onnxruntime, which have no base of their own."""
+    """Return the exceptions of onnxruntime, which have no base of their own."""
     from onnxruntime.capi import onnxruntime_pybind11_state as state
 
     names = (
@@ -64,12 +64,12 @@ def _failures() -> tuple[type[BaseException], ...]:
 
 
 def available_providers() -> list[str]:
-    """The providers that this onnxruntime has. Raises ModelError where it is missing."""
+    """Return the providers that this onnxruntime has. Raises ModelError where it is missing."""
     return list(_onnxruntime().get_available_providers())
 
 
 def open_session(path: str, threads: int, provider: str) -> InferenceSession:
-    """Opens a network on one provider, or on the CPU; a provider that does not start is no silent other one.
+    """Open a network on one provider, or on the CPU; a provider that does not start is no silent other one.
 
     Args:
         threads: Of the CPU.
@@ -116,7 +116,7 @@ def _left_out(said: str) -> str | Sentence:
 
 
 def _load_libraries(onnxruntime: ModuleType) -> str:
-    """Loads CUDA's libraries from Python packages where they lie there; what onnxruntime prints on it."""
+    """Load CUDA's libraries from Python packages where they lie there; what onnxruntime prints on it."""
     printed = io.StringIO()
     if hasattr(onnxruntime, "preload_dlls"):
         with contextlib.redirect_stdout(printed), contextlib.suppress(RuntimeError, OSError):
@@ -165,7 +165,7 @@ def _why_not_opened(path: str, error: BaseException, version: str) -> Sentence:
 
 
 def _newest_known(asked: int, model: Callable[[int], bytes]) -> int:
-    """The highest version up to the one asked for that onnxruntime opens a model of."""
+    """Return the highest version up to the one asked for that onnxruntime opens a model of."""
     for tried in range(min(asked, _HIGHEST_ASKED), 0, -1):
         if _opens(model(tried)):
             return asked if tried == min(asked, _HIGHEST_ASKED) < _HIGHEST_ASKED else tried
@@ -189,7 +189,7 @@ def _opens(model: bytes) -> bool:
 
 
 def reason_of(error: object) -> str:
-    """The last part of onnxruntime's message, without its error code and source files, as part of a sentence."""
+    """Return the last part of onnxruntime's message, without its error code and source files, as part of a sentence."""
     text = re.sub(r"\[ONNXRuntimeError\] : \d+ : [A-Z_]+ : ", "", " ".join(str(error)[:_LONGEST_MESSAGE].split()))
     text = re.sub(r"\S*/onnxruntime/\S+:\d+ [^\n]*?\) ", "", text)
     return re.sub(r"\.\s+(?=[A-Z])", "; ", text)[:300].rstrip(". ")

@@ -105,14 +105,14 @@ class Tiles:
 def _with_seam(
     starts: Sequence[int], first: int, size: int, length: int, count: int
 ) -> tuple[tuple[int, ...], int, int]:
-    """Starts of the tiles that reach into a block's part of an axis, and its first pixel and the one after the last."""
+    """Start of the tiles that reach into a block's part of an axis, and its first pixel and the one after the last."""
     begin = starts[first]
     end = starts[first + count] if first + count < len(starts) else length
     return tuple(start for start in starts if begin - size < start < end), begin, end
 
 
 def tiles_of(model: SegmentationModel, shape_hw: tuple[int, int], overlap: float) -> Tiles:
-    """All tiles of an image of that (height, width); raises ImageError for one of a few pixels."""
+    """Return all tiles of an image of that (height, width); raises ImageError for one of a few pixels."""
     height, width = shape_hw
     if min(height, width) < MINIMUM_EDGE_PX:
         raise ImageError(
@@ -183,7 +183,7 @@ def tile_starts(length: int, tile: int, overlap: float) -> list[int]:
 
 
 def nearest_labels(labels_hw: np.ndarray, shape_hw: tuple[int, int]) -> np.ndarray:
-    """(H, W) uint8 labels brought to another (height, width): each pixel takes the label at its center."""
+    """Return (H, W) uint8 labels brought to another (height, width): each pixel takes the label at its center."""
     if labels_hw.shape == tuple(shape_hw):
         return labels_hw
     rows, columns = (
@@ -217,7 +217,7 @@ class _Blending:
         self._rows = SegmentedRows(0, np.empty((0, self._width), np.uint8))
 
     def add(self, tile: _Tile, scores: np.ndarray | None) -> SegmentedRows | None:
-        """Adds a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
+        """Add a tile's (C, tile height, tile width) scores, None for none; gives the rows that are finished by it."""
         next_row = self._next_row[tile.row]
         rows = next_row - tile.row
         begin = tile.column - self._tiles.columns[0]
@@ -249,7 +249,7 @@ class _Blending:
         return self._finished() if last == self._width and tile.row >= top else None
 
     def _finished(self) -> SegmentedRows:
-        """The rows without the columns that other blocks finish."""
+        """Return the rows without the columns that other blocks finish."""
         rows, first = self._rows, self._tiles.box[0] - self._tiles.columns[0]
         if not first:
             return rows
@@ -259,7 +259,7 @@ class _Blending:
         return SegmentedRows(rows.first, rows.labels_hw[:, first:], percent, percents, rows.sure)
 
     def _look_how_sure(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
-        """Of finished (C, rows, columns) sums of scores: at a few pixels, which costs next to nothing."""
+        """Return of finished (C, rows, columns) sums of scores: at a few pixels, which costs next to nothing."""
         few = slice(None, None, SAMPLED_PX)
         _, rows, columns = sums.shape
         begin, top = tile.column - self._tiles.columns[0], tile.row - self._tiles.rows[0]
@@ -270,7 +270,7 @@ class _Blending:
         self._rows.sure.add(of_label if no_data is None else of_label[~no_data[few, few]])
 
     def _tell_certainty(self, tile: _Tile, sums: np.ndarray, best: np.ndarray, no_data: np.ndarray | None) -> None:
-        """Of finished (C, rows, columns) sums of scores, whose highest channel is ``best``."""
+        """Return of finished (C, rows, columns) sums of scores, whose highest channel is ``best``."""
         _, rows, columns = sums.shape
         begin, top = tile.column - self._tiles.columns[0], tile.row - self._tiles.rows[0]
         part = slice(begin, begin + columns)
@@ -298,14 +298,14 @@ class _Blending:
 
 
 def _ramp(size: int, overlap: float) -> np.ndarray:
-    """(size,) float32 weights: 1 in the middle, falling like a cosine over the overlap to nearly 0 at both ends."""
+    """Return (size,) float32 weights: 1 in the middle, falling like a cosine over the overlap to nearly 0 at both ends."""
     from_end = np.minimum(np.arange(size), np.arange(size)[::-1]) + 0.5
     share = np.minimum(from_end / max(1.0, size * overlap), 1)
     return (np.sin(share * np.pi / 2) ** 2).astype(np.float32)
 
 
 def _weight_sums(starts: Sequence[int], ramp: np.ndarray, length: int) -> np.ndarray:
-    """(length,) float32: what the weights of all tiles that begin at ``starts`` add up to, along an axis."""
+    """Return (length,) float32: what the weights of all tiles that begin at ``starts`` add up to, along an axis."""
     sums = np.zeros(length, np.float32)
     for start in starts:
         covered = sums[start : start + len(ramp)]
@@ -314,7 +314,7 @@ def _weight_sums(starts: Sequence[int], ramp: np.ndarray, length: int) -> np.nda
 
 
 def _best_channel(scores: np.ndarray) -> np.ndarray:
-    """(C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
+    """Return (C, H, W) → (H, W) uint8 number of the highest score, of equal ones the first; faster than ``np.argmax``."""
     best = scores[0]
     channel = np.zeros(best.shape, np.uint8)
     for number in range(1, len(scores)):
@@ -330,7 +330,7 @@ def _read_tiles(source: ImageSource, places: Sequence[tuple[int, int]], tile_hw:
 
 
 def _read_tile(source: ImageSource, column: int, row: int, tile_hw: tuple[int, int]) -> _Tile:
-    """A tile of the network's size; an image smaller than that goes on mirrored."""
+    """Return a tile of the network's size; an image smaller than that goes on mirrored."""
     height, width = (min(tile, size) for tile, size in zip(tile_hw, source.shape_hw))
     image, has_data = source.read(column, row, width, height)
     if has_data is not None and has_data.all():

@@ -62,7 +62,7 @@ def describe_windows(  # noqa: PLR0913 - labels, what is sought in them, and wha
     minimum_area_px: float,
     references_per_vector: int,
 ) -> DescribedWindows:
-    """Describes the windows of a grid.
+    """Describe the windows of a grid.
 
     Args:
         labels_hw: (H, W) uint8, all that the grid covers.
@@ -97,7 +97,7 @@ class _Border:
     done: Sequence[int] = ()
 
     def is_first_of(self, row: tuple) -> bool:
-        """Whether a region (row) lies on this side and on none of those done."""
+        """Return whether a region (row) lies on this side and on none of those done."""
         lies_on = row[self.side] == self.frame[self.side - LEFT]
         return lies_on and all(row[other] != self.frame[other - LEFT] for other in self.done)
 
@@ -113,7 +113,7 @@ class _Strip:
         columns: np.ndarray,
         known_cuts: dict[tuple, list],
     ) -> None:
-        """Takes what one row of windows shows.
+        """Take what one row of windows shows.
 
         Args:
             labels: (size, W) uint8.
@@ -131,7 +131,7 @@ class _Strip:
     def describe(
         self, size: int, reference_values: Sequence[int], minimum_area: float, references_per_vector: int
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Counts and vectors of the windows, see ``DescribedWindows``."""
+        """Count and vectors of the windows, see ``DescribedWindows``."""
         columns = self._columns
         counts = np.zeros(len(columns), np.int64)
         nearest: list[np.ndarray] = [NO_ROWS] * len(columns)
@@ -174,7 +174,7 @@ class _Strip:
         return rows[np.argsort(rows[:, LEFT], kind="stable")]
 
     def _cut(self, crossing: np.ndarray, border: _Border, minimum_area: float) -> list:
-        """Rows (tuples) of what is left inside a frame of the regions ``crossing`` one of its sides.
+        """Return rows (tuples) of what is left inside a frame of the regions ``crossing`` one of its sides.
 
         Every part of a region that a frame cuts has pixels on one of the frame's sides, and every pixel of a reference
         class on this side belongs to one of the regions ``crossing`` it (or to one too small to count): so the
@@ -192,7 +192,7 @@ class _Strip:
     def _cut_in_many_strips(
         self, value: int, patch: tuple[int, int, int, int], border: _Border, minimum_area: float
     ) -> list:
-        """What a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
+        """Return what a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
         row = self._first_row
         left, top, right, bottom = patch
         frame = border.frame
@@ -233,7 +233,7 @@ def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np
 
 
 def _patches(crossing: np.ndarray, frame: tuple[int, int, int, int], side: int) -> Iterator[tuple[int, int, int, int]]:
-    """(left, top, right, bottom) of patches that hold regions of one class wholly inside ``frame``.
+    """Return (left, top, right, bottom) of patches that hold regions of one class wholly inside ``frame``.
 
     Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
     are apart and no region shows up in two of them.
@@ -268,7 +268,7 @@ def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> dict[int, np.ndarray]:
 
 
 def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:
-    """(n, 3) offset x, offset y, class of the ``count`` regions nearest to ``center`` and those tied with the last."""
+    """Return (n, 3) offset x, offset y, class of the ``count`` regions nearest to ``center`` and those tied with the last."""
     offsets = rows[:, (CENTER_X, CENTER_Y, CLASS)]
     offsets[:, :2] -= center
     if len(rows) <= count:

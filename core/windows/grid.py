@@ -67,17 +67,17 @@ class WindowGrid:
 
 
 def window_name(column: int, row: int) -> str:
-    """A window is named after its first pixel, as in the paper: ``5950_2100``."""
+    """Return a window is named after its first pixel, as in the paper: ``5950_2100``."""
     return f"{column}_{row}"
 
 
 def whole_pixels(length: float, pixel_size: float) -> int:
-    """A length in map units as the nearest whole number of pixels."""
+    """Return a length in map units as the nearest whole number of pixels."""
     return int(np.floor(length / pixel_size + 0.5))
 
 
 def centered_square(shape_hw: Sequence[int]) -> tuple[int, int, int]:
-    """The largest centered square of an image (docs/explanation/method.md#topology-vector).
+    """Return the largest centered square of an image (docs/method.md#topology-vector).
 
     Args:
         shape_hw: (height, width) of the image, pixels.

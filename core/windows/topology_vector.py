@@ -27,7 +27,7 @@ def topology_vector(
     reference_values: Sequence[int],
     references_per_vector: int = REFERENCES_PER_VECTOR,
 ) -> np.ndarray | None:
-    """The vector of one image, by equations (1)–(4) of the paper.
+    """Return the vector of one image, by equations (1)–(4) of the paper.
 
     Args:
         centers_xy: (N, 2) centers of gravity (column, row), pixels.
@@ -47,13 +47,13 @@ def topology_vector(
 
 
 def class_ranks(classes: np.ndarray, reference_values: Sequence[int]) -> np.ndarray:
-    """(N,) class values → (N,) float64 ranks: the place among the reference classes over their number."""
+    """Return (N,) class values → (N,) float64 ranks: the place among the reference classes over their number."""
     values = np.asarray(sorted(reference_values))
     return (np.searchsorted(values, classes) + 1) / len(values)
 
 
 def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> np.ndarray:
-    """The vectors of M images at once.
+    """Return the vectors of M images at once.
 
     Per image: keep the X nearest; order them by their angle from the +x axis in [0°, 360°); begin with the farthest;
     then three rows, zero-padded at the end: distance ratios (eq. 2), angle differences to the next one, the last to
@@ -91,7 +91,7 @@ def vector_objects(
     reference_values: Sequence[int],
     references_per_vector: int = REFERENCES_PER_VECTOR,
 ) -> np.ndarray:
-    """(K,) indices of the objects that ``topology_vector`` describes, in the vector's order; arguments as there."""
+    """Return (K,) indices of the objects that ``topology_vector`` describes, in the vector's order; arguments as there."""
     if not len(classes):
         return np.empty(0, np.int64)
     offsets = np.asarray(centers_xy, np.float64)[None] - np.asarray(image_center_xy, np.float64)
@@ -99,7 +99,7 @@ def vector_objects(
 
 
 def _in_order(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> tuple[np.ndarray, ...]:
-    """Indices (M, K) of the objects kept in the vector's order, with their distances, angles and ranks."""
+    """Return indices (M, K) of the objects kept in the vector's order, with their distances, angles and ranks."""
     kept = min(references_per_vector, offsets_xy.shape[1])
     distances = np.hypot(offsets_xy[..., 0], offsets_xy[..., 1])
     with np.errstate(invalid="ignore"):
