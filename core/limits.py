@@ -35,9 +35,7 @@ ANSWER_BYTES = 20_000_000  # Of a server: a tile has 0.1 MB, a map of 1024 × 10
 FRAMES = 100_000  # Images extracted from one video.
 IMAGE_PIXELS = 400_000_000  # A query image is processed in memory.
 IMAGE_BYTES = 4 * IMAGE_PIXELS  # Size of the largest image uncompressed, in four bands of 8 bits.
-TAG_BYTES = (
-    4_000_000  # Of all tags of a file: tags may share bytes, and 65,535 of them could each claim the whole file.
-)
+TAG_BYTES = 4_000_000  # Of all tags of a file: they may share bytes, and each of 65,535 could claim the whole file.
 JPEG_SEGMENTS = 500  # Segments of a JPEG that are read: cameras write tags first.
 XMP_BYTES = 500_000  # Of an XMP packet; those of cameras have 5,000.
 

@@ -6,15 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..errors import AnnotationError
-from ..labels.class_table import (
-    BACKGROUND,
-    REFERENCE,
-    ClassTable,
-    LandCoverClass,
-    chosen_colors,
-    require_class_count,
-    shortened,
-)
+from ..labels.class_colors import chosen_colors
+from ..labels.class_table import BACKGROUND, REFERENCE, ClassTable, LandCoverClass, require_class_count, shortened
 
 StyledClass = tuple[tuple[object, ...], str, str]
 """Raw values of the class field that one class stands for, its name, its color or an empty text."""

@@ -1,1 +1,1 @@
-"""Reference databases in memory: built, updated, searched for look-alikes."""
+"""Reference databases in memory: build, update, search for similar windows."""

@@ -1,4 +1,4 @@
-"""Building a reference database from a label map by tasks: the same one, to the last bit, whoever does them."""
+"""Build a reference database from a label map by tasks; the result is exactly the same with any ``Runner``."""
 
 from __future__ import annotations
 
@@ -27,33 +27,33 @@ from .parameters import BuildParameters
 from .tasks import Box, Runner, Threads
 
 TILE_WIDTH, TILE_PIXELS = 8192, 17_000_000
-"""Of a piece that landmarks are looked for in: 17 MB of labels and twice that for masks."""
+"""Of a tile in which landmarks are searched: 17 MB of labels and twice that for masks."""
 
 STRIP_PIXELS = 64_000_000
-"""Of a row of windows; wider maps are described in several blocks of columns, one after the other in a database."""
+"""Of a row of windows; wider maps are described in several blocks of columns, in order in the database."""
 
 SHARED_HEIGHT = 0.5
-"""Windows that begin within so much of a window's height are described by one task: they share what borders cut."""
+"""Windows that start within this share of a window's height are described by one task, because they share cuts."""
 
 REGIONS_A_TASK = 200
-"""Regions that cross tiles and are measured by one task."""
+"""Regions across tiles that one task measures."""
 
 COMPARED_A_TASK = 4096
-"""Windows that one task compares with all."""
+"""Windows that one task compares with all others."""
 
 
 @dataclass(frozen=True)
 class BuildSettings:
-    """What a user chooses.
+    """Settings of a build.
 
     Attributes:
         window_size: Edge of a window of level 1, map units.
-        stride: From window to window, map units.
+        stride: Distance between windows, map units.
         minimum_area: Of a landmark, m².
         levels: Multipliers of the window size.
-        references_per_vector: Landmarks that a vector holds at most.
-        overview_factor: Pixels of the label map along the edge of one of the overview.
-        map_accuracy: Standard deviation along each axis of where landmarks are on the map, map units.
+        references_per_vector: Largest number of landmarks in a vector.
+        overview_factor: Edge of an overview pixel, pixels of the label map.
+        map_accuracy: Standard deviation along each axis of the positions of landmarks on the map, map units.
 
     Raises:
         WindowError: A value can't be used.
@@ -71,8 +71,7 @@ class BuildSettings:
         """Refuse values that can't be used."""
         if not all(0 <= length < limits.LENGTH for length in (self.window_size, self.stride)):
             raise WindowError(
-                "The windows have an edge of {window_size:g} and a stride of {stride:g}; give both in map units, "
-                "above 0.",
+                "The windows have an edge of {window_size:g} m and a stride of {stride:g} m; both must be above 0.",
                 window_size=self.window_size,
                 stride=self.stride,
             )
@@ -82,20 +81,20 @@ class BuildSettings:
             )
         if self.references_per_vector < MINIMUM_REFERENCES:
             raise WindowError(
-                "A vector of {count} references is too short; use at least {least}.",
+                "A vector of {count} landmarks is too short; use at least {least}.",
                 count=self.references_per_vector,
                 least=MINIMUM_REFERENCES,
             )
         if not self.levels or not all(0 < level < limits.LENGTH for level in self.levels):
             raise WindowError("The levels must be positive multipliers of the window size, for example 1;2.")
-        # One that is given twice counts once.
+        # Repeated levels count once.
         object.__setattr__(self, "levels", tuple(dict.fromkeys(self.levels)))
 
 
 class DatabaseBuilder:
-    """Builds a database by tasks: iterate ``steps()`` to the end, then take ``database``."""
+    """Builds a database by tasks: iterate ``steps()`` to the end, then read ``database``."""
 
-    def __init__(  # noqa: PLR0913 - a map, what is wanted of it, who does it, and where the overview goes
+    def __init__(  # noqa: PLR0913 - the map, settings, runner and sink of the overview
         self,
         frame: MapFrame,
         table: ClassTable,
@@ -104,12 +103,12 @@ class DatabaseBuilder:
         run: Runner,
         overview: OverviewSink,
     ) -> None:
-        """Make the builder; nothing is read yet.
+        """Read nothing yet.
 
         Args:
-            frame: Where the map's pixels lie, and how many it has.
-            run: Has tasks done.
-            overview: Takes the pieces of the overview, in any order.
+            frame: Grid and shape of the map.
+            run: Runs the tasks.
+            overview: Receives the pieces of the overview, in any order.
 
         Raises:
             WindowError: The windows don't fit the map.
@@ -127,7 +126,7 @@ class DatabaseBuilder:
         self.database: ReferenceDatabase | None = None
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yield (what is being done, share done 0…1).
+        """Build; yield (current step, share done 0…1).
 
         Raises:
             LabelMapError: The map has no landmark.
@@ -153,7 +152,7 @@ class DatabaseBuilder:
         self.database = ReferenceDatabase(windows, references, self._table, parameters, None)
 
     def _scan(self, found: list[TileLandmarks], hashes: list[str]) -> Iterator[float]:
-        """Look through the tiles; ``hashes`` become those of all blocks, row by row."""
+        """Process the tiles; fill ``hashes`` with those of all blocks, row by row."""
         factor = self._settings.overview_factor
         boxes = tile_boxes(self._frame.shape_hw, factor)
         tiles: list[TileLandmarks | None] = [None] * len(boxes)
@@ -172,11 +171,11 @@ class DatabaseBuilder:
         hashes += blocks.ravel().tolist()
 
     def _join(self, found: list[TileLandmarks], rows: list[np.ndarray]) -> Iterator[float]:
-        """Measure what crosses tiles, and adds it to ``rows``."""
+        """Measure the regions across tiles, and add them to ``rows``."""
         regions = np.array(
             [(value, *region.bounds, *region.first_pixel) for value, region in crossing_regions(found)], np.int64
         ).reshape(-1, 7)
-        # Neighbors are read by one task, and so mostly from one piece of the file.
+        # One task reads neighbors, mostly from one piece of the file.
         regions = regions[np.lexsort((regions[:, 1], regions[:, 2] // HASHED_BLOCK))]
         calls = [(regions[first : first + REGIONS_A_TASK],) for first in range(0, len(regions), REGIONS_A_TASK)]
         for done, (_, measured) in enumerate(self._run("measure", calls, (self._minimum_area,)), start=1):
@@ -199,7 +198,7 @@ class DatabaseBuilder:
             described += [(level, grid, parts[number]) for number in sorted(parts)]
 
     def _compare(self, windows: Windows, distinct: np.ndarray) -> Iterator[float]:
-        """Fills in the windows' distinctiveness; NaN stays where there is no vector, or none to compare it with."""
+        """Fill in the distinctiveness; NaN for windows without a vector, or without another one to compare."""
         index = np.flatnonzero(windows.described)
         shared = windows.vectors[index], windows.centers[index], windows.sizes[index]
         stretches = [(n, min(n + COMPARED_A_TASK, len(index))) for n in range(0, len(index), COMPARED_A_TASK)]
@@ -211,11 +210,11 @@ class DatabaseBuilder:
 def build_from_labels(
     source: LabelSource, frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str
 ) -> ReferenceDatabase:
-    """Build a database, its overview included, at once.
+    """Build a database, including its overview, in one call.
 
     Args:
         source: The label map.
-        frame: Where its pixels lie; of any shape.
+        frame: Its grid, of any shape.
 
     Raises:
         LabelMapError: The map has no landmark.
@@ -233,11 +232,11 @@ def build_from_labels(
 
 
 def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: BuildSettings) -> Landmarks:
-    """Return the map's landmarks; raises LabelMapError where it has none."""
+    """Return the landmarks; raise LabelMapError without any."""
     if objects is None or not len(objects):
         raise LabelMapError(
-            "The map shows no landmark of {references} with at least {minimum_area:g} m²; choose other reference "
-            "classes or a smaller minimum area.",
+            "The map has no region of {references} with at least {minimum_area:g} m²; choose other reference classes "
+            "or a smaller minimum area.",
             references=[c.name for c in table.references],
             minimum_area=settings.minimum_area,
         )
@@ -245,7 +244,7 @@ def require_landmarks(objects: Landmarks | None, table: ClassTable, settings: Bu
 
 
 def windows_of(described: Sequence[tuple[int, WindowGrid, DescribedWindows]], frame: MapFrame) -> Windows:
-    """Described windows, with their level and its grid, as those of a database in this order."""
+    """Return the windows of a database from described windows with their level and its grid, in this order."""
     first_pixels = np.concatenate([np.column_stack([w.columns, w.rows]) for _, _, w in described])
     counts = np.concatenate([w.counts for _, _, w in described])
     repeats = [len(w.counts) for _, _, w in described]
@@ -264,7 +263,7 @@ def windows_of(described: Sequence[tuple[int, WindowGrid, DescribedWindows]], fr
 def parameters_of(
     frame: MapFrame, table: ClassTable, settings: BuildSettings, plugin_version: str, block_hashes: tuple[str, ...]
 ) -> BuildParameters:
-    """Return what a database says of how it was built; ``frame`` has the map's shape."""
+    """Return the parameters that a database stores about its build; ``frame`` has the map's shape."""
     (height, width), pixel = frame.shape_hw, frame.pixel_size
     return BuildParameters(
         crs=frame.crs,
@@ -287,15 +286,15 @@ def parameters_of(
 
 
 def map_references(objects: Landmarks, frame: MapFrame) -> MapLandmarks:
-    """Return the objects of a map (pixels) as references (map units)."""
+    """Return the landmarks of a map (pixels) in map units."""
     areas = objects.areas_px * frame.pixel_size**2
     return MapLandmarks(frame.to_map(objects.centers_xy), objects.classes, areas, objects.touches_edge, objects.bounds)
 
 
 def tile_boxes(shape_hw: tuple[int, int], factor: int) -> list[Box]:
-    """Return the tiles of a map, which whole hashed blocks and whole pixels of the overview fit into.
+    """Return the tiles of a map; their edges are multiples of hashed blocks and of overview pixels.
 
-    They are as wide as the map where a row of blocks then fits: files store rows of pixels, or rows of tiles.
+    Tiles are as wide as the map if a row of blocks then fits, because files store rows of pixels or rows of tiles.
 
     Args:
         shape_hw: (height, width) of the map, pixels.
@@ -312,7 +311,7 @@ def tile_boxes(shape_hw: tuple[int, int], factor: int) -> list[Box]:
 
 
 def window_boxes(grid: WindowGrid) -> list[Box]:
-    """Pieces of the map whose windows one task describes, in a database's order; each begins with a window."""
+    """Return pieces of the map for one task each, in the order of a database's windows; each starts with a window."""
     across = max(1, (STRIP_PIXELS // grid.size - grid.size) // grid.stride + 1)
     down = int(SHARED_HEIGHT * grid.size) // grid.stride + 1
     found = []
@@ -324,7 +323,7 @@ def window_boxes(grid: WindowGrid) -> list[Box]:
 
 
 def _reaching(rows: np.ndarray, box: Box) -> np.ndarray:
-    """Return those of the landmarks (N, 8) that reach into a piece."""
+    """Return the landmarks (N, 8) that overlap a piece."""
     column, row, width, height = box
     inside = (rows[:, RIGHT] > column) & (rows[:, LEFT] < column + width)
     inside &= (rows[:, BOTTOM] > row) & (rows[:, TOP] < row + height)
@@ -332,7 +331,7 @@ def _reaching(rows: np.ndarray, box: Box) -> np.ndarray:
 
 
 def level_grids(shape_hw: tuple[int, int], pixel_size: float, settings: BuildSettings) -> list[WindowGrid]:
-    """One grid a level; window and stride grow together.
+    """Return one grid per level; window and stride grow together.
 
     Raises:
         WindowError: A level doesn't fit the map.

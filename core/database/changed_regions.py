@@ -1,4 +1,4 @@
-"""Where a corrected label map differs from a database's, and which landmarks that concerns."""
+"""Places where a corrected label map differs from a database's, and the affected landmarks."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from .model import MapLandmarks, ReferenceDatabase
 
 
 class ChangedLandmarks:
-    """Which landmarks are gone and which are new: iterate ``steps()`` to the end, then take ``removed`` and ``added``.
+    """Finds removed and added landmarks: iterate ``steps()`` to the end, then read ``removed`` and ``added``.
 
-    Landmarks without a changed pixel stay as they are; the others are found in the new map alone.
+    Landmarks without a changed pixel remain; the others are searched in the new map only.
     """
 
     def __init__(self, source: LabelSource, database: ReferenceDatabase, places: Sequence[Bounds]) -> None:
-        """Make the comparison.
+        """Prepare the comparison.
 
         Args:
             source: The new label map.
-            database: Built from the old one; with the landmarks' bounds.
-            places: Of ``changed_places``.
+            database: Database of the old map, with the landmarks' bounds.
+            places: Result of ``changed_places``.
         """
         self._source = source
         self._database = database
@@ -39,16 +39,16 @@ class ChangedLandmarks:
 
     @property
     def removed(self) -> np.ndarray:
-        """(K,) int64 indices of the database's landmarks that are gone, in order."""
+        """(K,) int64 indices of the removed landmarks of the database, in order."""
         return np.array(sorted(self._removed), np.int64)
 
     @property
     def added(self) -> MapLandmarks:
-        """The landmarks that are new, or not as they were."""
+        """The new or changed landmarks."""
         return self._landmarks(self._rows)
 
     def steps(self) -> Iterator[float]:
-        """Yield the share done 0…1."""
+        """Compare; yield the share done 0…1."""
         values = self._database.class_table.reference_values
         for n, value in enumerate(values):
             for share in self._compare(value):
@@ -58,7 +58,7 @@ class ChangedLandmarks:
         return map_references(objects_from_rows(rows_array(rows), self._source.shape_hw), self._frame)
 
     def _compare(self, value: int) -> Iterator[float]:
-        """Compares the landmarks of one class; yields the share done."""
+        """Compare the landmarks of one class; yield the share done."""
         reaching = ReachingRegions(self._source, value, self._places, self._minimum_area_px)
         for _ in reaching.steps():
             yield 0.3
@@ -70,21 +70,21 @@ class ChangedLandmarks:
         new = {_key(self._landmarks([row]), 0): row for row in rows}
         references = self._database.references
         meeting = (references.classes == value) & _meets_any(references.required_bounds, self._places)
-        # What is as it was, although it lies in a changed place, stays.
+        # Unchanged landmarks inside a changed place remain.
         gone = [k for k in np.flatnonzero(meeting).tolist() if new.pop(_key(references, k), None) is None]
-        standing: set[Bounds] = set()
-        for _ in self._find_standing([_bounds_of(references, k) for k in gone], reaching.regions, value, standing):
+        remaining: set[Bounds] = set()
+        for _ in self._find_remaining([_bounds_of(references, k) for k in gone], reaching.regions, value, remaining):
             yield 0.9
-        self._removed += [k for k in gone if _bounds_of(references, k) not in standing]
+        self._removed += [k for k in gone if _bounds_of(references, k) not in remaining]
         self._rows += new.values()
 
-    def _find_standing(
-        self, gone: Sequence[Bounds], reaching: set[Region], value: int, standing: set[Bounds]
+    def _find_remaining(
+        self, gone: Sequence[Bounds], reaching: set[Region], value: int, remaining: set[Bounds]
     ) -> Iterator[None]:
-        """Puts the bounds of old objects that have no pixel in a changed place, although they meet one, into a set.
+        """Add to ``remaining`` the bounds of old landmarks that meet a changed place without having a pixel in it.
 
-        Their pixels outside the places, and on the places' outermost lines, are what they were. So an object with
-        pixels both inside and outside shares some with a new region that crosses a place's border.
+        Their pixels outside the places, and on the outermost lines of the places, are unchanged. So a landmark with
+        pixels inside and outside shares some with a new region that crosses the border of a place.
         """
         outside = [bounds for bounds in gone if not any(_holds(place, bounds) for place in self._places)]
         doubtful = [bounds for bounds in outside if any(_meet(bounds, region.bounds) for region in reaching)]
@@ -92,8 +92,8 @@ class ChangedLandmarks:
         tops = _joined([(left, top, right, top + 1) for left, top, right, _ in doubtful])
         others = ReachingRegions(self._source, value, tops, self._minimum_area_px)
         yield from others.steps()
-        # Two regions of one class can't have the same bounds: they would cross, and so be one.
-        standing |= {region.bounds for region in others.regions - reaching} | set(outside) - set(doubtful)
+        # Two regions of one class can't have the same bounds: they would cross and be one region.
+        remaining |= {region.bounds for region in others.regions - reaching} | set(outside) - set(doubtful)
 
 
 def _bounds_of(landmarks: MapLandmarks, k: int) -> Bounds:
@@ -102,7 +102,7 @@ def _bounds_of(landmarks: MapLandmarks, k: int) -> Bounds:
 
 
 def _key(landmarks: MapLandmarks, k: int) -> tuple:
-    """Return what one landmark is known by: bounds, position and area."""
+    """Return what identifies a landmark: bounds, position and area."""
     return (*landmarks.required_bounds[k].tolist(), *landmarks.positions[k].tolist(), float(landmarks.areas_m2[k]))
 
 
@@ -110,9 +110,9 @@ def _key(landmarks: MapLandmarks, k: int) -> tuple:
 
 
 def changed_places(before: Sequence[str], now: Sequence[str], shape_hw: tuple[int, int]) -> list[Bounds]:
-    """Rectangles apart from each other that hold the changed blocks and, around them, a line of unchanged pixels.
+    """Return disjoint rectangles that contain the changed blocks and a line of unchanged pixels around them.
 
-    Whole blocks, also where only a corner of one was said to have changed: its new hash stands for all of it.
+    They contain whole blocks, even if only a corner of one was reported as changed, because its hash is for all of it.
 
     Args:
         before: Block hashes of the old map, row by row.
@@ -140,7 +140,7 @@ def blocks_of(area: Bounds, shape_hw: tuple[int, int]) -> set[tuple[int, int]]:
 
 
 def block_bounds(block: tuple[int, int], shape_hw: tuple[int, int]) -> Bounds:
-    """Return where a hashed block (row, column) lies on a map of ``shape_hw`` pixels."""
+    """Return the bounds of a hashed block (row, column) on a map of ``shape_hw`` pixels."""
     top, left = block[0] * HASHED_BLOCK, block[1] * HASHED_BLOCK
     return left, top, min(left + HASHED_BLOCK, shape_hw[1]), min(top + HASHED_BLOCK, shape_hw[0])
 
@@ -166,7 +166,7 @@ def _common(a: Bounds, b: Bounds) -> Bounds:
 
 
 def _joined(places: Sequence[Bounds]) -> list[Bounds]:
-    """Rectangles of which no two share a pixel; those that do become the one around both."""
+    """Return disjoint rectangles: overlapping ones are replaced by the one around both."""
     joined: list[Bounds] = []
     waiting = sorted(places)
     while waiting:

@@ -1,4 +1,4 @@
-"""Which windows elsewhere look like a given one, so that an image of it may be taken for them."""
+"""Similar windows: windows elsewhere that an image of a given window may be mistaken for."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .model import ReferenceDatabase, Windows
 
 @dataclass(frozen=True)
 class DescribedWindow:
-    """One window, and the windows elsewhere with the nearest vectors.
+    """A window, and the windows elsewhere with the nearest vectors.
 
     Attributes:
-        objects: (K,) indices into the database's references of the landmarks of its vector, in the vector's order.
-        look_alikes: (M,) indices of windows, nearest vector first.
-        distances: (M,) distances of the look-alikes' vectors.
+        objects: (K,) indices into the database's landmarks of those in its vector, in the vector's order.
+        look_alikes: (M,) indices of the similar windows, nearest vector first.
+        distances: (M,) distances of their vectors.
     """
 
     index: int
@@ -27,7 +27,7 @@ class DescribedWindow:
 
 
 def window_at(windows: Windows, x: float, y: float) -> int:
-    """Return index of the window whose center is nearest to map (x, y), of the smallest windows that hold it; −1: none."""
+    """Return the index of the smallest window around map (x, y), of several the nearest center; −1 without one."""
     away = np.abs(windows.centers - (x, y)).max(axis=1)
     holding = np.flatnonzero(away <= windows.sizes / 2)
     if not len(holding):
@@ -37,10 +37,10 @@ def window_at(windows: Windows, x: float, y: float) -> int:
 
 
 def describe_window(database: ReferenceDatabase, index: int, count: int = 5) -> DescribedWindow:
-    """Return the window at ``index`` with up to ``count`` look-alikes, none of which overlaps it or another of them.
+    """Return the window at ``index`` with up to ``count`` similar windows that overlap neither it nor each other.
 
-    The objects are those of the map whose centers lie in the window; an object that the window's border cuts has its
-    center of gravity elsewhere in the window's own description.
+    The landmarks are those of the map with centers in the window. A landmark that the window's border cuts has another
+    center in the window's own description.
     """
     windows = database.windows
     center, half = windows.centers[index], windows.sizes[index] / 2
@@ -64,7 +64,7 @@ def describe_window(database: ReferenceDatabase, index: int, count: int = 5) -> 
 
 
 def _apart(windows: Windows, index: int, order: np.ndarray, count: int) -> np.ndarray:
-    """Return the first ``count`` of ``order`` that overlap neither the window nor one another."""
+    """Return the first ``count`` of ``order`` that overlap neither the window nor each other."""
     chosen = [index]
     for candidate in order.tolist():
         reach = (windows.sizes[chosen] + windows.sizes[candidate]) / 2
@@ -76,7 +76,7 @@ def _apart(windows: Windows, index: int, order: np.ndarray, count: int) -> np.nd
 
 
 def vector_rows(vector: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Distance ratios, angle differences and class ranks of a (3·X,) vector, without the padding at their ends."""
+    """Return distance ratios, angle differences and class ranks of a (3·X,) vector, without the padding."""
     ratios, angles, ranks = np.asarray(vector).reshape(3, -1)
     count = int((ranks > 0).sum())
     return ratios[:count], angles[:count], ranks[:count]

@@ -1,4 +1,4 @@
-"""A reference database in memory: what a build makes, what localization needs (docs/reference/file_formats.md)."""
+"""A reference database in memory: result of a build, input of localization (docs/reference/file_formats.md)."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from ..windows.grid import window_name
 from .parameters import BuildParameters
 
 _OFF_PIXELS = 1e-3
-"""Pixels by which rounding of large map coordinates may move a window at most."""
+"""Largest displacement of a window from rounding of large map coordinates, pixels."""
 
 
 @dataclass(frozen=True)
 class Windows:
-    """The windows of a database, N of them.
+    """The N windows of a database.
 
     Attributes:
         first_pixels: (N, 2) int64 first column and row on the label map.
@@ -27,9 +27,9 @@ class Windows:
         centers: (N, 2) float64 map coordinates (x, y).
         counts: (N,) int64 landmarks.
         vectors: (N, 3·X) float32.
-        described: (N,) bool, False where there are too few landmarks for a vector.
-        distinctiveness: (N,) float64 distance to the nearest vector elsewhere, NaN for none; None where the windows
-            were not compared, or not read whole.
+        described: (N,) bool, False with too few landmarks for a vector.
+        distinctiveness: (N,) float64 distance to the nearest vector elsewhere, NaN without one; None if the windows
+            were not compared, or only partly read.
     """
 
     first_pixels: np.ndarray
@@ -45,43 +45,43 @@ class Windows:
         return len(self.levels)
 
     def name(self, index: int) -> str:
-        """``window_name`` of the window with that index."""
+        """Return the ``window_name`` of the window with that index."""
         return window_name(*self.first_pixels[index].tolist())
 
     @cached_property
     def names(self) -> np.ndarray:
-        """(N,) str names of all windows; made at the first use."""
+        """(N,) str names of all windows; computed at first use."""
         return np.array([window_name(*pixel) for pixel in self.first_pixels.tolist()], dtype=str)
 
 
 def first_pixels_of(centers: np.ndarray, sizes: np.ndarray, frame: MapFrame) -> np.ndarray:
-    """Return (N, 2) int64 first column and row of windows on the label map, from where they lie.
+    """Return (N, 2) int64 first column and row of windows on the label map, from their centers.
 
     Args:
         centers: (N, 2) map coordinates (x, y).
         sizes: (N,) edges, map units.
 
     Raises:
-        ValueError: A window does not lie on whole pixels.
+        ValueError: A window is not aligned with whole pixels.
     """
     first = frame.to_pixels(centers) - np.rint(sizes / frame.pixel_size)[:, None] / 2
     whole = np.rint(first)
     if np.abs(first - whole).max(initial=0) > _OFF_PIXELS or whole.min(initial=0) < 0:
-        raise ValueError("a window does not lie on the label map's pixels")
+        raise ValueError("a window is not aligned with the label map's pixels")
     return whole.astype(np.int64)
 
 
 @dataclass(frozen=True)
 class MapLandmarks:
-    """The landmarks of the whole map, N of them.
+    """The N landmarks of the whole map.
 
     Attributes:
         positions: (N, 2) float64 map coordinates (x, y).
         classes: (N,) uint8 class values.
         areas_m2: (N,) float64.
         touches_edge: (N,) bool, whether the map's edge cuts them.
-        bounds_px: (N, 4) int64 first column, first row, last column + 1, last row + 1 on the label map; None where
-            they were not read.
+        bounds_px: (N, 4) int64 first column, first row, last column + 1, last row + 1 on the label map; None if not
+            read.
     """
 
     positions: np.ndarray
@@ -95,7 +95,7 @@ class MapLandmarks:
 
     @property
     def required_bounds(self) -> np.ndarray:
-        """``bounds_px`` where an update needs them.
+        """``bounds_px``, required by updates.
 
         Raises:
             ValueError: They were not read.
@@ -111,9 +111,9 @@ class ReferenceDatabase:
 
     Attributes:
         references: The landmarks of the whole map.
-        parameters: What it was built with.
+        parameters: Parameters of the build.
         source: The file it was read from; None without one.
-        overview: (h, w) uint8, the label map reduced, which map correlation searches; None where it was not read.
+        overview: (h, w) uint8, the reduced label map, which map correlation searches; None if not read.
     """
 
     windows: Windows

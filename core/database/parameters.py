@@ -1,4 +1,4 @@
-"""What a database was built with, and the one reader of how it is kept: JSON values under their names."""
+"""Parameters that a database was built with, and their only reader: JSON values by name."""
 
 from __future__ import annotations
 
@@ -20,35 +20,35 @@ _JSON_TYPES: dict[str, type | tuple[type, ...]] = {
     "float": (int, float),
     "tuple": (list, tuple),
 }
-"""What JSON makes of the types of BuildParameters."""
+"""JSON types of the types of BuildParameters."""
 
 _LENGTHS = ("pixel_size", "window_size", "stride", "minimum_area")
 _COUNTS = ("map_width_px", "map_height_px", "overview_factor", "references_per_vector")
 _FARTHEST = 1e9
-"""Map units from the origin; the false eastings of zoned CRS come to 6e7."""
+"""Map units from the origin; the false eastings of zoned CRS reach 6e7."""
 
 
 @dataclass(frozen=True)
 class BuildParameters:
-    """What a database was built with; kept in it under these names.
+    """Parameters that a database was built with, stored in it under these names.
 
     Attributes:
         crs: WKT of the metric CRS.
         geotransform: GDAL's six numbers of the label map.
         pixel_size: Of the label map, map units.
         window_size: Edge of a window of level 1, map units.
-        stride: From window to window, map units.
+        stride: Distance between windows, map units.
         levels: Multipliers of the window size.
-        references_per_vector: Landmarks that a vector holds at most.
+        references_per_vector: Largest number of landmarks in a vector.
         minimum_area: Of a landmark, m².
-        overview_factor: Pixels of the label map along the edge of one of the overview.
-        map_hash: What the label map is known by.
-        class_table_hash: What the class table is known by.
-        plugin_version: Of the plugin that built or updated it last.
-        block_hashes: One a block of the label map (``map_hash``), row by row; none in databases of versions that did
-            not keep them, and on board.
-        map_accuracy: Standard deviation along each axis of where landmarks are on the map, map units; that of other
-            maps' in databases of versions that did not keep it.
+        overview_factor: Edge of an overview pixel, pixels of the label map.
+        map_hash: Hash of the label map.
+        class_table_hash: Hash of the class table.
+        plugin_version: Version of the plugin that built or updated it last.
+        block_hashes: One for each block of the label map (``map_hash``), row by row; empty on board and in databases
+            of versions that did not store them.
+        map_accuracy: Standard deviation along each axis of the positions of landmarks on the map, map units; the
+            default in databases of versions that did not store it.
     """
 
     crs: str
@@ -76,12 +76,12 @@ class BuildParameters:
 
     @property
     def frame(self) -> MapFrame:
-        """Where the pixels of the label map lie."""
+        """Grid and shape of the label map."""
         return MapFrame(self.crs, self.geotransform, (self.map_height_px, self.map_width_px))
 
     @property
     def overview_frame(self) -> MapFrame:
-        """Where the pixels of the overview lie."""
+        """Grid and shape of the overview."""
         return self.frame.reduced(self.overview_factor)
 
 
@@ -89,19 +89,19 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     """Return the parameters of a GeoPackage or onboard file.
 
     Args:
-        stored: JSON values by name; others than those of BuildParameters are ignored.
+        stored: JSON values by name; unknown names are ignored.
         source: The file, for the message.
 
     Raises:
-        DatabaseError: The file is of a newer version.
+        DatabaseError: The file has a newer format version.
         KeyError: A parameter is missing.
-        ValueError: One has a value that it can't have.
+        ValueError: A parameter has an invalid value.
     """
-    # A newer version may have parameters that this one does not know, so its number is looked at first.
+    # A newer version may have unknown parameters, so its number is checked first.
     version = checked(stored["format_version"], int, "format_version")
     if version > FORMAT_VERSION:
         raise DatabaseError(
-            "{source} has format version {version}, newer than this SemRef reads ({known}); update the plugin.",
+            "{source} has format version {version}; this SemRef reads up to version {known}. Update the plugin.",
             source=source,
             version=version,
             known=FORMAT_VERSION,
@@ -128,12 +128,12 @@ def build_parameters(stored: Mapping[str, Any], source: str) -> BuildParameters:
     _require_north_up(known["geotransform"])
     found = BuildParameters(**known)
     if not max(map(abs, found.extent)) < _FARTHEST:
-        raise ValueError(f"geotransform is {shown(known['geotransform'])}, which no map has")
+        raise ValueError(f"geotransform is {shown(known['geotransform'])}, out of range")
     return found
 
 
 def _require_north_up(geotransform: tuple[float, ...]) -> None:
-    """Raise ValueError unless GDAL's numbers are those of a north-up grid of square pixels."""
+    """Raise ValueError unless GDAL's numbers describe a north-up grid of square pixels."""
     if len(geotransform) == 6:
         _, pixel, column_turn, _, row_turn, down = geotransform
         if pixel > 0 and abs(down + pixel) <= 1e-6 * pixel and max(abs(column_turn), abs(row_turn)) <= 1e-6 * pixel:

@@ -1,7 +1,7 @@
-"""The tasks of a build, which need nothing of each other, and what has them done: threads here, or Dask's workers.
+"""Independent tasks of a build, and their runner: threads of this process, or Dask's workers.
 
-Each task reads one piece of the label map and gives plain arrays. ``DatabaseBuilder`` states which tasks there are,
-takes what they give in any order, and puts it together.
+Each task reads one piece of the label map and returns plain arrays. ``DatabaseBuilder`` defines the tasks, accepts
+their results in any order, and combines them.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ..windows.distinctiveness import nearest_distances
 from ..windows.grid import WindowGrid
 
 MOST_THREADS = 8
-"""Tasks that are done at a time in one process: each holds some ten megabytes of the map."""
+"""Tasks at a time in one process: each uses some ten megabytes of memory."""
 
 CHECKED_EVERY_S = 0.2
 
@@ -33,22 +33,22 @@ Box = tuple[int, int, int, int]
 
 
 class Runner(Protocol):
-    """Has tasks done, here or elsewhere."""
+    """Runs tasks, here or elsewhere."""
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yield the number of a call and what it gave, as they are done.
+        """Yield the number and the result of each call as it is done.
 
         Args:
             task: A key of ``TASKS``.
-            calls: Arguments of each call, taken when there is room for another.
-            shared: Arguments that come first in every call.
+            calls: Arguments of each call, consumed when another call can start.
+            shared: First arguments of every call.
         """
 
 
 def scan(
     source: LabelSource, values: Sequence[int], minimum_area: float, factor: int, box: Box
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, list[str]]:
-    """One tile: rows, pieces and runs of its landmarks (``TileLandmarks``), its overview, its block hashes."""
+    """Return the data of one tile: landmark rows, pieces and runs (``TileLandmarks``), overview, block hashes."""
     column, row, width, height = box
     labels = source.read(column, row, width, height)
     found = tile_landmarks(labels, (column, row), source.shape_hw, values, minimum_area)
@@ -58,7 +58,7 @@ def scan(
 
 
 def measure(source: LabelSource, minimum_area: float, regions: np.ndarray) -> np.ndarray:
-    """Return (N, 8) rows of regions that cross tiles.
+    """Return (N, 8) rows of regions across tiles.
 
     Args:
         source: The label map.
@@ -72,7 +72,7 @@ def measure(source: LabelSource, minimum_area: float, regions: np.ndarray) -> np
     return rows_array([row for row in found if row is not None])
 
 
-def describe(  # noqa: PLR0913 - what a window is described by, and where these lie
+def describe(  # noqa: PLR0913 - settings of vectors and windows
     source: LabelSource,
     values: Sequence[int],
     minimum_area: float,
@@ -81,16 +81,16 @@ def describe(  # noqa: PLR0913 - what a window is described by, and where these 
     window: tuple[int, int],
     near: np.ndarray | None = None,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Columns, rows, counts and vectors (``DescribedWindows``) of the windows in one piece.
+    """Return columns, rows, counts and vectors (``DescribedWindows``) of the windows in one piece.
 
     Args:
         source: The label map.
-        values: Classes of landmarks.
+        values: Landmark classes.
         minimum_area: Of a landmark, pixels.
-        references_per_vector: Landmarks that a vector holds at most.
-        box: The piece; its first window begins with it.
+        references_per_vector: Largest number of landmarks in a vector.
+        box: The piece; its first window starts with it.
         window: (size, stride), pixels.
-        near: (N, 8) rows of the landmarks that reach into the piece; None to find them in the piece alone.
+        near: (N, 8) rows of the landmarks that overlap the piece; None to search them in the piece only.
     """
     column, row, width, height = box
     labels = source.read(*box)
@@ -106,7 +106,7 @@ def describe(  # noqa: PLR0913 - what a window is described by, and where these 
 def compare(
     _: LabelSource, vectors: np.ndarray, centers: np.ndarray, sizes: np.ndarray, first: int, last: int
 ) -> np.ndarray:
-    """Return (last − first,) distances of some windows to the nearest vector elsewhere, infinity where there is none."""
+    """Return (last − first,) distances of some windows to the nearest vector elsewhere, infinity without one."""
     some = vectors[first:last], centers[first:last], sizes[first:last]
     found = [distances for _, distances in nearest_distances(some, (vectors, centers, sizes))]
     return np.concatenate([np.empty(0), *found])
@@ -116,22 +116,22 @@ TASKS: dict[str, Callable] = {"scan": scan, "measure": measure, "describe": desc
 
 
 class Threads:
-    """Has tasks done by threads of this process: a ``Runner``."""
+    """Runs tasks in threads of this process: a ``Runner``."""
 
     def __init__(self, source: LabelSource, count: int = 1, check: Callable[[], None] = lambda: None) -> None:
-        """Start nothing.
+        """Start nothing yet.
 
         Args:
             source: The label map; one thread at a time reads from it.
-            count: Tasks that are done at a time, at most MOST_THREADS.
-            check: Called every CHECKED_EVERY_S seconds; what it raises ends the work.
+            count: Number of tasks at a time, at most MOST_THREADS.
+            check: Called every CHECKED_EVERY_S seconds; an exception from it ends the work.
         """
         self._source = source
         self._count = min(count, MOST_THREADS)
         self._check = check
 
     def __call__(self, task: str, calls: Iterable[tuple], shared: tuple = ()) -> Iterator[tuple[int, Any]]:
-        """Yield the number of a call and what it gave, as they are done; raises what a task raises."""
+        """Yield the number and the result of each call as it is done; raise what a task raises."""
         source, waiting = _InTurns(self._source), enumerate(calls)
         running: dict[Future, int] = {}
         pool = ThreadPoolExecutor(self._count)
@@ -145,7 +145,7 @@ class Threads:
                     yield running.pop(future), future.result()
                 self._check()
         finally:
-            # Who canceled does not wait for tasks; they read no more of the map.
+            # A cancel does not wait for running tasks, which can't read the map any more.
             source.has_ended = True
             for future in running:
                 future.cancel()
@@ -153,7 +153,7 @@ class Threads:
 
 
 class _InTurns:
-    """A label map that one thread at a time reads from, and none any more when the work has ended."""
+    """A label map that one thread at a time can read, until the work has ended."""
 
     def __init__(self, source: LabelSource) -> None:
         self._source = source
@@ -166,7 +166,7 @@ class _InTurns:
         return self._source.shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """Return (height, width) uint8 labels. Raises RuntimeError once the work has ended, which nobody waits for."""
+        """Read (height, width) uint8 labels. Raises RuntimeError, which nobody catches, once the work has ended."""
         with self._lock:
             if self.has_ended:
                 raise RuntimeError("the work has ended")

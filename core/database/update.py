@@ -1,4 +1,4 @@
-"""Updating a database after its label map was corrected: the rebuild's answer, from no more of the map than changed."""
+"""Update a database after corrections of its label map: same result as a new build, but reads only changed parts."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from .tasks import Runner
 
 @dataclass(frozen=True)
 class DatabaseChanges:
-    """What an update changes in a database of N windows.
+    """Changes of a database of N windows by an update.
 
     Attributes:
-        windows: All N as they are now.
-        touched: (T,) int64 indices of the windows that differ from before.
-        removed: (K,) int64 indices of the landmarks that are gone.
+        windows: All N windows after the update.
+        touched: (T,) int64 indices of the changed windows.
+        removed: (K,) int64 indices of the removed landmarks.
         overview: (first column, first row, (h, w) uint8) pieces of the new overview.
     """
 
@@ -44,13 +44,13 @@ class DatabaseChanges:
 
 
 class DatabaseUpdater:
-    """Updates a database step by step: iterate ``steps()`` to the end, then take ``changes``.
+    """Updates a database step by step: iterate ``steps()`` to the end, then read ``changes``.
 
-    A window that shows no changed pixel stays as it is, and so does a landmark without one. Every other
-    one is found in the new map alone: the old map is not needed.
+    Windows and landmarks without a changed pixel stay as they are. The others are computed from the new map only: the
+    old map is not needed.
     """
 
-    def __init__(  # noqa: PLR0913 - two maps and how to go about it; no two of these travel together elsewhere
+    def __init__(  # noqa: PLR0913 - the map, the database, and how to run
         self,
         source: LabelSource,
         frame: MapFrame,
@@ -59,21 +59,21 @@ class DatabaseUpdater:
         plugin_version: str,
         run: Runner,
     ) -> None:
-        """Make the updater.
+        """Prepare the update.
 
         Args:
-            source: The corrected label map; it is asked for the same pieces several times.
-            frame: Where its pixels lie.
+            source: The corrected label map; the same pieces are read several times.
+            frame: Its grid.
             database: With the landmarks' bounds and the windows' distinctiveness.
-            areas: Rectangles that hold every changed pixel, parts beyond the map are ignored; None when they are to be
-                found by comparing block hashes, which reads the whole map. Blocks that no area touches are taken to be
-                as they were and keep their hashes: what changed there is found by the next update without ``areas``.
-            plugin_version: What the updated database says.
-            run: Has windows described.
+            areas: Rectangles that contain every changed pixel; parts beyond the map are ignored. None to find changes
+                by comparing block hashes, which reads the whole map. Blocks outside the areas count as unchanged and
+                keep their hashes; the next update without ``areas`` finds changes in them.
+            plugin_version: Version that the updated database states.
+            run: Runs the tasks that describe windows.
 
         Raises:
             DatabaseError: The database can't be updated.
-            LabelMapError: The map is not of the same pixel grid.
+            LabelMapError: The map has another pixel grid.
         """
         require_same_grid(source.shape_hw, frame, database)
         self._source = source
@@ -90,10 +90,10 @@ class DatabaseUpdater:
         return minimum_area_px(self._database.parameters.minimum_area, self._frame.pixel_size)
 
     def steps(self) -> Iterator[tuple[str, float]]:
-        """Yield (what is being done, share done 0…1).
+        """Update; yield (current step, share done 0…1).
 
         Raises:
-            LabelMapError: No landmark is left, or the map has a value that no class has.
+            LabelMapError: No landmark is left, or the map has a value without a class.
         """
         hashes: list[str] = []
         for share in self._hash(hashes):
@@ -105,7 +105,7 @@ class DatabaseUpdater:
             yield "Finding landmarks", 0.5 + 0.1 * share
         removed, added = landmarks.removed, landmarks.added
         if len(self._database.references) - len(removed) + len(added) == 0:
-            raise LabelMapError("The corrected map shows no landmark any more; choose another label map.")
+            raise LabelMapError("The corrected map has no landmark left; choose another label map.")
         windows = _copied(self._database.windows)
         for share in self._describe(windows, places):
             yield "Describing windows", 0.6 + 0.2 * share
@@ -128,11 +128,11 @@ class DatabaseUpdater:
     # --- where the map changed ---
 
     def _hash(self, hashes: list[str]) -> Iterator[float]:
-        """Fills ``hashes`` with those of the new map; yields the share done."""
+        """Fill ``hashes`` with those of the new map; yield the share done."""
         height, width = self._source.shape_hw
         if self._areas is None:
             hasher = BlockHasher(width)
-            # One thread hashes a band while this one reads the next.
+            # A second thread hashes a band while this one reads the next.
             with ThreadPoolExecutor(1) as pool:
                 hashing: Future[None] | None = None
                 for row in range(0, height, HASHED_BLOCK):
@@ -159,15 +159,15 @@ class DatabaseUpdater:
             counts = count_labels(self._source.read(left, top, right - left, bottom - top))
             for value in set(np.flatnonzero(counts).tolist()) - known:
                 raise LabelMapError(
-                    "The label map has the value {value}, which the database's classes lack; correct it or build a "
-                    "new database.",
+                    "The label map has the value {value}, which is not a class of the database; correct the map, or "
+                    "build a new database.",
                     value=value,
                 )
 
     # --- windows ---
 
     def _describe(self, windows: Windows, places: Sequence[Bounds]) -> Iterator[float]:
-        """Puts counts and vectors of the windows that show a changed place into ``windows``."""
+        """Update counts and vectors in ``windows`` of the windows that overlap a changed place."""
         values = self._database.class_table.reference_values
         shared = values, self._minimum_area_px, self._database.parameters.references_per_vector
         tasks = [(level, place) for level in self._levels for place in places]
@@ -187,7 +187,7 @@ class DatabaseUpdater:
                 yield n / len(tasks)
 
     def _compare_windows(self, windows: Windows) -> Iterator[float]:
-        """Brings distinctiveness up to date: distances to changed windows, and all where the nearest changed."""
+        """Update the distinctiveness: with distances to changed windows; from all where the nearest one changed."""
         old, distinct = self._database.windows, _distinctiveness(windows)
         changed = (old.described != windows.described) | (old.vectors != windows.vectors).any(axis=1)
         if not changed.any():
@@ -201,8 +201,8 @@ class DatabaseUpdater:
         known = np.where(np.isnan(distinct[same]), np.inf, distinct[same])
         lost = np.isfinite(before) & (before <= known)
         distinct[same] = np.minimum(known, now)
-        anew = np.concatenate([np.flatnonzero(windows.described & changed), same[lost]])
-        distinct[anew] = _nearest(windows, anew, np.flatnonzero(windows.described))
+        again = np.concatenate([np.flatnonzero(windows.described & changed), same[lost]])
+        distinct[again] = _nearest(windows, again, np.flatnonzero(windows.described))
         distinct[np.isinf(distinct)] = np.nan
         yield 1.0
 
@@ -218,29 +218,29 @@ class DatabaseUpdater:
 
 
 def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: ReferenceDatabase) -> None:
-    """Refuse a label map that a database can't be updated to.
+    """Refuse a label map that does not fit the database.
 
     Args:
         shape_hw: (height, width) of the label map.
-        frame: Where its pixels lie.
+        frame: Its grid.
 
     Raises:
-        DatabaseError: The database lacks what an update needs.
-        LabelMapError: The map is on another grid.
+        DatabaseError: The database lacks data that an update needs.
+        LabelMapError: The map has another grid.
     """
     parameters = database.parameters
     rows, columns = blocks_shape((parameters.map_height_px, parameters.map_width_px))
     if len(parameters.block_hashes) != rows * columns or database.references.bounds_px is None:
         raise DatabaseError(
-            "The database was made by SemRef {plugin_version}, which kept no block hashes and bounds of landmarks, so "
-            "what changed can't be told; build it anew once with “Build reference database”.",
+            "SemRef {plugin_version} built the database without block hashes and bounds of landmarks, so changes can't "
+            "be found. Build it again once with “Build reference database”.",
             plugin_version=parameters.plugin_version,
         )
     pixel = parameters.pixel_size
     if abs(frame.pixel_size - pixel) > 1e-9 * pixel:
         raise LabelMapError(
-            "The label map has pixels of {pixel_size:g} m, the database was built with {pixel:g} m; rasterize with "
-            "the database's pixel size or build a new database.",
+            "The label map has pixels of {pixel_size:g} m, but the database was built with {pixel:g} m; rasterize with "
+            "the database's pixel size, or build a new database.",
             pixel_size=frame.pixel_size,
             pixel=pixel,
         )
@@ -248,9 +248,9 @@ def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: Refe
     corner, stored = np.array(frame.origin), np.array(parameters.frame.origin)
     if (shape_hw[1], shape_hw[0]) != size or (np.abs(corner - stored) > 1e-6 * pixel).any():
         raise LabelMapError(
-            "The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, the database's had {known_width} × "
-            "{known_height} from {known_x:.10g}, {known_y:.10g}; rasterize with the extent of the old label map or "
-            "build a new database.",
+            "The label map has {width} × {height} pixels from {x:.10g}, {y:.10g}, but the database's map had "
+            "{known_width} × {known_height} from {known_x:.10g}, {known_y:.10g}. Rasterize with the extent of the old "
+            "label map, or build a new database.",
             width=shape_hw[1],
             height=shape_hw[0],
             x=corner[0],
@@ -263,10 +263,10 @@ def require_same_grid(shape_hw: tuple[int, int], frame: MapFrame, database: Refe
 
 
 class _Level:
-    """The windows of one level as they lie on the map, whatever their order in the database."""
+    """The windows of one level by their position on the map, in any order in the database."""
 
     def __init__(self, database: ReferenceDatabase, level: int) -> None:
-        """Make the level's grid from where its windows lie.
+        """Derive the level's grid from the positions of its windows.
 
         Raises:
             DatabaseError: Windows are missing.
@@ -283,7 +283,7 @@ class _Level:
         self._index[places[on_grid, 1] // stride, places[on_grid, 0] // stride] = index[on_grid]
         if len(index) != self._index.size or (self._index < 0).any():
             raise DatabaseError(
-                "The database has {count} windows of level {level} where its grid has {known}; build it again.",
+                "The database has {count} windows of level {level}, but its grid has {known}; build it again.",
                 count=len(index),
                 level=level,
                 known=self._index.size,
@@ -294,7 +294,7 @@ class _Level:
         return self._index[rows // self.grid.stride, columns // self.grid.stride]
 
     def windows_around(self, place: Bounds) -> Bounds | None:
-        """Return what the windows that show a pixel of ``place`` cover together; None when there is none."""
+        """Return the area that the windows with a pixel of ``place`` cover together; None without any."""
         left, top, right, bottom = place
         size = self.grid.size
         columns = self.grid.columns[(self.grid.columns < right) & (self.grid.columns + size > left)]
@@ -305,20 +305,20 @@ class _Level:
 
 
 def _copied(windows: Windows) -> Windows:
-    """With arrays of its own for what an update changes."""
+    """Return a copy with new arrays for the values that an update changes."""
     names = "counts", "vectors", "described", "distinctiveness"
     return replace(windows, **{name: getattr(windows, name).copy() for name in names})
 
 
 def _distinctiveness(windows: Windows) -> np.ndarray:
-    """Return (N,) distinctiveness of windows that were compared and read whole."""
+    """Return (N,) distinctiveness; raise ValueError if it was not read."""
     if windows.distinctiveness is None:
         raise ValueError("the windows' distinctiveness was not read")
     return windows.distinctiveness
 
 
 def _differ(old: Windows, new: Windows) -> np.ndarray:
-    """Return (N,) bool: which windows are not what they were."""
+    """Return (N,) bool: which windows changed."""
     before, now = _distinctiveness(old), _distinctiveness(new)
     return (
         (old.counts != new.counts)
@@ -329,7 +329,7 @@ def _differ(old: Windows, new: Windows) -> np.ndarray:
 
 
 def _nearest(windows: Windows, index: np.ndarray, others: np.ndarray) -> np.ndarray:
-    """Return (n,) distances of the windows ``index`` to the nearest of ``others`` that don't overlap them, else infinity."""
+    """Return (n,) distances of the windows ``index`` to the nearest of ``others`` without overlap, else infinity."""
     found = np.full(len(index), np.inf)
     parts = [(windows.vectors[k], windows.centers[k], windows.sizes[k]) for k in (index, others)]
     for block, distances in nearest_distances(*parts):

@@ -1,1 +1,1 @@
-"""Label images and maps: classes, where pixels come from, what is counted and compared in them."""
+"""Label images and maps: classes, sources of pixels, counts and comparisons."""

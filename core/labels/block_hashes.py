@@ -1,4 +1,4 @@
-"""What a label map is known by: a hash of every block and, made of these, one of the whole map."""
+"""Hashes of a label map: one for every block and, from these, one for the whole map."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ HASHED_BLOCK = 512
 """Edge of a block in pixels; 300 km² at 1 m are some thousand blocks."""
 
 _HASH_BYTES = 8
-"""Enough to tell a block from what it was before: a change goes unseen with odds of 1 to 2⁶⁴."""
+"""Length of a hash: a change goes undetected with odds of 1 to 2⁶⁴."""
 
 
 class BlockHasher:
-    """Hashes a map while its rows come by from top to bottom: ``add`` them all, then take ``hashes``."""
+    """Hashes the rows of a map as they arrive, from top to bottom: ``add`` them all, then read ``hashes``."""
 
     def __init__(self, width: int) -> None:
-        """Begin with the first row.
+        """Start with the first row.
 
         Args:
             width: Of the map, pixels.
@@ -30,7 +30,7 @@ class BlockHasher:
         self._done: list[str] = []
 
     def add(self, labels_hw: np.ndarray) -> None:
-        """Take the next rows of the map.
+        """Add the next rows of the map.
 
         Args:
             labels_hw: (h, W) uint8 labels, any number of rows.
@@ -48,7 +48,7 @@ class BlockHasher:
 
     @property
     def hashes(self) -> tuple[str, ...]:
-        """One a block, row by row."""
+        """One hash per block, row by row."""
         self._close()
         return tuple(self._done)
 
@@ -58,10 +58,10 @@ class BlockHasher:
 
 
 class _BlockDigest:
-    """Hash of one block whose rows come by.
+    """Hash of one block, updated as its rows arrive in order.
 
-    Much of a map is blocks of one class, or of none beyond its border: these are counted until another value comes,
-    which takes a tenth of the time of hashing, and their hash is kept.
+    Many blocks have one class only, or no class beyond the map's border. Their pixels are counted until another value
+    occurs, which takes a tenth of the time of hashing, and their hash is cached.
     """
 
     def __init__(self) -> None:
@@ -70,7 +70,7 @@ class _BlockDigest:
         self._pixels: hashlib.blake2b | None = None
 
     def add(self, labels_hw: np.ndarray) -> None:
-        """Return the block's next rows, (h, w) uint8."""
+        """Add the block's next rows, (h, w) uint8."""
         if self._pixels is None:
             if self._continues(labels_hw):
                 self._value, self._count = int(labels_hw[0, 0]), self._count + labels_hw.size
@@ -79,17 +79,17 @@ class _BlockDigest:
         self._pixels.update(np.ascontiguousarray(labels_hw).data)
 
     def hexdigest(self) -> str:
-        """Return of the rows so far."""
+        """Return the hash of the rows so far."""
         return self._pixels.hexdigest() if self._pixels else _hash_of_one_value(self._value, self._count)
 
     def _continues(self, labels_hw: np.ndarray) -> bool:
         value = self._value if self._count else labels_hw[0, 0]
-        # The first row alone tells of most blocks that they have several values.
+        # The first row is enough to see that most blocks have several values.
         return bool((labels_hw[0] == value).all() and (labels_hw == value).all())
 
 
 def block_hash(labels_hw: np.ndarray) -> str:
-    """Hash of one block, (h, w) uint8."""
+    """Return the hash of one block, (h, w) uint8."""
     return hashlib.blake2b(np.ascontiguousarray(labels_hw).data, digest_size=_HASH_BYTES).hexdigest()
 
 
@@ -108,12 +108,12 @@ def blocks_shape(shape_hw: tuple[int, int]) -> tuple[int, int]:
 
 
 def map_hash(shape_hw: tuple[int, int], geotransform: Sequence[float], hashes: Sequence[str]) -> str:
-    """SHA-256 of what a map is: its shape, its place and its labels.
+    """Return the SHA-256 of a map: its shape, its position and its labels.
 
     Args:
         shape_hw: (height, width) in pixels.
         geotransform: GDAL's six numbers.
-        hashes: Of its blocks, row by row.
+        hashes: Of the map's blocks, row by row.
     """
     place = repr((tuple(shape_hw), tuple(geotransform)))
     return hashlib.sha256((place + "".join(hashes)).encode("ascii")).hexdigest()

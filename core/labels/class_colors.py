@@ -1,16 +1,31 @@
-"""Colors that classes are known by: water is blue, forest green, whatever language or nomenclature names them.
+"""Colors of classes: water is blue, forest green, in whatever language or nomenclature they are named.
 
 The words are those of land-cover nomenclatures (OpenStreetMap's tags, LCDB, CORINE, Urban Atlas) and of everyday names
-in English, German, Spanish and French; colors follow the custom of maps, at lightnesses that the color-blind tell apart
-where classes often lie beside each other.
+in English, German, Spanish and French. Colors follow the custom of maps. Classes that are often neighbors have
+lightnesses that color-blind people can distinguish.
 """
 
 from __future__ import annotations
 
 import colorsys
 import functools
+import hashlib
 import re
 from collections.abc import Iterable
+
+# Colors for classes without a usual one: Paul Tol's "muted" scheme, which color-blind people can distinguish.
+_PALETTE = (
+    "#cc6677",
+    "#332288",
+    "#ddcc77",
+    "#117733",
+    "#88ccee",
+    "#882255",
+    "#44aa99",
+    "#999933",
+    "#aa4499",
+    "#dddddd",
+)
 
 _LANDMARK = True
 
@@ -49,7 +64,7 @@ _KINDS: tuple[tuple[str, bool, str], ...] = (
     ),
     ("#a89c8c", _LANDMARK, "rocks? scree cliff stone landslide fels kies schotter roca roche burnt burned"),
 )
-"""(color, whether its regions usually are landmarks, words); of several kinds that fit a name the first counts."""
+"""(color, whether its regions usually are landmarks, words); the first kind that matches a name counts."""
 
 
 @functools.cache
@@ -58,19 +73,31 @@ def _pattern(words: str) -> re.Pattern:
 
 
 def known_color(name: str) -> str | None:
-    """Return the color ``#rrggbb`` that a class is known by; None for a name that tells nothing."""
+    """Return the usual color ``#rrggbb`` of a class; None for an unknown name."""
     kind = _kind(name)
     return kind and kind[0]
 
 
+def default_color(value: int) -> str:
+    """Return a color ``#rrggbb`` for a class without one, the same every time."""
+    if 0 <= value <= len(_PALETTE):
+        return _PALETTE[value - 1]
+    return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
+
+
+def chosen_colors(classes: Iterable[tuple[int, str]]) -> list[str]:
+    """Return a color ``#rrggbb`` for each (value, name): the usual one of its name, or any; the same every time."""
+    return shades([known_color(name) or default_color(value) for value, name in classes])
+
+
 def is_usual_landmark(name: str) -> bool:
-    """Return whether regions of such a class usually are compact and stay where they are, as buildings and ponds do."""
+    """Return whether regions of such a class usually are compact and permanent, as buildings and ponds are."""
     kind = _kind(name)
     return kind is not None and kind[1]
 
 
 def _kind(name: str) -> tuple[str, bool] | None:
-    """Return the first kind that one of the name's words belongs to."""
+    """Return the first kind that matches one of the name's words."""
     words = [word for word in re.split(r"[^\w]+|_", name) if word]
     for color, is_landmark, known in _KINDS:
         if any(_pattern(known).fullmatch(word) for word in words):
@@ -79,7 +106,7 @@ def _kind(name: str) -> tuple[str, bool] | None:
 
 
 def shades(colors: Iterable[str]) -> list[str]:
-    """Return the same colors; one that comes again is another shade each time, lighter and darker in turn."""
+    """Return the colors; a repeated one in another shade each time, alternately lighter and darker."""
     given: list[str] = []
     counts: dict[str, int] = {}
     for color in colors:
@@ -90,7 +117,7 @@ def shades(colors: Iterable[str]) -> list[str]:
 
 
 def _shade(color: str, number: int) -> str:
-    """One of a color's shades: 0 is itself, then lighter, darker, much lighter, much darker."""
+    """Return a shade of a color: 0 is the color itself, then lighter, darker, much lighter, much darker."""
     if not number:
         return color
     red, green, blue = (int(color[n : n + 2], 16) / 255 for n in (1, 3, 5))

@@ -1,4 +1,4 @@
-"""What share of each coarse pixel of an image a class has, by a network's scores instead of its best class alone."""
+"""Shares of classes in each coarse pixel of an image, from a network's scores instead of the best class only."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ class ClassShares:
     """Probable shares of classes on a grid that covers an image.
 
     Attributes:
-        values: (K,) uint8, class values, without 0.
-        shares: (h, w, K) uint8, of each pixel of the grid (``FULL`` = all of it); what is missing is unknown.
+        values: (K,) uint8 class values, without 0.
+        shares: (h, w, K) uint8 share of each pixel of the grid (``FULL`` = all of it); the remainder is unknown.
     """
 
     values: np.ndarray
     shares: np.ndarray
 
     def of(self, values: np.ndarray) -> np.ndarray:
-        """Return (h, w, N) uint8 shares of N classes: 0 for absent ones, what remains for value 0 (unlabeled)."""
+        """Return (h, w, N) uint8 shares of N classes: 0 for absent ones, the remainder for value 0 (unlabeled)."""
         found = np.zeros((*self.shares.shape[:2], len(values)), np.uint8)
         for number, value in enumerate(values):
-            told = np.flatnonzero(self.values == value)
-            if len(told):
-                found[..., number] = self.shares[..., told[0]]
+            column = np.flatnonzero(self.values == value)
+            if len(column):
+                found[..., number] = self.shares[..., column[0]]
             elif value == UNLABELED:
                 others = self.shares[..., np.isin(self.values, values)]
                 found[..., number] = FULL - np.minimum(others.sum(axis=-1, dtype=np.int64), FULL)
@@ -40,15 +40,15 @@ class ClassShares:
 
 @dataclass(frozen=True)
 class SeenLabels:
-    """What is seen in an image.
+    """Labels of an image, with what is known about them.
 
     Attributes:
         labels_hw: (H, W) uint8 labels.
-        shares: Of a photo whose network tells how sure it is.
-        trained_on: Places that the network of a photo was trained on, empty where unknown; None for label images.
-        biases: How the network shifts classes.
-        pixels: (H, W, 3) uint8 of the photo, red first, and (H, W) bool, where it has data, None everywhere; None
-            where nobody needs them.
+        shares: Only for photos and networks that output probabilities.
+        trained_on: Places that the network of a photo was trained on, empty if unknown; None for label images.
+        biases: Class offsets.
+        pixels: (H, W, 3) uint8 of the photo, red first, and (H, W) bool of pixels with data (None: everywhere); None
+            if not requested.
     """
 
     labels_hw: np.ndarray

@@ -1,4 +1,4 @@
-"""Class table: value, name, color and role of each land-cover class (docs/reference/file_formats.md#class-table)."""
+"""The class table: value, name, color and role of every class (docs/reference/file_formats.md#class-table)."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from .. import limits
 from ..errors import ClassTableError
 from ..sentences import Sentence
 from ..values import shown
-from .class_colors import known_color, shades
+from .class_colors import chosen_colors, default_color
 
 UNLABELED = 0
-"""Label of pixels that no class covers ("unlabeled/other")."""
+"""Label of pixels without a class ("unlabeled/other")."""
 
 MAXIMUM_VALUE = 255
 """Largest class value of a uint8 label map."""
@@ -27,27 +27,13 @@ BACKGROUND = "background"
 ROLES = (REFERENCE, BACKGROUND)
 
 BENEATH_ALL = -1_000_000.0
-"""Draw order of a class that lies wherever no polygon does."""
+"""Draw order of a class that covers the ground without polygons."""
 
 OTHER = "other"
-"""Name of such a class, as networks have it that learned ground without a label as something else."""
+"""Name of such a class, also in networks that learned unlabeled ground as a class."""
 
 LIST_SEPARATOR = ";"
 """Separates the items of lists given as text (REFERENCE_CLASSES=building;water)."""
-
-# Colors for classes that bring none: Paul Tol's "muted" scheme, told apart with color-blind eyes too.
-_PALETTE = (
-    "#cc6677",
-    "#332288",
-    "#ddcc77",
-    "#117733",
-    "#88ccee",
-    "#882255",
-    "#44aa99",
-    "#999933",
-    "#aa4499",
-    "#dddddd",
-)
 
 _COLUMNS = ("value", "name", "color", "role", "draw_order", "hsv_min", "hsv_max")
 
@@ -64,9 +50,9 @@ class LandCoverClass:
         name: For people.
         color: ``#rrggbb``.
         role: ``reference`` or ``background``.
-        draw_order: Later ones are drawn over earlier ones; None for none.
-        hsv_min: Least (h, s, v) in OpenCV's ranges, h 0–180, s and v 0–255; None without a range.
-        hsv_max: Greatest (h, s, v); the hue range may wrap (h_min > h_max).
+        draw_order: Higher ones are drawn over lower ones; None if undefined.
+        hsv_min: Lower limit (h, s, v) in OpenCV's ranges, h 0–180, s and v 0–255; None without a range.
+        hsv_max: Upper limit (h, s, v); the hue range may wrap (h_min > h_max).
 
     Raises:
         ClassTableError: A value is outside these ranges.
@@ -84,7 +70,8 @@ class LandCoverClass:
         """Refuse values that no class can have."""
         if self.draw_order is not None and not math.isfinite(self.draw_order):
             raise ClassTableError(
-                "The class {name} has a draw_order that is no number; give one such as 3.", name=shown(self.name)
+                "Class “{name}” has a draw_order that is not a finite number; use a number such as 3.",
+                name=shown(self.name),
             )
         if not 0 <= self.value <= MAXIMUM_VALUE:
             raise ClassTableError(
@@ -95,12 +82,12 @@ class LandCoverClass:
             )
         if len(self.name) > limits.NAME_CHARACTERS:
             raise ClassTableError(
-                "The class {value} has a name of more than {most} characters; give it a shorter one.",
+                "The name of class {value} has more than {most} characters; use a shorter name.",
                 value=self.value,
                 most=limits.NAME_CHARACTERS,
             )
         if not self.name:
-            raise ClassTableError("The class with value {value} has no name; give it one.", value=self.value)
+            raise ClassTableError("The class with value {value} has no name; add one.", value=self.value)
         if not re.fullmatch(r"#[0-9a-fA-F]{6}", self.color):
             raise ClassTableError(
                 "Class “{name}” has the color “{color}”; write it as #rrggbb.", name=self.name, color=self.color
@@ -115,11 +102,12 @@ class LandCoverClass:
             )
         if self.value == UNLABELED and self.role == REFERENCE:
             raise ClassTableError(
-                "Class “{name}” has the value 0, which means unlabeled; it can't be a reference.", name=self.name
+                "Class “{name}” has the value 0, which means unlabeled; it can't be a reference class.", name=self.name
             )
         if (self.hsv_min is None) != (self.hsv_max is None):
             raise ClassTableError(
-                "Class “{name}” has only one of hsv_min and hsv_max; give both or none.", name=self.name
+                "Class “{name}” has only one of hsv_min and hsv_max; fill in both, or leave both empty.",
+                name=self.name,
             )
 
     @property
@@ -147,18 +135,20 @@ class ClassTable:
     classes: tuple[LandCoverClass, ...]
 
     def __post_init__(self) -> None:
-        """Sorts the classes and refuses repeated ones."""
+        """Sort the classes and refuse repeated ones."""
         object.__setattr__(self, "classes", tuple(sorted(self.classes, key=lambda c: c.value)))
         for column in ("value", "name"):
             keys = [str(getattr(c, column)) for c in self.classes]
             repeated = sorted({key for key in keys if keys.count(key) > 1})
             if repeated:
                 raise ClassTableError(
-                    "The class table has the {column} {repeated} more than once.", column=column, repeated=repeated
+                    "The class table has the {column} {repeated} more than once; values and names must be unique.",
+                    column=column,
+                    repeated=repeated,
                 )
 
     def __iter__(self) -> Iterator[LandCoverClass]:
-        """By ascending value."""
+        """Iterate in order of value."""
         return iter(self.classes)
 
     def __len__(self) -> int:
@@ -166,7 +156,7 @@ class ClassTable:
 
     @property
     def references(self) -> tuple[LandCoverClass, ...]:
-        """The reference classes, in order of class value; a class's rank is its 1-based place here."""
+        """The reference classes in order of value; the rank of a class is its 1-based index here."""
         return tuple(c for c in self.classes if c.is_reference)
 
     @property
@@ -175,19 +165,19 @@ class ClassTable:
         return tuple(c.value for c in self.references)
 
     def by_value(self, value: int) -> LandCoverClass | None:
-        """Return the class of pixels with a value; None without one."""
+        """Return the class with a value; None without one."""
         return next((c for c in self.classes if c.value == value), None)
 
     @property
     def filling(self) -> LandCoverClass | None:
-        """The class that lies wherever no polygon does; None without one."""
+        """The class that covers the ground without polygons; None without one."""
         return next((c for c in self.classes if c.value != UNLABELED and c.draw_order == BENEATH_ALL), None)
 
     def with_filling(self) -> ClassTable:
-        """Return the same with a class that lies wherever no polygon does: ``other``, unless there is one.
+        """Return the table with a class that covers the ground without polygons: ``other``, unless it has one.
 
         Raises:
-            ClassTableError: All values are taken.
+            ClassTableError: All values are in use.
         """
         if self.filling is not None:
             return self
@@ -197,14 +187,14 @@ class ClassTable:
             taken = {c.value for c in kept}
             free = [value for value in range(1, MAXIMUM_VALUE + 1) if value not in taken]
             require_class_count(MAXIMUM_VALUE if free else MAXIMUM_VALUE + 1)
-            known = LandCoverClass(free[0], OTHER, known_color(OTHER) or _PALETTE[-1])
+            known = LandCoverClass(free[0], OTHER, chosen_colors([(free[0], OTHER)])[0])
         return ClassTable((*kept, replace(known, draw_order=BENEATH_ALL)))
 
     def find(self, text: str) -> LandCoverClass | None:
-        """Return the class a person means by ``text``: its name (case-insensitive if need be), half of it, or its value.
+        """Return the class for a text: its name (else ignoring case), its code or title, or its value.
 
-        Names of nomenclatures begin with a code of three digits or more: “311 Broad-leaved forest” is also found by
-        “311” and by “Broad-leaved forest”.
+        Names in nomenclatures start with a code of three digits or more: “311” and “Broad-leaved forest” both find
+        “311 Broad-leaved forest”.
         """
         wanted = text.strip()
         folded = wanted.casefold()
@@ -219,10 +209,10 @@ class ClassTable:
         return self.by_value(int(wanted)) if re.fullmatch(r"\d{1,3}", wanted) else None
 
     def with_references(self, names_or_values: Sequence[str]) -> ClassTable:
-        """Return the same table with exactly the named classes as references.
+        """Return the table with exactly the named classes as reference classes.
 
         Args:
-            names_or_values: As ``find`` takes them.
+            names_or_values: Texts for ``find``.
 
         Raises:
             ClassTableError: A name is unknown.
@@ -238,29 +228,29 @@ class ClassTable:
         return ClassTable(tuple(replace(c, role=REFERENCE if c.value in chosen else BACKGROUND) for c in self.classes))
 
     def require_references(self) -> ClassTable:
-        """Itself.
+        """Return the table itself.
 
         Raises:
             ClassTableError: It has no reference class.
         """
         if not self.references:
             raise ClassTableError(
-                "No class is a reference class; choose at least one of {classes} as one, or give it the role "
-                "“reference” in the class table.",
+                "No class is a reference class. Choose at least one of {classes}, or give it the role “reference” in "
+                "the class table.",
                 classes=self.describe(),
             )
         return self
 
     def describe(self) -> tuple[str, ...] | Sentence:
-        """“1 building, 2 bare_land” as a value of a sentence."""
+        """Return “1 building, 2 bare_land” as a value of a sentence."""
         return shortened([f"{c.value} {c.name}" for c in self.classes])
 
     def digest(self) -> str:
-        """SHA-256 of the table's CSV text: equal tables, equal digests."""
+        """Return the SHA-256 of the table's CSV text: equal tables have equal digests."""
         return hashlib.sha256(self.to_csv().encode("utf-8")).hexdigest()
 
     def to_csv(self) -> str:
-        """CSV text with the header ``value,name,color,role,draw_order,hsv_min,hsv_max``."""
+        """Return CSV text with the header ``value,name,color,role,draw_order,hsv_min,hsv_max``."""
         text = io.StringIO()
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(_COLUMNS)
@@ -271,26 +261,26 @@ class ClassTable:
 
 
 def class_table_from_csv(text: str, source: str = "the class table") -> ClassTable:
-    """Read ``value,name,color,role[,draw_order][,hsv_min,hsv_max]``; ``;`` or tab as separator will do too.
+    """Read ``value,name,color,role[,draw_order][,hsv_min,hsv_max]``, separated by ``,``, ``;`` or tab.
 
-    ``color`` and ``role`` may be left out: a color is then chosen, the role is ``background``.
+    ``color`` and ``role`` are optional: the defaults are a chosen color and ``background``.
 
     Args:
         text: The CSV text, with its header.
         source: The file, for messages.
 
     Raises:
-        ClassTableError: The table is malformed; tells ``source`` and the line.
+        ClassTableError: The table is malformed; the message names ``source`` and the line.
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     if len(lines) < 2:
         raise ClassTableError(
-            "{source} has no classes; it needs a header value,name,color,role and a line a class.", source=source
+            "{source} has no classes. It needs a header value,name,color,role and one line per class.", source=source
         )
     separator = max(",;\t", key=lines[0].count)
     if max(map(len, lines)) > limits.LINE_CHARACTERS:
         raise ClassTableError(
-            "{source} has a line of more than {most} characters, which no class table has; choose another file.",
+            "{source} is not a class table: a line has more than {most} characters. Choose another file.",
             source=source,
             most=limits.LINE_CHARACTERS,
         )
@@ -299,7 +289,7 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
     missing = [name for name in ("value", "name") if name not in header]
     if missing:
         raise ClassTableError(
-            "{source} lacks the column {missing}; its header is “{header}”.",
+            "{source} has no column {missing}; its header is “{header}”.",
             source=source,
             missing=missing,
             header=lines[0].strip(),
@@ -315,7 +305,7 @@ def class_table_from_csv(text: str, source: str = "the class table") -> ClassTab
 
 
 def class_table_from_names(names: Iterable[str]) -> ClassTable:
-    """Return a table for classes known only by name: values 1, 2, … in the given order, colors chosen, all background."""
+    """Return a table for class names only: values 1, 2, … in the given order, chosen colors, all background."""
     found = list(names)
     require_class_count(len(found))
     colors = chosen_colors(enumerate(found, start=1))
@@ -326,7 +316,7 @@ def require_class_count(count: int) -> None:
     """Raise ClassTableError for more classes than a label map has values."""
     if count > MAXIMUM_VALUE:
         raise ClassTableError(
-            "There are {count} classes, but a label map holds {most}; choose another class field, or merge classes "
+            "There are {count} classes, but a label map can store {most}. Choose another class field, or merge classes "
             "with a class table.",
             count=count,
             most=MAXIMUM_VALUE,
@@ -334,42 +324,30 @@ def require_class_count(count: int) -> None:
 
 
 def class_table_from_values(values: Iterable[int]) -> ClassTable:
-    """Return a table for classes known only by value: named by their value, colors chosen, all background."""
+    """Return a table for class values only: named by their value, chosen colors, all background."""
     return ClassTable(tuple(LandCoverClass(v, str(v), default_color(v)) for v in sorted(set(values))))
 
 
-def default_color(value: int) -> str:
-    """Return a color ``#rrggbb`` for a class that brings none, the same every time."""
-    if 0 <= value <= len(_PALETTE):
-        return _PALETTE[value - 1]
-    return "#" + hashlib.sha256(str(value).encode("ascii")).hexdigest()[:6]
-
-
-def chosen_colors(classes: Iterable[tuple[int, str]]) -> list[str]:
-    """Return a color ``#rrggbb`` for each (value, name): what its name is known by, else any; the same every time."""
-    return shades([known_color(name) or default_color(value) for value, name in classes])
-
-
 def _code_and_title(name: str) -> tuple[str, ...]:
-    """Return the code that a name begins with and what stands behind it; nothing for a name without one."""
+    """Return the code at the beginning of a name and the rest; empty for a name without a code."""
     found = re.fullmatch(r"(\d{3,})\s+(.+)", name)
     return found.groups() if found else ()
 
 
 def split_list(text: str | None) -> list[str]:
-    """Items of a list given as text, without empty ones: ``"building; water"`` → ["building", "water"]."""
+    """Return the items of a list given as text, without empty ones: ``"building; water"`` → ["building", "water"]."""
     return [item.strip() for item in (text or "").split(LIST_SEPARATOR) if item.strip()]
 
 
 def shortened(items: Sequence[str], most: int = 12) -> tuple[str, ...] | Sentence:
-    """Return the items as a value of a sentence; of many the first ``most``, and how many more there are."""
+    """Return the items as a value of a sentence; of many the first ``most``, and the number of the rest."""
     if len(items) <= most:
         return tuple(items)
     return Sentence("{shown} and {count} more", shown=items[:most], count=len(items) - most)
 
 
 def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCoverClass, bool]:
-    """Return (the class, whether the row has its color)."""
+    """Return a class, and whether its row states a color."""
     cell = {
         key: (value or "").strip() for key, value in row.items() if isinstance(key, str) and not isinstance(value, list)
     }
@@ -377,14 +355,19 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCo
         value = int(cell["value"])
     except ValueError:
         raise ClassTableError(
-            "{where}: “{text}” is not a whole number for value.", where=where, text=cell["value"]
+            "{where}: “{text}” is not a whole number; the column value needs 0 to 255.",
+            where=where,
+            text=cell["value"],
         ) from None
     try:
         order = float(cell["draw_order"]) if cell.get("draw_order") else None
     except ValueError:
         raise ClassTableError(
-            "{where}: “{text}” is not a number for draw_order.", where=where, text=cell["draw_order"]
+            "{where}: “{text}” is not a number; draw_order needs a number or nothing.",
+            where=where,
+            text=cell["draw_order"],
         ) from None
+    hsv_min, hsv_max = (_hsv(cell.get(name, ""), where) for name in ("hsv_min", "hsv_max"))
     try:
         made = LandCoverClass(
             value=value,
@@ -392,8 +375,8 @@ def _class_from_row(row: dict[str, str | None], where: Sentence) -> tuple[LandCo
             color=(cell.get("color") or default_color(value)).lower(),
             role=(cell.get("role") or BACKGROUND).lower(),
             draw_order=order,
-            hsv_min=_hsv(cell.get("hsv_min", ""), where),
-            hsv_max=_hsv(cell.get("hsv_max", ""), where),
+            hsv_min=hsv_min,
+            hsv_max=hsv_max,
         )
     except ClassTableError as error:
         raise ClassTableError("{where}: {fault}", where=where, fault=error.sentence) from None
@@ -407,7 +390,9 @@ def _hsv(text: str, where: Sentence) -> Hsv | None:
     limits = (180, 255, 255)
     if len(parts) != 3 or not all(p.isdecimal() for p in parts) or any(int(p) > m for p, m in zip(parts, limits)):
         raise ClassTableError(
-            "{where}: “{text}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).", where=where, text=text
+            "{where}: “{text}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).",
+            where=where,
+            text=text,
         )
     return int(parts[0]), int(parts[1]), int(parts[2])
 

@@ -1,4 +1,4 @@
-"""Color label images decoded to label maps (paper §2.2.2 (2))."""
+"""Decode color label images to class values (paper §2.2.2 (2))."""
 
 from __future__ import annotations
 
@@ -10,17 +10,14 @@ from .class_table import UNLABELED, ClassTable
 
 
 def decode_colors(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
-    """THE choice between the two decodings: HSV ranges when the table has them, else nearest color.
-
-    ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8.
-    """
+    """Decode by HSV ranges if the table has any, otherwise by nearest color."""
     if any(c.hsv_min is not None for c in table):
         return decode_by_hsv(image_bgr, table)
     return decode_by_nearest_color(image_bgr, table)
 
 
 def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
-    """Label by each class's HSV range, as published; where ranges overlap the first class by value wins.
+    """Decode by each class's HSV range, as published; where ranges overlap, the class with the lower value counts.
 
     ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8; 0 where no range matches.
     Raises ClassTableError when no class has an HSV range.
@@ -28,7 +25,7 @@ def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
     with_range = [(c.value, c.hsv_min, c.hsv_max) for c in table if c.hsv_min is not None and c.hsv_max is not None]
     if not with_range:
         raise ClassTableError(
-            "No class has hsv_min and hsv_max; add them to the class table or decode by nearest color."
+            "No class has hsv_min and hsv_max; add both to the class table, or decode by nearest color."
         )
     hsv = cv2.cvtColor(np.ascontiguousarray(image_bgr), cv2.COLOR_BGR2HSV)
     labels_hw = np.full(hsv.shape[:2], UNLABELED, np.uint8)
@@ -38,7 +35,7 @@ def decode_by_hsv(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
 
 
 def decode_by_nearest_color(image_bgr: np.ndarray, table: ClassTable) -> np.ndarray:
-    """Label by the nearest class color in RGB; black counts as unlabeled unless a class is black.
+    """Decode by the nearest class color in RGB; black means unlabeled unless a class is black.
 
     ``image_bgr``: (H, W, 3) uint8, blue first. Returns (H, W) uint8.
     """
@@ -61,7 +58,7 @@ def decode_by_nearest_color(image_bgr: np.ndarray, table: ClassTable) -> np.ndar
 def _in_hsv_range(hsv: np.ndarray, low: tuple[int, int, int], high: tuple[int, int, int]) -> np.ndarray:
     if low[0] <= high[0]:
         return cv2.inRange(hsv, low, high) > 0
-    # The hue is a circle: red goes through 180 back to 0.
+    # Hue is circular: red continues from 180 to 0.
     upper = cv2.inRange(hsv, low, (180, high[1], high[2]))
     lower = cv2.inRange(hsv, (0, low[1], low[2]), high)
     return (upper | lower) > 0

@@ -1,4 +1,4 @@
-"""How well a predicted label map agrees with an annotated one: confusion matrix, IoU, accuracy."""
+"""Agreement of a predicted label map with a reference: confusion matrix, IoU, accuracy."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from ..errors import LabelMapError
 from .class_table import MAXIMUM_VALUE, UNLABELED, ClassTable
 
 _EXACT = 1 << 24
-"""OpenCV's histogram counts in single precision, which is exact up to here."""
+"""OpenCV's histogram counts in single precision, which is exact up to this."""
 
 _VALUES = MAXIMUM_VALUE + 1
 
 
 @dataclass(frozen=True)
 class ClassMatch:
-    """Which predicted class is which annotated one.
+    """Which predicted class corresponds to which annotated one.
 
-    ``values``: (256,) uint8: predicted value → value in ``table``. ``table``: the classes of both maps, None when
-    neither map names any. ``by_name``: False when classes are the same that have the same value.
-    ``only_predicted``: names of classes that the annotated map does not have.
+    ``values``: (256,) uint8: predicted value → value in ``table``. ``table``: the classes of both maps, None if
+    neither map names any. ``by_name``: False if classes with the same value correspond. ``only_predicted``: names of
+    classes that the annotated map lacks.
     """
 
     values: np.ndarray
@@ -37,10 +37,10 @@ class ClassMatch:
 
 
 def match_classes(annotated: ClassTable | None, predicted: ClassTable | None) -> ClassMatch:
-    """Matches by name (in any case) where both maps name their classes and share a name, else by value.
+    """Match by name (ignoring case) if both maps name their classes and share a name, otherwise by value.
 
-    By name, predicted classes that the annotated map lacks keep their value if it is free and get a free one if not;
-    predicted values that no class has are 0.
+    By name, predicted classes that the annotated map lacks keep their value if it is free, or get a free one. Predicted
+    values without a class become 0.
     """
     same = np.arange(_VALUES, dtype=np.uint8)
     if annotated is None or predicted is None:
@@ -69,7 +69,7 @@ def match_classes(annotated: ClassTable | None, predicted: ClassTable | None) ->
 class LabelComparison:
     """A confusion matrix.
 
-    Pixels without annotation (0) say nothing and are left out; pixels without prediction count as wrong.
+    Pixels without annotation (0) are ignored; pixels without prediction count as wrong.
 
     Attributes:
         counts: (256, 256) int64 pixels, annotated values down, predicted values across.
@@ -81,13 +81,13 @@ class LabelComparison:
     counts: np.ndarray
 
     def __post_init__(self) -> None:
-        """Leaves out what is not annotated."""
+        """Ignore pixels without annotation."""
         counts = np.array(self.counts, np.int64)
         counts[UNLABELED] = 0
         object.__setattr__(self, "counts", counts)
         if not self.pixels:
             raise LabelMapError(
-                "The maps have no pixel in common that the reference labels; choose maps of the same ground."
+                "Where the maps overlap, the reference map has no labels; choose maps of the same ground."
             )
 
     @property
@@ -116,16 +116,16 @@ class LabelComparison:
         return tuple(int(v) for v in np.flatnonzero(self.annotated + self.predicted))
 
     def iou(self, value: int) -> float:
-        """Intersection over union of a class that occurs: |both| / |either|."""
+        """Return intersection over union of a class that occurs: |both| / |either|."""
         both = self.counts[value, value]
         return float(both / (self.annotated[value] + self.predicted[value] - both))
 
     def recall(self, value: int) -> float | None:
-        """Share of the annotated pixels of a class that are predicted so (producer's accuracy)."""
+        """Return the share of a class's annotated pixels that have it as prediction (producer's accuracy)."""
         return _share(self.counts[value, value], self.annotated[value])
 
     def precision(self, value: int) -> float | None:
-        """Share of the predicted pixels of a class that are annotated so (user's accuracy)."""
+        """Return the share of a class's predicted pixels that have it as annotation (user's accuracy)."""
         return _share(self.counts[value, value], self.predicted[value])
 
     @property
@@ -149,12 +149,12 @@ def count_pairs(annotated_hw: np.ndarray, predicted_hw: np.ndarray) -> np.ndarra
 
 
 def disagreement_codes(annotated_hw: np.ndarray, predicted_hw: np.ndarray) -> np.ndarray:
-    """Return (H, W) uint16: 256 · annotated + predicted value where the maps disagree; 0 where not, and without annotation."""
+    """Return (H, W) uint16: 256 · annotated + predicted value where the maps disagree; 0 elsewhere and unannotated."""
     codes = annotated_hw.astype(np.uint16) * _VALUES + predicted_hw
     codes[(annotated_hw == predicted_hw) | (annotated_hw == UNLABELED)] = 0
     return codes
 
 
 def decode_disagreement(code: int) -> tuple[int, int]:
-    """Return (annotated, predicted) value of a code of ``disagreement_codes``."""
+    """Return the (annotated, predicted) value for a code of ``disagreement_codes``."""
     return divmod(code, _VALUES)

@@ -1,7 +1,7 @@
-"""Label images and photos read without GDAL, for computers that have no QGIS.
+"""Read label images and photos without GDAL, for computers without QGIS.
 
-Pillow reads PNG and TIFF: it gives the indices of a palette, which are the class values, where OpenCV gives colors.
-OpenCV reads JPEG: Pillow would look for segments byte by byte in Python, however long the file is.
+Pillow reads PNG and TIFF: it returns the indices of a palette, which are the class values; OpenCV returns colors.
+OpenCV reads JPEG: Pillow would search segments byte by byte in Python, in files of any length.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ _KINDS = {
     "TIFF": (STARTS, (".tif", ".tiff")),
     "JPEG": ((b"\xff\xd8\xff",), (".jpg", ".jpeg")),
 }
-"""How files of each kind begin, and the suffixes of their names."""
+"""First bytes of files of each kind, and the suffixes of their names."""
 
 _JPEG = b"\xff\xd8"
 _PIXELS_A_BYTE = 8 * 1032
-"""Of one bit each, which deflate packs 1,032 bytes of into one; JPEG packs less."""
+"""Pixels of one bit; deflate compresses at most 1,032 bytes to one, and JPEG less."""
 
 _READS_A_BYTE = 2
-"""Bytes that may be counted as read for each byte of a PNG: one of very small chunks takes long."""
+"""Maximum bytes read for each byte of a PNG: files of very small chunks would take long."""
 
 _UPRIGHT = {
     2: Image.Transpose.FLIP_LEFT_RIGHT,
@@ -52,39 +52,41 @@ _UPRIGHT = {
     7: Image.Transpose.TRANSVERSE,
     8: Image.Transpose.ROTATE_270,
 }
-"""What undoes Pillow's turning of a TIFF by its orientation: GDAL, which the plugin reads with, doesn't know it."""
+"""Undoes Pillow's rotation of a TIFF by its orientation, which GDAL, used in the plugin, ignores."""
 
 _STRETCHED = {"L;2": 85, "L;4": 17}
-"""Factor that gray of fewer than 8 bits is stretched by to 0 … 255, by Pillow's name of the pixels in the file."""
+"""Factor by which Pillow stretches gray of fewer than 8 bits to 0 … 255, by Pillow's raw mode."""
 
 _BITS = 258
 
 
 def read_label_image(path: str, table: ClassTable) -> np.ndarray:
-    """Return a query image's labels (H, W) uint8: single-band or paletted values, or three bands decoded by color.
+    """Read a label image as labels (H, W) uint8: single-band or paletted values, or three bands decoded by color.
 
-    PNG, TIFF and JPEG. Colors are decoded by the table's HSV ranges if it has any, else by nearest color; a TIFF's
-    nodata value counts as unlabeled. Raises LabelMapError.
+    Reads PNG, TIFF and JPEG. Colors are decoded by the table's HSV ranges if it has any, otherwise by nearest color; a
+    TIFF's nodata value becomes unlabeled. Raises LabelMapError.
     """
     data = _read(path, LabelMapError)
     if data.startswith(_JPEG):
         values = _jpeg_values(data, path, LabelMapError)
         return decode_colors(values, table) if values.ndim == 3 else values
     if not data.startswith((_PNG, *STARTS)):
-        raise LabelMapError("{path} is neither PNG nor TIFF nor JPEG; save the label image as PNG.", path=path)
+        raise LabelMapError("{path} is not a PNG, TIFF or JPEG file; save the label image as PNG.", path=path)
     image, raw_mode, tags = _decoded(data, path, LabelMapError)
     if image.mode in ("LA", "PA"):
-        raise LabelMapError("{path} has 2 bands; a label map has one: save it without transparency.", path=path)
+        raise LabelMapError("{path} has 2 bands, but a label image has one; save it without transparency.", path=path)
     values = np.array(image, np.uint8 if image.mode == "1" else None)
     if values.ndim == 3:
         if _has_16_bits(raw_mode, tags):
             raise LabelMapError(
-                "{path} holds {kind} values; a color label image has 8 bits a band.", path=path, kind="uint16"
+                "{path} has {kind} values, but a color label image has 8 bits per band; convert it to 8 bits.",
+                path=path,
+                kind="uint16",
             )
         return decode_colors(values[..., 2::-1], table)
     if values.dtype.kind not in "iu":
         raise LabelMapError(
-            "{path} holds {kind} values; a label map holds whole numbers from 0 to 255.", path=path, kind=values.dtype
+            "{path} has {kind} values; class values must be whole numbers from 0 to 255.", path=path, kind=values.dtype
         )
     if raw_mode in _STRETCHED:
         values //= _STRETCHED[raw_mode]
@@ -93,16 +95,14 @@ def read_label_image(path: str, table: ClassTable) -> np.ndarray:
         values[values == nodata] = 0
     if values.min() < 0 or values.max() > 255:
         found = int(values.max() if values.max() > 255 else values.min())
-        raise LabelMapError(
-            "{path} has the value {found}; a label map holds class values from 0 to 255.", path=path, found=found
-        )
+        raise LabelMapError("{path} has the value {found}; class values must be from 0 to 255.", path=path, found=found)
     return values.astype(np.uint8)
 
 
 def read_photo(path: str) -> Photo:
-    """Return a photo of 8 bits a band, as its pixels lie in the file; without data where it is transparent or nodata.
+    """Read a photo of 8 bits per band, unrotated; transparent and nodata pixels have no data.
 
-    Only what stands in the file itself counts, not what lies in others beside it. Raises ImageError.
+    Only the file itself counts, not side-car files next to it. Raises ImageError.
     """
     data = _read(path, ImageError)
     if not data.startswith((_PNG, *STARTS)):
@@ -118,14 +118,14 @@ def read_photo(path: str) -> Photo:
     kind = "uint16" if _has_16_bits(raw_mode, tags) else values.dtype
     if kind != np.uint8:
         raise ImageError(
-            "{path} holds {kind} values; a photo has 8 bits a band: convert it first.", path=path, kind=kind
+            "{path} has {kind} values, but a photo has 8 bits per band; convert it to 8 bits.", path=path, kind=kind
         )
     bands = values if values.ndim == 3 else values[..., None]
     has_opacity = image.mode in ("LA", "PA", "RGBA")
     count = min(bands.shape[2] - has_opacity, 3)
     has_data = bands[..., -1] > 0 if has_opacity else None
     if nodata is not None:
-        # As GDAL decides: nodata goes before opacity.
+        # As in GDAL, nodata has priority over opacity.
         has_data = (bands[..., :count] != nodata).any(axis=2)
     colors = np.repeat(bands[..., :1], 3, axis=2) if count < 3 else np.ascontiguousarray(bands[..., :3])
     if has_data is not None:
@@ -135,12 +135,12 @@ def read_photo(path: str) -> Photo:
 
 
 def _has_16_bits(raw_mode: str, tags: Tags) -> bool:
-    """Return whether colors had 16 bits: Pillow takes the upper 8 of them."""
+    """Return whether colors had 16 bits; Pillow keeps the upper 8."""
     return "16" in raw_mode or max(tags.get(_BITS) or (8,)) == 16
 
 
 def image_files(paths: list[str]) -> list[str]:
-    """Files as given; a folder stands for the images in it, by name. Raises LabelMapError for an empty folder."""
+    """Return the files, with each folder replaced by its images, sorted. Raises LabelMapError for an empty folder."""
     found: list[str] = []
     for path in paths:
         if not os.path.isdir(path):
@@ -152,21 +152,21 @@ def image_files(paths: list[str]) -> list[str]:
             raise LabelMapError("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error)) from None
         images = [os.path.join(path, name) for name in names if is_image_name(name)]
         if not images:
-            raise LabelMapError("The folder {path} holds no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
+            raise LabelMapError("The folder {path} contains no image ({endings}).", path=path, endings=IMAGE_EXTENSIONS)
         found += images
     return found
 
 
 def is_image_name(name: str) -> bool:
-    """Return whether a file of a folder counts as an image; hidden ones don't."""
+    """Return whether a file of a folder counts as an image; hidden files do not."""
     return name.lower().endswith(IMAGE_EXTENSIONS) and not name.startswith(".")
 
 
 def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> None:
-    """Refuse a file that begins as another kind than its name says: one of the two is a mistake, or a trick.
+    """Refuse a file with content of another kind than its suffix: one of the two is a mistake, or an attack.
 
     Args:
-        path: The file; names without a suffix of PNG, TIFF or JPEG promise nothing.
+        path: The file; suffixes other than those of PNG, TIFF and JPEG are not checked.
         start: Its first bytes, 8 or more.
         kind: The error to raise.
     """
@@ -176,7 +176,8 @@ def require_kind_of_name(path: str, start: bytes, kind: type[SemRefError]) -> No
     if named and found and named != found:
         raise kind(
             Sentence(
-                "{path} is named as {named}, but it is {found}; give it the suffix {suffix}, or export it again.",
+                "{path} has the suffix of {named}, but its content is {found}. Change the suffix to {suffix}, or "
+                "export the file again.",
                 path=path,
                 found=found,
                 named=named,
@@ -190,36 +191,30 @@ def _read(path: str, kind: type[SemRefError]) -> bytes:
         with open(path, "rb", opener=open_at_once) as file:
             state = os.fstat(file.fileno())
             if not stat.S_ISREG(state.st_mode):
-                raise kind(
-                    Sentence(
-                        "Image {path} is no regular file but a folder, pipe or device; choose an image file.", path=path
-                    )
-                )
+                raise kind(_not_a_file(path))
             if state.st_size > limits.IMAGE_BYTES:
                 raise kind(
                     Sentence(
-                        "Image {path} has {size_mb} MB, more than a query image may have ({most_mb} MB); cut it to "
-                        "what one photo shows.",
+                        "Image {path} has {size_mb} MB; a query image may have at most {most_mb} MB. Crop it to the "
+                        "area of one photo.",
                         path=path,
                         size_mb=state.st_size // 1_000_000,
                         most_mb=limits.IMAGE_BYTES // 1_000_000,
                     )
                 )
-            # No more than was there: a file that grows meanwhile is read again by whoever watches it.
+            # At most the stated size: a file that still grows is read again later by the watching code.
             data = file.read(state.st_size)
     except IsADirectoryError:
-        raise kind(
-            Sentence("Image {path} is no regular file but a folder, pipe or device; choose an image file.", path=path)
-        ) from None
+        raise kind(_not_a_file(path)) from None
     except (OSError, ValueError) as error:
-        # ValueError: a path with a null character.
+        # ValueError: the path contains a null character.
         raise kind(Sentence("Image {path} can't be read: {reason}.", path=path, reason=reason_of(error))) from None
     require_kind_of_name(path, data, kind)
     return data
 
 
 def open_at_once(path: str, flags: int) -> int:
-    """Open a file without waiting: a pipe that nobody writes into would be waited for without end.
+    """Open a file without blocking: opening a pipe without a writer would otherwise wait forever.
 
     Args:
         flags: As ``open`` passes them to its opener.
@@ -228,10 +223,10 @@ def open_at_once(path: str, flags: int) -> int:
 
 
 def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Image, str, Tags]:
-    """Decode a PNG or TIFF, unless it claims more pixels than an image may have.
+    """Decode a PNG or TIFF, unless it claims more pixels than allowed.
 
     Returns:
-        The image, Pillow's name of the pixels in the file, and the tags of a TIFF.
+        The image, Pillow's raw mode, and the tags of a TIFF.
     """
     is_png = data.startswith(_PNG)
     file = BoundedFile(io.BytesIO(data))
@@ -239,20 +234,20 @@ def _decoded(data: bytes, path: str, kind: type[SemRefError]) -> tuple[Image.Ima
         image = PngImageFile(file) if is_png else TiffImageFile(file)
         raw_mode = image.tile[0][3] if is_png else image.tile[0][3][0]
         tags = {} if is_png else {tag: value_of(image.tag_v2, tag) for tag in image.tag_v2}
-        # Pieces of a TIFF may be left out or shared.
+        # Pieces of a TIFF may be missing or shared.
         require_size((image.height, image.width), len(data) if is_png else None, path, kind)
         file.left = limits.TAG_BYTES + _READS_A_BYTE * len(data) if is_png else inf
         image.load()
     except SemRefError:
         raise
-    except Exception:  # Pillow has many for damaged files
+    except Exception:  # Pillow raises many types for damaged files
         raise kind(_not_decoded(path)) from None
     turn = _UPRIGHT.get(tags.get(ORIENTATION, 1))
     return image if turn is None else image.transpose(turn), raw_mode, tags
 
 
 def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
-    """Decode a JPEG: (H, W) or (H, W, 3) uint8, blue first. Its orientation is left alone, see _UPRIGHT."""
+    """Decode a JPEG: (H, W) or (H, W, 3) uint8, blue first. Its orientation is ignored, see _UPRIGHT."""
     shape_hw = photo_tags(data).shape_hw
     if shape_hw is not None:
         require_size(shape_hw, len(data), path, kind)
@@ -266,26 +261,30 @@ def _jpeg_values(data: bytes, path: str, kind: type[SemRefError]) -> np.ndarray:
     return values
 
 
+def _not_a_file(path: str) -> Sentence:
+    return Sentence("Image {path} is a folder, pipe or device; choose an image file.", path=path)
+
+
 def _not_decoded(path: str) -> Sentence:
     return Sentence(
-        "Image {path} can't be read: it is damaged, cut short or of a kind that OpenCV does not know.", path=path
+        "Image {path} can't be read: it is damaged, incomplete or in a format that OpenCV can't read.", path=path
     )
 
 
 def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, kind: type[SemRefError]) -> None:
-    """Refuse more pixels than an image may have, or than a file of so many bytes can hold.
+    """Refuse more pixels than allowed, or than a file of this size can contain.
 
     Args:
-        shape_hw: (height, width) that the file states.
-        file_bytes: Size of the file; None for formats that compress without limit.
+        shape_hw: (height, width) stated in the file.
+        file_bytes: Size of the file; None for formats with unlimited compression.
         kind: The error to raise.
     """
     height, width = shape_hw
     if height * width > limits.IMAGE_PIXELS:
         raise kind(
             Sentence(
-                "{path} has {width} × {height} pixels, more than a query image may have ({most_million} million); cut "
-                "it to what one photo shows.",
+                "{path} has {width} × {height} pixels; a query image may have at most {most_million} million. Crop it "
+                "to the area of one photo.",
                 path=path,
                 width=width,
                 height=height,
@@ -293,4 +292,4 @@ def require_size(shape_hw: tuple[int, int], file_bytes: int | None, path: str, k
             )
         )
     if file_bytes is not None and height * width > _PIXELS_A_BYTE * file_bytes:
-        raise kind(Sentence("{path} is damaged or cut short; copy it again.", path=path))
+        raise kind(Sentence("{path} is damaged or incomplete; copy it again.", path=path))

@@ -1,4 +1,4 @@
-"""Where photos come from, piece by piece, so that an orthophoto never has to fit into memory."""
+"""Sources of photos, read piece by piece, so that an orthophoto never has to fit into memory."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ class ImageSource(Protocol):
         """(height, width) in pixels."""
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """Return (height, width, 3) uint8 pixels, red first, and (height, width) bool: where there is data; None everywhere.
+        """Read (height, width, 3) uint8 pixels, red first, and (height, width) bool of pixels with data (None: all).
 
-        Pixels without data are 0, or as they are where they are merely not wanted. The piece lies wholly on the image.
-        Pieces are asked for row by row of tiles, from top to bottom.
+        Pixels without data are 0, or unchanged if they are only unwanted. The piece must be inside the image.
+        Callers read row by row of tiles, from top to bottom.
         """
 
 
@@ -27,11 +27,11 @@ class ArrayImage:
     """An image in memory, (H, W, 3) uint8, red first."""
 
     def __init__(self, image_hw3: np.ndarray, has_data_hw: np.ndarray | None = None) -> None:
-        """Keep the image, without a copy.
+        """Wrap the image without a copy.
 
         Args:
             image_hw3: (H, W, 3) uint8, red first.
-            has_data_hw: (H, W) bool, where there is data; None everywhere.
+            has_data_hw: (H, W) bool, pixels with data; None for all.
         """
         self._image_hw3 = image_hw3
         self._has_data_hw = has_data_hw
@@ -42,18 +42,18 @@ class ArrayImage:
         return self._image_hw3.shape[0], self._image_hw3.shape[1]
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """Views of a piece of the image, and of where it has data."""
+        """Return views of a piece of the image and of its data mask."""
         piece = slice(row, row + height), slice(column, column + width)
         return self._image_hw3[piece], None if self._has_data_hw is None else self._has_data_hw[piece]
 
 
 @dataclass(frozen=True)
 class Photo:
-    """A photo as its file has it.
+    """A photo from a file.
 
     Attributes:
         image: Its pixels.
-        pixel_size_m: Ground meters along a row and along a column of a pixel; None where the file does not say.
+        pixel_size_m: Ground meters along a row and along a column of a pixel; None if the file does not state them.
     """
 
     image: ImageSource
@@ -64,12 +64,12 @@ class ImagePart:
     """A piece of another image, as an image of its own."""
 
     def __init__(self, image: ImageSource, column: int, row: int, shape_hw: tuple[int, int]) -> None:
-        """Nothing is read yet.
+        """Read nothing yet.
 
         Args:
-            column: Of the whole, the piece's first.
-            row: Of the whole, the piece's first.
-            shape_hw: (height, width) of the piece, which lies wholly on the image.
+            column: First column in the whole image.
+            row: First row in the whole image.
+            shape_hw: (height, width) of the piece, which must be inside the image.
         """
         self._image, self._column, self._row, self._shape_hw = image, column, row, shape_hw
 
@@ -79,25 +79,25 @@ class ImagePart:
         return self._shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """As the whole reads it."""
+        """Read a piece; see ``ImageSource``."""
         return self._image.read(self._column + column, self._row + row, width, height)
 
 
 class PixelMask(Protocol):
-    """Which pixels of an image are wanted, told in pieces."""
+    """Mask of the wanted pixels of an image, read in pieces."""
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """Return (height, width) bool of a piece that lies wholly on the image."""
+        """Return (height, width) bool of a piece inside the image."""
 
 
 class MaskedImage:
-    """An image of which only some pixels are wanted; the others have no data, but still surround those that have."""
+    """An image with a mask; unwanted pixels have no data but stay visible as surroundings of wanted ones."""
 
     def __init__(self, image: ImageSource, mask: PixelMask) -> None:
-        """Nothing is read yet.
+        """Read nothing yet.
 
         Args:
-            mask: What of it is wanted.
+            mask: The wanted pixels.
         """
         self._image, self._mask = image, mask
 
@@ -107,7 +107,7 @@ class MaskedImage:
         return self._image.shape_hw
 
     def read(self, column: int, row: int, width: int, height: int) -> tuple[np.ndarray, np.ndarray | None]:
-        """As ``ImageSource`` says; what lies wholly outside the mask is not read."""
+        """Read a piece, see ``ImageSource``; a piece outside the mask is not read."""
         wanted = self._mask.read(column, row, width, height)
         if not wanted.any():
             return np.zeros((height, width, 3), np.uint8), wanted

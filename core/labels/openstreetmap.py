@@ -1,4 +1,4 @@
-"""OpenStreetMap tags → land-cover classes by a table of rules (docs/reference/file_formats.md#openstreetmap-rules)."""
+"""Rules from OpenStreetMap's tags to land-cover classes (docs/reference/file_formats.md#openstreetmap-rules)."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ from ..sentences import Sentence
 from ..values import read_json
 
 ANY = "*"
-"""As a rule's value: whatever the tag's value is."""
+"""Value of a rule that fits any value of its key."""
 
 THEME_KEYS = ("fclass", "type")
-"""Columns of shapefiles, today's and older ones, that have a tag's value and leave its key out."""
+"""Columns of current and older shapefiles that have a tag's value without its key."""
 
 TAG_COLUMNS = ("other_tags", "all_tags", "tags")
-"""Columns that hold further tags, as GDAL's hstore or as JSON."""
+"""Columns with further tags, as GDAL's hstore or as JSON."""
 
 _COLUMNS = ("key", "value", "class", "priority")
 _QUOTED = r'"((?:[^"\\]|\\.?)*)("?)'
 _HSTORE = re.compile(rf"{_QUOTED}(?:\s*=>\s*(?:{_QUOTED}|NULL))?", re.DOTALL)
-"""Pairs, and texts that are no pair: a pattern that can't fail never goes back, so the search is linear."""
+"""Pairs, and texts that are not pairs. The pattern can't fail and never backtracks, so the search is linear."""
 _ESCAPED = re.compile(r"\\(.)", re.DOTALL)
 
 
 @dataclass(frozen=True)
 class Rule:
-    """What a tag means.
+    """Class of a tag.
 
     Attributes:
-        value: Of the tag, or ANY.
-        class_name: The land-cover class; empty for polygons that are to be left out.
-        priority: Of several rules that fit the highest counts; polygons of higher priority are drawn on top.
+        value: Value of the tag, or ANY.
+        class_name: The land-cover class; empty to skip the polygons.
+        priority: The highest fitting rule counts; polygons of higher priority are drawn on top.
     """
 
     key: str
@@ -50,10 +50,10 @@ class Rule:
 
 
 class Rules:
-    """Rules that are looked up by tag."""
+    """Rules, looked up by tag."""
 
     def __init__(self, rules: Iterable[Rule]) -> None:
-        """Return of two rules for one tag the first counts."""
+        """Index the rules; the first one for a tag counts."""
         self._rules: dict[tuple[str, str], Rule] = {}
         self._by_theme: dict[str, Rule] = {}
         for rule in rules:
@@ -62,7 +62,7 @@ class Rules:
             self._by_theme.setdefault(theme, rule)
 
     def __len__(self) -> int:
-        """Return how many tags have a rule."""
+        """Return the number of tags with a rule."""
         return len(self._rules)
 
     @property
@@ -72,9 +72,9 @@ class Rules:
         return tuple(dict.fromkeys(rule.class_name for rule in sorted(named, key=lambda rule: -rule.priority)))
 
     def of(self, tags: Mapping[str, str]) -> Rule | None:
-        """Return the rule of the highest priority that fits one of the tags; None where none does.
+        """Return the rule of the highest priority that fits one of the tags; None without one.
 
-        A rule for a tag's very value counts instead of one for any value of its key.
+        A rule for the exact value of a tag replaces one for any value of its key.
         """
         fitting = [self._of_tag(key, value) for key, value in tags.items()]
         return max((rule for rule in fitting if rule), key=lambda rule: rule.priority, default=None)
@@ -86,20 +86,20 @@ class Rules:
 
 
 def rules_from_csv(text: str, source: str) -> Rules:
-    """Read ``key,value,class,priority``; ``;`` or tab as separator will do too.
+    """Read ``key,value,class,priority``, separated by ``,``, ``;`` or tab.
 
     Args:
         text: The CSV text, with its header.
         source: The file, for messages.
 
     Raises:
-        ParameterError: The table is malformed; tells ``source`` and the line.
+        ParameterError: The table is malformed; the message names ``source`` and the line.
     """
     lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
     if not 1 < len(lines) <= limits.RULES + 1 or max(map(len, lines)) > limits.LINE_CHARACTERS:
         raise ParameterError(
-            "{source} is no table of rules: it needs a header key,value,class,priority, then 1 to {most} lines of at "
-            "most {longest} characters.",
+            "{source} is not a table of rules. It needs a header key,value,class,priority, then 1 to {most} lines of "
+            "at most {longest} characters.",
             source=source,
             most=limits.RULES,
             longest=limits.LINE_CHARACTERS,
@@ -109,7 +109,7 @@ def rules_from_csv(text: str, source: str) -> Rules:
     missing = [name for name in _COLUMNS if name not in reader.fieldnames]
     if missing:
         raise ParameterError(
-            "{source} lacks the column {missing}; its header is “{header}”.",
+            "{source} has no column {missing}; its header is “{header}”.",
             source=source,
             missing=missing,
             header=lines[0].strip(),
@@ -123,10 +123,10 @@ def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
     """Return the tags of a feature.
 
     Args:
-        columns: Value by column: a column a tag, as GDAL and QuickOSM give them, and columns of TAG_COLUMNS.
+        columns: Value by column: one column per tag, as from GDAL and QuickOSM, and columns of TAG_COLUMNS.
 
     Returns:
-        Value by key, empty ones left out; a column of its own counts before one of many tags.
+        Value by key, without empty ones; a tag with its own column overrides one in TAG_COLUMNS.
     """
     tags: dict[str, str] = {}
     for name in TAG_COLUMNS:
@@ -136,7 +136,7 @@ def tags_of(columns: Mapping[str, object]) -> dict[str, str]:
 
 
 def _packed(text: object) -> dict[str, str]:
-    """Tags in one text: hstore ``"key"=>"value"`` or a JSON object; none for anything else."""
+    """Return the tags in one text: hstore ``"key"=>"value"`` or a JSON object; empty for anything else."""
     if not isinstance(text, str):
         return {}
     if text.lstrip().startswith("{"):
@@ -155,13 +155,15 @@ def _packed(text: object) -> dict[str, str]:
 def _rule(row: Mapping[str, object], where: Sentence) -> Rule:
     key, value, name, priority = (str(row.get(column) or "").strip() for column in _COLUMNS)
     if not key or not value:
-        raise ParameterError("{where}: a rule needs a key and a value; * stands for any value.", where=where)
+        raise ParameterError("{where}: a rule needs a key and a value; use * for any value.", where=where)
     if len(name) > limits.NAME_CHARACTERS:
         raise ParameterError(
-            "{where}: the class has a name of more than {most} characters; give a shorter one.",
+            "{where}: the name of the class has more than {most} characters; use a shorter name.",
             where=where,
             most=limits.NAME_CHARACTERS,
         )
     if not re.fullmatch(r"-?[0-9]{1,6}", priority):
-        raise ParameterError("{where}: “{text}” is not a whole number for priority.", where=where, text=priority)
+        raise ParameterError(
+            "{where}: “{text}” is not a whole number; the column priority needs one.", where=where, text=priority
+        )
     return Rule(key, value, name, int(priority))

@@ -1,6 +1,6 @@
-"""The label map reduced: most frequent class of every block, as stored in a database's ``overview``.
+"""Overview of a label map: the most frequent class of every block, as stored in a database's ``overview``.
 
-Told in docs/reference/file_formats.md#reference-database.
+See docs/reference/file_formats.md#reference-database.
 """
 
 from __future__ import annotations
@@ -14,34 +14,34 @@ import numpy as np
 from .sources import count_labels
 
 OVERVIEW_FACTOR = 4
-"""Default reduction; 300 km² at 1 m become 4 m pixels."""
+"""Default reduction: 1 m pixels become 4 m pixels."""
 
 OverviewSink = Callable[[int, int, np.ndarray], None]
 """Takes the column and row of a piece of the overview, and the piece (h, w) uint8."""
 
 
 class HeldOverview(AbstractContextManager):
-    """An overview in memory: takes pieces in any order within a ``with`` or without; ``labels`` (h, w) is the whole."""
+    """An overview in memory: accepts pieces in any order; ``labels`` (h, w) is the whole."""
 
     def __init__(self, shape_hw: tuple[int, int]) -> None:
         self.labels = np.zeros(shape_hw, np.uint8)
 
     def __exit__(self, *_: object) -> None:
-        """Nothing to close."""
+        """Do nothing: there is no file to close."""
 
     def put(self, column: int, row: int, piece_hw: np.ndarray) -> None:
-        """Take a piece (h, w) uint8 whose first pixel lies there."""
+        """Store a piece (h, w) uint8 with its first pixel at (column, row)."""
         self.labels[row : row + piece_hw.shape[0], column : column + piece_hw.shape[1]] = piece_hw
 
 
 _WORD = 0x01010101
-"""Times a label: four pixels of that label as one 32-bit word."""
+"""Multiplied by a label: four pixels of that label as one 32-bit word."""
 
 
 def most_frequent_labels(labels_hw: np.ndarray, factor: int = OVERVIEW_FACTOR) -> np.ndarray:
-    """Return (⌈H/f⌉, ⌈W/f⌉) uint8: the most frequent label of each f × f block; of equally frequent ones the smallest.
+    """Return (⌈H/f⌉, ⌈W/f⌉) uint8: the most frequent label of each f × f block, the smallest of equally frequent ones.
 
-    Blocks that stick out over the right and lower edge count the pixels they have.
+    Blocks that extend beyond the right and lower edge count their existing pixels.
     """
     height, width = labels_hw.shape
     if factor != 4 or height < 4 or width < 4:
@@ -57,7 +57,7 @@ def most_frequent_labels(labels_hw: np.ndarray, factor: int = OVERVIEW_FACTOR) -
 
 
 def _four_by_four(labels_hw: np.ndarray) -> np.ndarray:
-    """Whole 4 × 4 blocks: most are of one label, which four words of four pixels tell; only the others are counted."""
+    """Reduce whole 4 × 4 blocks: most have one label, visible in four words of four pixels; only others are counted."""
     words = np.ascontiguousarray(labels_hw).view(np.uint32)
     first = words[0::4]
     reduced = (first & 0xFF).astype(np.uint8)
@@ -82,7 +82,7 @@ def _four_by_four(labels_hw: np.ndarray) -> np.ndarray:
 def _by_counting(labels_hw: np.ndarray, factor: int) -> np.ndarray:
     height, width = labels_hw.shape
     size = -(-width // factor), -(-height // factor)
-    # The mean of f² where the label is right and 0 elsewhere is the count, exactly, as long as f² fits into 8 bits.
+    # The mean of f² where the label matches and 0 elsewhere is the count, exactly, as long as f² fits into 8 bits.
     weight = factor**2 if factor**2 <= 255 else 1
     kind = np.uint8 if factor**2 <= 255 else np.float32
     best = np.zeros(size[::-1], kind)
@@ -91,7 +91,7 @@ def _by_counting(labels_hw: np.ndarray, factor: int) -> np.ndarray:
     for value in np.flatnonzero(present):
         table = np.zeros(256, kind)
         table[value] = weight
-        # Beyond the edges nothing counts for any label.
+        # Pixels beyond the edges count for no label.
         weights = cv2.copyMakeBorder(
             cv2.LUT(labels_hw, table), 0, -height % factor, 0, -width % factor, cv2.BORDER_CONSTANT, value=0
         )

@@ -1,4 +1,4 @@
-"""The camera of an image, from what EXIF and XMP of its photo tell: attitude, lens, height, heading, time."""
+"""Camera of an image, from EXIF and XMP of its photo: attitude, lens, height, heading, time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..sentences import Sentence
 from .photo_tags import PhotoTags, read_tags
 
 PHOTO_EXTENSIONS = (".jpg", ".jpeg", ".JPG", ".JPEG", ".tif", ".tiff", ".TIF", ".TIFF")
-"""Of photos that are looked for beside a label image, by its name."""
+"""Suffixes of photos that are searched next to a label image of the same name."""
 
 SENSORS = {
     **dict.fromkeys(("FC300C", "FC300S", "FC300SE", "FC300X", "FC300XW", "FC330"), (6.25, 4000, 3000)),
@@ -27,22 +27,22 @@ SENSORS = {
     "FC6540": (23.5, 6016, 4008),
     "ZenmuseP1": (35.9, 8192, 5460),
 }
-"""By EXIF's name of the camera: width of the sensor in mm, columns and rows of its whole picture (manufacturer's data;
-widths are pixels × pitch). Most drones' flat pictures are cut from a higher one, for which their focal length on film
-is stated: it would be 9 % too short."""
+"""EXIF's camera name: width of the sensor in mm, columns and rows of its full picture (manufacturer's data; widths are
+pixels × pitch). Flat pictures of most drones are cut from a higher one, and their focal length on film is stated for
+that one: for the flat picture it would be 9 % too short."""
 
 MOST_ZOOM = 1.01
-"""Photos with more digital zoom tell no focal length: whether it is in the figure differs by maker."""
+"""Above this digital zoom the focal length is unknown: manufacturers differ in whether they include the zoom."""
 
 LEAST_HEIGHT_M = 2.0
-"""Lower ones are those of cameras on the ground or without a barometer."""
+"""Smaller heights are those of cameras on the ground or without a barometer."""
 
 CALIBRATED = (0.85, 1.18)
-"""A calibrated focal length counts if it is within this ratio of what lens and sensor say: of this resolution."""
+"""Accepted ratio of a calibrated focal length to that of lens and sensor; outside it is for another resolution."""
 
 
 def photo_camera(path: str) -> Camera:
-    """Return what the tags of an image tell, or of a photo of its name beside it; nothing is no error."""
+    """Return the camera from the tags of an image, or of a photo of the same name next to it; empty without tags."""
     beside = [os.path.splitext(path)[0] + extension for extension in PHOTO_EXTENSIONS]
     for photo in (path, *(name for name in beside if name != path)):
         camera = camera_of(read_tags(photo), os.path.basename(photo))
@@ -54,7 +54,7 @@ def photo_camera(path: str) -> Camera:
 def camera_of(tags: PhotoTags, name: str) -> Camera:
     """Return the camera of a photo."""
     attitude, heading, problem = None, None, None
-    # A photo that viewers turn may have been turned before it was labeled.
+    # A photo that viewers rotate may have been rotated before labeling.
     if tags.orientation == 1:
         heading = _heading(tags)
         try:
@@ -69,7 +69,7 @@ def camera_of(tags: PhotoTags, name: str) -> Camera:
 
 
 def _attitude(tags: PhotoTags) -> Attitude | None:
-    """By DJI's gimbal angles, else by Pix4D's, whose roll is positive with the right side down: the axis leans left."""
+    """Use DJI's gimbal angles, or Pix4D's, with roll positive if the right side is down and the axis points left."""
     roll, pitch = tags.number("GimbalRollDegree"), tags.number("GimbalPitchDegree")
     if roll is not None and pitch is not None:
         return attitude_from_gimbal(roll, pitch)
@@ -86,7 +86,7 @@ def _heading(tags: PhotoTags) -> float | None:
 
 
 def _height(tags: PhotoTags, attitude: Attitude | None) -> Height | None:
-    """By a rangefinder along the axis, above the ground, else above the place of take-off."""
+    """Use a rangefinder along the axis, else the height above the ground, else above the takeoff point."""
     slant = tags.number("LRFTargetDistance")
     if slant is not None and slant > LEAST_HEIGHT_M and attitude is not None:
         return above_ground(slant * float(attitude.down[2]))
@@ -108,7 +108,7 @@ def _lens(tags: PhotoTags) -> Lens | None:
 
 
 def _focal_length_px(tags: PhotoTags, shape_hw: tuple[int, int]) -> float | None:
-    """In pixels of the photo, from a calibration or a known sensor; None where neither tells."""
+    """Return it in pixels of the photo, from a calibration or a known sensor; None if both are unknown."""
     if tags.zoom > MOST_ZOOM:
         return None
     found = None
@@ -125,10 +125,10 @@ def _focal_length_px(tags: PhotoTags, shape_hw: tuple[int, int]) -> float | None
 
 
 def _distortion(tags: PhotoTags) -> LensDistortion | None:
-    """By DJI's “dewarp data” (user manuals of Mavic 3 Enterprise, Matrice 4 and Zenmuse P1).
+    """Read DJI's “dewarp data” (user manuals of Mavic 3 Enterprise, Matrice 4 and Zenmuse P1).
 
-    That is “date;fx,fy,cx,cy,k1,k2,p1,p2,k3”, in pixels, the center counted from the photo's. A photo that was
-    corrected in the camera says so (DewarpFlag), and one of a viewer or of digital zoom is not what was calibrated.
+    Its form is “date;fx,fy,cx,cy,k1,k2,p1,p2,k3”, in pixels, with the center relative to the photo's. A photo corrected
+    in the camera has DewarpFlag; for a rotated photo or one with digital zoom the calibration is not valid.
     """
     if tags.shape_hw is None or min(tags.shape_hw) < 1 or tags.number("DewarpFlag") or tags.zoom > MOST_ZOOM:
         return None
@@ -146,7 +146,7 @@ def _distortion(tags: PhotoTags) -> LensDistortion | None:
 
 
 def _numbers(text: str, count: int) -> list[float] | None:
-    """So many finite numbers between commas; None for anything else."""
+    """Parse exactly ``count`` finite numbers between commas; None for anything else."""
     try:
         numbers = [float(part) for part in text.split(",")]
     except ValueError:
@@ -155,7 +155,7 @@ def _numbers(text: str, count: int) -> list[float] | None:
 
 
 def _time(tags: PhotoTags) -> float | None:
-    """Seconds of the moment of exposure on the camera's own clock."""
+    """Return the time of exposure in seconds on the camera's own clock."""
     found = re.fullmatch(r"(\d{4}):(\d\d):(\d\d) (\d\d):(\d\d):(\d\d)", tags.taken, re.ASCII)
     if not found:
         return None
@@ -163,7 +163,7 @@ def _time(tags: PhotoTags) -> float | None:
         year, month, day, hour, minute, second = (int(number) for number in found.groups())
         moment = datetime(year, month, day, hour, minute, second, tzinfo=timezone.utc)
     except ValueError:
-        # 0000:00:00 is how cameras without a clock say so.
+        # Cameras without a clock write 0000:00:00.
         return None
     parts = re.match(r"[0-9]{1,9}", tags.fraction)
     return moment.timestamp() + (float(f"0.{parts.group()}") if parts else 0.0)

@@ -1,7 +1,7 @@
-"""What a camera wrote into a photo besides its pixels: EXIF and XMP, read without GDAL, a bounded part of the file.
+"""EXIF and XMP of photos, read without GDAL from a limited part of the file, in QGIS and on board.
 
-THE place that reads them, for QGIS and for computers on board alike. Photos come from strangers: whatever is damaged,
-missing or of another kind than the standard says counts as not written, and is no error.
+Photos are untrusted: tags that are damaged, missing or of another type than in the standard count as missing, without
+an error.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .tiff import ORIENTATION, STARTS, BoundedFile, Tags, read_directory, value_
 _EXIF, _XMP = b"Exif\0\0", b"http://ns.adobe.com/xap/1.0/\0"
 _APP1, _SCAN, _END = 0xE1, 0xDA, 0xD9
 _FRAMES = {*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC}
-"""Markers of segments that tell the image's size."""
+"""Markers of segments with the image's size."""
 
 _WIDTH, _HEIGHT, _MODEL, _TIFF_XMP, _EXIF_DIRECTORY = 256, 257, 272, 700, 34665
 _TAKEN, _FRACTION, _FOCAL_LENGTH, _ZOOM, _FOCAL_LENGTH_35MM = 36867, 37521, 37386, 41988, 41989
@@ -29,17 +29,17 @@ _TAKEN, _FRACTION, _FOCAL_LENGTH, _ZOOM, _FOCAL_LENGTH_35MM = 36867, 37521, 3738
 
 @dataclass(frozen=True)
 class PhotoTags:
-    """What a photo says of itself; empty or None where it says nothing.
+    """Tags of a photo; empty or None if missing.
 
     Attributes:
         shape_hw: (height, width) of the photo, pixels.
-        model: Of the camera, as EXIF has it.
-        orientation: EXIF's; 1 for a photo that is shown as its pixels lie.
+        model: Of the camera, from EXIF.
+        orientation: EXIF's; 1 for a photo that is shown unrotated.
         focal_length_mm: Of the lens itself.
         focal_length_35mm: On 35 mm film, mm.
-        zoom: Digital zoom, as a ratio; 1 for none.
+        zoom: Digital zoom as a ratio; 1 without zoom.
         taken: EXIF's date and time of exposure, ``YYYY:MM:DD hh:mm:ss``.
-        fraction: Digits of its seconds behind the decimal point.
+        fraction: Digits of its seconds after the decimal point.
     """
 
     shape_hw: tuple[int, int] | None = None
@@ -53,46 +53,46 @@ class PhotoTags:
     xmp: str = ""
 
     def number(self, name: str) -> float | None:
-        """Return a number of the XMP packet, written as an attribute or as an element; None where it is missing or none.
+        """Return a number of the XMP packet, from an attribute or an element; None if missing or not a number.
 
         Args:
-            name: Of the property, with or without the prefix of its namespace.
+            name: Name of the property, with or without the prefix of its namespace.
         """
         found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*[\"']|>)\s*([-+]?\d{{1,12}}(?:\.\d{{0,12}})?)", self.xmp)
         return float(found.group(1)) if found else None
 
     def text(self, name: str) -> str:
-        """Return a text of the XMP packet, written as an attribute or as an element; empty where it is missing.
+        """Return a text of the XMP packet, from an attribute or an element; empty if missing.
 
         Args:
-            name: Of the property, with or without the prefix of its namespace.
+            name: Name of the property, with or without the prefix of its namespace.
         """
         found = re.search(rf"\b{re.escape(name)}\s*(?:=\s*([\"'])([^\"'<>]{{0,1000}})\1|>([^<>]{{0,1000}})<)", self.xmp)
         return (found.group(2) or found.group(3) or "").strip() if found else ""
 
 
 def read_tags(path: str) -> PhotoTags:
-    """Tags of a JPEG or TIFF file; none for other files and for what can't be read.
+    """Return the tags of a JPEG or TIFF file; empty for other and unreadable files.
 
     Args:
-        path: Of the file. What is no regular file is not opened.
+        path: Path of the file. Only regular files are opened.
     """
     try:
         if not stat.S_ISREG(os.stat(path).st_mode):
             return PhotoTags()
         with open(path, "rb") as file:
             head = file.read(limits.TAG_BYTES)
-            # A TIFF's directories may stand behind its pixels.
+            # A TIFF's directories may be after its pixels.
             return _tiff_tags(file) if head.startswith(STARTS) else photo_tags(head)
     except OSError:
         return PhotoTags()
 
 
 def photo_tags(data: bytes) -> PhotoTags:
-    """Tags of a JPEG's or TIFF's content, of a JPEG the beginning is enough.
+    """Return the tags of a JPEG's or TIFF's content; the beginning of a JPEG is enough.
 
     Args:
-        data: Of the file; anything may stand there.
+        data: Content of the file, of any kind.
     """
     if data.startswith(STARTS):
         return _tiff_tags(io.BytesIO(data))
@@ -119,13 +119,13 @@ def _jpeg_tags(data: bytes) -> PhotoTags:
 
 
 def _tiff_tags(file: BinaryIO) -> PhotoTags:
-    """Tags of a TIFF or of an EXIF block; none where it is damaged, which says nothing of a photo's XMP."""
+    """Return the tags of a TIFF or an EXIF block; empty if it is damaged (the photo's XMP may still be readable)."""
     bounded = BoundedFile(file)
     try:
         tags = read_directory(bounded)
         first = value_of(tags, _EXIF_DIRECTORY)
         exif = read_directory(bounded, first) if isinstance(first, int) else tags
-    except Exception:  # Pillow has many for damaged files
+    except Exception:  # Pillow raises many types for damaged files
         return PhotoTags()
     height, width = _number(tags, _HEIGHT), _number(tags, _WIDTH)
     xmp = value_of(tags, _TIFF_XMP)
@@ -143,7 +143,7 @@ def _tiff_tags(file: BinaryIO) -> PhotoTags:
 
 
 def _number(tags: Tags, tag: int) -> float | None:
-    """Return a positive number; None for any other: unknown, in EXIF."""
+    """Return a positive number; None for any other, which means unknown in EXIF."""
     found = value_of(tags, tag)
     try:
         value = float(found[0] if isinstance(found, tuple) else found)

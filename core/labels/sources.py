@@ -1,4 +1,4 @@
-"""Where labels come from, piece by piece, so that a map never has to fit into memory, and how many pixels each has."""
+"""Sources of labels, read piece by piece, so that a map never has to fit into memory; counts of pixels by label."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 _EXACT = 1 << 24
-"""OpenCV's histogram counts in single precision, which is exact up to here."""
+"""OpenCV's histogram counts in single precision, which is exact up to this."""
 
 
 class LabelSource(Protocol):
@@ -19,14 +19,14 @@ class LabelSource(Protocol):
         """(height, width) in pixels."""
 
     def read(self, column: int, row: int, width: int, height: int) -> np.ndarray:
-        """Return (height, width) uint8 labels, not to be changed; the piece lies wholly on the map."""
+        """Read (height, width) uint8 labels, read-only; the piece must be inside the map."""
 
 
 class ArrayLabels:
     """A label map in memory."""
 
     def __init__(self, labels_hw: np.ndarray) -> None:
-        """Keep the labels, without a copy.
+        """Wrap the labels without a copy.
 
         Args:
             labels_hw: (H, W) uint8 labels.

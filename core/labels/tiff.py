@@ -1,4 +1,4 @@
-"""Tags of a TIFF or of a photo's EXIF, GeoTIFF's included: read with Pillow, for computers that have no GDAL."""
+"""Tags of a TIFF or of a photo's EXIF, including GeoTIFF's: read with Pillow, for computers without GDAL."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from PIL.TiffImagePlugin import ImageFileDirectory_v2
 from .. import limits
 
 STARTS = (b"II*\0", b"MM\0*", b"II+\0")
-"""How a TIFF begins: of either byte order, or with places of 64 bits."""
+"""First bytes of a TIFF: of either byte order, or with 64-bit offsets."""
 
 ORIENTATION, NODATA = 274, 42113
 _BYTES_A_READ = 64
-"""That a read counts for beside its bytes: it takes time."""
+"""Bytes that each read counts for in addition, because it takes time."""
 
 _PIXEL_SCALE, _TIE_POINT, _TRANSFORMATION, _GEO_KEYS = 33550, 33922, 34264, 34735
 _MODEL_TYPE_KEY, _PROJECTED, _GEOGRAPHIC = 1024, 1, 2
@@ -25,17 +25,17 @@ _METERS_PER_UNIT = {9001: 1.0, 9002: 0.3048, 9003: 1200 / 3937}
 """By the code of a linear unit: meter, foot, US survey foot."""
 
 _EQUATOR_RADIUS_M, _ECCENTRICITY_SQUARED = 6378137.0, 0.0066943799901413165
-"""Of WGS 84's ellipsoid."""
+"""Of the ellipsoid of WGS 84."""
 
 Tags = Mapping[int, Any]
 """The values of a directory by tag: a number, a text, bytes, or a tuple of numbers."""
 
-# A damaged file gives a line for each of its tags; what is damaged counts as not written.
+# A damaged file would log a line for each of its tags; damaged tags count as missing.
 warnings.filterwarnings("ignore", module=r"PIL\.TiffImagePlugin")
 
 
 class BoundedFile:
-    """A file for Pillow that ends after a number of bytes were read, however often the same ones.
+    """A file for Pillow that ends after a number of read bytes, including repeated ones.
 
     Attributes:
         left: Bytes that may still be read.
@@ -45,7 +45,7 @@ class BoundedFile:
         self._file, self.left = file, left
 
     def read(self, size: int = -1) -> bytes:
-        """Read like a file; nothing once nothing is left."""
+        """Read like a file; return nothing once the limit is reached."""
         most = int(min(max(self.left, 0), 1 << 62))
         data = self._file.read(size if 0 <= size <= most else most)
         self.left -= len(data) + _BYTES_A_READ
@@ -56,14 +56,14 @@ class BoundedFile:
 
 
 def read_directory(file: BinaryIO | BoundedFile, first: int | None = None) -> ImageFileDirectory_v2:
-    """Read the tags of one directory; one that is damaged ends early.
+    """Read the tags of one directory; a damaged one ends early.
 
     Args:
         file: A TIFF, or an EXIF block.
-        first: Where the directory is; None for the first image's.
+        first: Offset of the directory; None for that of the first image.
 
     Raises:
-        Exception: Pillow has many for what is no TIFF.
+        Exception: Pillow raises many types for content that is not a TIFF.
     """
     file.seek(0)
     head = file.read(8)
@@ -74,15 +74,15 @@ def read_directory(file: BinaryIO | BoundedFile, first: int | None = None) -> Im
 
 
 def value_of(tags: Tags, tag: int) -> Any:  # noqa: ANN401 – as Tags
-    """Return the value of a tag; None where it is missing or damaged."""
+    """Return the value of a tag; None if it is missing or damaged."""
     try:
         return tags.get(tag)
-    except Exception:  # Pillow decodes a value when it is asked for, and has many errors for damaged ones
+    except Exception:  # Pillow decodes a value at access, and raises many types for damaged ones
         return None
 
 
 def _numbers(tags: Tags, tag: int) -> tuple[Any, ...]:
-    """Return the values of a tag of several numbers; () where it is missing."""
+    """Return the values of a tag with several numbers; () if it is missing."""
     found = value_of(tags, tag)
     return found if isinstance(found, tuple) else ()
 
@@ -97,10 +97,10 @@ def nodata_of(tags: Tags) -> float | None:
 
 
 def pixel_size_m(tags: Tags, shape_hw: tuple[int, int]) -> tuple[float, float] | None:
-    """Ground meters along a row and along a column of a pixel of a GeoTIFF, as QGIS measures them in its middle.
+    """Return ground meters along a row and along a column of a pixel of a GeoTIFF, as QGIS measures them at its center.
 
-    Degrees are measured on WGS 84's ellipsoid. None where the file itself has no georeference, does not say what its
-    CRS is, or where that measures in another unit than meters, feet and degrees.
+    Degrees are measured on the ellipsoid of WGS 84. None if the file itself has no georeference, does not state its
+    CRS, or if the unit of the CRS is not meters, feet or degrees.
 
     Args:
         shape_hw: (height, width) of the image.
@@ -121,7 +121,7 @@ def pixel_size_m(tags: Tags, shape_hw: tuple[int, int]) -> tuple[float, float] |
 
 
 def _geotransform(tags: Tags) -> tuple[float, float, float, float, float] | None:
-    """Return map units that x and y grow by a column and by a row, and y of the upper left corner; None without any."""
+    """Return the change of x and y per column and per row, map units, and y of the upper left corner; or None."""
     matrix = _numbers(tags, _TRANSFORMATION)
     if len(matrix) == 16:
         return matrix[0], matrix[1], matrix[4], matrix[5], matrix[7]
@@ -132,14 +132,14 @@ def _geotransform(tags: Tags) -> tuple[float, float, float, float, float] | None
 
 
 def _geo_keys(tags: Tags) -> dict[Any, Any]:
-    """GeoTIFF's keys whose value is a single number."""
+    """Return GeoTIFF's keys with a single number as value."""
     found = _numbers(tags, _GEO_KEYS)
     keys = (found[place : place + 4] for place in range(4, len(found) - 3, 4))
     return {key: value for key, where, _, value in keys if where == 0}
 
 
 def _meters_per_degree(latitude_deg: float) -> tuple[float, float]:
-    """Return of longitude and of latitude."""
+    """Return meters per degree of longitude and of latitude."""
     flattened = 1 - _ECCENTRICITY_SQUARED * sin(radians(latitude_deg)) ** 2
     east = _EQUATOR_RADIUS_M / flattened**0.5 * cos(radians(latitude_deg))
     north = _EQUATOR_RADIUS_M * (1 - _ECCENTRICITY_SQUARED) / flattened**1.5

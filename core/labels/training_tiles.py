@@ -1,8 +1,8 @@
-"""Which tiles of an image train a segmentation network and which validate it: apart by place, not by tile.
+"""Split an image into tiles that train a segmentation network and tiles that validate it, by ground and not by tile.
 
-Neighboring tiles share houses, light and, where they overlap, pixels; a network validated on neighbors of what it has
-seen looks better than it is. So the image is divided into blocks of ground, whole blocks are set aside for validation,
-and a tile counts only when it lies wholly on blocks of one kind: no pixel is in both.
+Neighboring tiles share houses, light and, where they overlap, pixels. A network validated on neighbors of its training
+tiles looks better than it is. So the image is divided into blocks of ground, and whole blocks are held out for
+validation. A tile counts only if all its blocks are of one kind: no pixel is in both.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ TRAIN, VALIDATION = "train", "validation"
 SUBSETS = (TRAIN, VALIDATION)
 
 BLOCKS_ACROSS = 8
-"""Blocks along the image's longer side, where they are not smaller than a tile."""
+"""Blocks along the image's longer side, unless they would be smaller than a tile."""
 
 SEED = 1671
-"""Of the choice of validation blocks: the same image gives the same split."""
+"""Seed for choosing validation blocks: the same image gives the same split."""
 
 
 @dataclass(frozen=True)
@@ -28,8 +28,8 @@ class Tile:
     """A square piece of an image.
 
     Attributes:
-        column: Of its first pixel.
-        row: Of its first pixel.
+        column: First column.
+        row: First row.
         subset: ``train`` or ``validation``.
     """
 
@@ -39,22 +39,22 @@ class Tile:
 
     @property
     def name(self) -> str:
-        """Of its files, without suffix."""
+        """Name of its files, without suffix."""
         return f"{self.column}_{self.row}"
 
 
 TILE_SIZES = (512, 384, 256, 192, 128)
-"""Edges of tiles in pixels, multiples of 32, the largest first: a network sees more around a place in larger ones, and
-the pyramid of ours has nothing left of smaller ones."""
+"""Edges of tiles in pixels, multiples of 32, the largest first: larger tiles show a network more surroundings, and the
+pyramid of SemRef's network needs at least the smallest."""
 
 ENOUGH_TILES, MOST_TILES = 24, 2000
-"""Tiles that an image should have room for, so that some can be set aside; and beyond which more teach little."""
+"""Tiles that an image should have room for, so that some can be held out; above the second number more hardly help."""
 
 
 def fitting_tiles(shape_hw: tuple[int, int]) -> tuple[int, int]:
-    """Return (edge, stride) in pixels of the tiles that suit an image: the largest of which it has room for enough.
+    """Return (edge, stride) in pixels of the tiles for an image: the largest size with enough tiles.
 
-    They overlap by half where the image is small, and lie apart where it is huge.
+    They overlap by half in a small image, and have gaps in a huge one.
     """
     height, width = shape_hw
     rooms = {size: (height // size) * (width // size) for size in TILE_SIZES}
@@ -65,15 +65,15 @@ def fitting_tiles(shape_hw: tuple[int, int]) -> tuple[int, int]:
 
 
 def block_size(shape_hw: tuple[int, int], tile_size: int) -> int:
-    """Edge of a block of ground in pixels: about an eighth of the longer side, in whole tiles so that few straddle."""
+    """Return the edge of a block of ground in pixels: about an eighth of the longer side, in whole tiles."""
     return tile_size * max(1, -(-max(shape_hw) // (BLOCKS_ACROSS * tile_size)))
 
 
 def validation_blocks(labeled: np.ndarray, fraction: float) -> np.ndarray:
-    """Return (R, C) bool: the blocks set aside, so that they hold about ``fraction`` of the labeled pixels.
+    """Return (R, C) bool: the blocks to hold out, with about ``fraction`` of the labeled pixels.
 
-    Blocks are drawn in a fixed random order; one is taken when the share comes nearer to the fraction by it. At least
-    one labeled block stays for training.
+    Blocks are drawn in a fixed random order; a block is held out if it brings the share nearer to the fraction. At
+    least one labeled block stays for training.
 
     Args:
         labeled: (R, C) labeled pixels of each block.
@@ -91,7 +91,7 @@ def validation_blocks(labeled: np.ndarray, fraction: float) -> np.ndarray:
 
 
 def plan_tiles(shape_hw: tuple[int, int], tile_size: int, stride: int, held_out: np.ndarray, block: int) -> list[Tile]:
-    """Tiles row by row, without those that lie on blocks of both kinds; none reaches beyond the image.
+    """Return tiles row by row, without those on blocks of both kinds or beyond the image.
 
     Args:
         shape_hw: (height, width) of the image, pixels.
@@ -106,8 +106,8 @@ def plan_tiles(shape_hw: tuple[int, int], tile_size: int, stride: int, held_out:
     height, width = shape_hw
     if min(shape_hw) < tile_size:
         raise ParameterError(
-            "The image has {width} × {height} pixels, less than a tile of {tile_size} pixels; label more ground, or "
-            "choose a finer resolution or a smaller tile.",
+            "The image has {width} × {height} pixels, less than one tile of {tile_size} × {tile_size}. Label more "
+            "ground, or choose a finer resolution or a smaller tile.",
             width=width,
             height=height,
             tile_size=tile_size,

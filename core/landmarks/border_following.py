@@ -1,4 +1,4 @@
-"""Outer border of one region of a map too large to hold, pixel by pixel (Suzuki & Abe 1985, as in cv2.findContours)."""
+"""Follow the outer border of a region of a large map, pixel by pixel (Suzuki & Abe 1985, as in cv2.findContours)."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from ..labels.sources import LabelSource
 from .landmarks import center_coordinate
 
 _REACH = 256
-"""Pixels around the current one that are held at a time, in every direction."""
+"""Pixels around the current one that are in memory at a time, in every direction."""
 
-# The eight neighbors in counter-clockwise order as seen with y down, beginning on the right.
+# The eight neighbors in counter-clockwise order, with y down, starting on the right.
 _STEPS = ((1, 0), (1, -1), (0, -1), (-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1))
 
 
 class _Surroundings:
-    """Which pixels around a place are of one class, as bytes; beyond the map none is."""
+    """Which pixels around a point are of one class, as bytes; no pixel beyond the map is."""
 
     def __init__(self, source: LabelSource, value: int, x: int, y: int) -> None:
         height, width = source.shape_hw
@@ -30,11 +30,11 @@ class _Surroundings:
         self.offsets = tuple(dx + dy * self.width for dx, dy in _STEPS)
 
     def holds_neighbors(self, x: int, y: int) -> bool:
-        """Return whether all eight neighbors of a pixel are held."""
+        """Return whether all eight neighbors of a pixel are in memory."""
         return 0 < x - self.left < self.width - 1 and 0 < y - self.top < self.width - 1
 
     def direction(self, x: int, y: int, first: int, turn: int) -> int | None:
-        """Return the first direction with a set neighbor, from ``first`` on, counter-clockwise (turn 1) or clockwise (−1)."""
+        """Return the first direction with a set neighbor, from ``first``, counter-clockwise (1) or clockwise (−1)."""
         place = (y - self.top) * self.width + x - self.left
         for step in range(8):
             direction = (first + turn * step) % 8
@@ -48,8 +48,8 @@ def follow_outer_border(
 ) -> tuple | None:
     """Measure an 8-connected region by following its border.
 
-    Area and center are those of the polygon through the border pixels' centers (Green's formula, exact in
-    integers), as ``cv2.contourArea`` and ``cv2.moments`` give.
+    Area and center are those of the polygon through the centers of the border pixels (Green's formula, exact in
+    integers), equal to the results of ``cv2.contourArea`` and ``cv2.moments``.
 
     Args:
         source: The label map.
@@ -58,11 +58,11 @@ def follow_outer_border(
         minimum_area: Pixels.
 
     Returns:
-        Its row (class, center x, y, area, left, top, right, bottom); None when it is smaller.
+        Its row (class, center x, y, area, left, top, right, bottom); None if it is smaller.
     """
     x0, y0 = first_pixel
     around = _Surroundings(source, value, x0, y0)
-    # The pixel to the left of the first one is background; look around from there.
+    # The pixel to the left of the first one is background; start the search there.
     direction = around.direction(x0, y0, 4, -1)
     if direction is None:
         return None
@@ -74,7 +74,7 @@ def follow_outer_border(
         if not around.holds_neighbors(x, y):
             around = _Surroundings(source, value, x, y)
         onward = around.direction(x, y, back + 1, 1)
-        # There is one: the pixel that it came from.
+        # There always is one: the previous pixel.
         direction = back if onward is None else onward
         next_x, next_y = x + _STEPS[direction][0], y + _STEPS[direction][1]
         cross = (x - x0) * (next_y - y0) - (next_x - x0) * (y - y0)

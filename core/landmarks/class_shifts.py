@@ -1,9 +1,7 @@
-"""How far from where they are a prediction shows the landmarks of each class: a network's bias, and its spread.
+"""Class offsets of a network: how far from their true positions a prediction shows the landmarks of each class.
 
-See docs/explanation/method.md#class-offset.
-
-Landmarks of two label images of one ground are paired; each piece of
-ground has the median of its pairs, and what the pieces differ by beyond chance is the bias' spread.
+See docs/explanation/method.md#what-a-network-shifts. Landmarks of two label images of one ground are paired. Each piece
+of ground has the median of its pairs; the variation between pieces beyond chance is the spread of the offset.
 """
 
 from __future__ import annotations
@@ -16,40 +14,40 @@ import numpy as np
 from .landmarks import Landmarks, extract_landmarks
 
 PIECE_PX = 512
-"""Edge of the pieces that a map is compared in: an image's ground, of which a bias differs from another's."""
+"""Edge of the pieces of a map that are compared: the ground of one image, whose offset differs from another's."""
 
 LEAST_AREA_PX = 50.0
-"""Smaller landmarks have no center to speak of."""
+"""The centers of smaller landmarks are too uncertain."""
 
 REACH = 0.7
-"""Landmarks are the same when their centers are at most so far apart, in √area of the true one …"""
+"""Two landmarks are the same if their centers are at most this far apart, in √area of the true one …"""
 
 LARGEST_RATIO = 1.6
-"""… and neither is larger by more: houses that were merged or split have other centers."""
+"""… and the ratio of their areas is at most this: merged or split houses have other centers."""
 
 ROUNDS = 3
-"""Pairs are sought again where the shift that was found puts them."""
+"""Pairs are searched again after the shift found so far is applied."""
 
 LEAST_PAIRS = 3
-"""Pairs without which a piece says nothing."""
+"""Smallest number of pairs for a piece to count."""
 
 LEAST_PIECES = 3
-"""Pieces without which nothing is known of what they differ by."""
+"""Smallest number of pieces for the spread between them to be known."""
 
 MEDIAN_COST = np.pi / 2
-"""Variance of a median, in that of a mean, of normally distributed values."""
+"""Variance of a median relative to that of a mean, for normally distributed values."""
 
 DEVIATION_OF_MEDIAN = 1.4826
-"""Standard deviation of normally distributed values, in the median of their distances from their median."""
+"""Standard deviation of normally distributed values relative to the median distance from their median."""
 
 
 @dataclass(frozen=True)
 class PieceShift:
-    """Of one class in one piece of ground.
+    """Offset of one class in one piece of ground.
 
     Attributes:
         pairs: Landmarks that both label images show.
-        shift: Median of how far right and, as imaginary part, down the prediction shows them, pixels.
+        shift: Median offset of the prediction to the right and, as imaginary part, down, pixels.
         variance: Of that median, along each axis, pixels².
     """
 
@@ -61,15 +59,15 @@ class PieceShift:
 
 @dataclass(frozen=True)
 class ClassShift:
-    """Of one class over all pieces, pixels.
+    """Offset of one class over all pieces, pixels.
 
     Attributes:
-        pairs: Landmarks that both show, over all pieces.
-        pieces: That said something.
-        shift: Right and, as imaginary part, down.
-        deviation: How exactly the shift is known, along each axis.
-        spread: Standard deviation along each axis of what a piece's shift differs from it, its own uncertainty in it;
-            None where there are too few pieces.
+        pairs: Landmarks that both label images show, over all pieces.
+        pieces: Pieces with enough pairs.
+        shift: Offset to the right and, as imaginary part, down.
+        deviation: Standard deviation of the offset along each axis.
+        spread: Standard deviation along each axis of a piece's offset from it, including its own uncertainty; None
+            with too few pieces.
     """
 
     value: int
@@ -81,12 +79,12 @@ class ClassShift:
 
 
 def piece_shifts(true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Sequence[int]) -> list[PieceShift]:
-    """Return of each class with enough pairs.
+    """Return the offset of each class with enough pairs.
 
     Args:
         true_hw: (H, W) uint8 labels.
-        predicted_hw: The same ground, predicted.
-        class_values: Classes that are compared.
+        predicted_hw: Predicted labels of the same ground.
+        class_values: Classes to compare.
     """
     every = [extract_landmarks(labels, class_values, LEAST_AREA_PX) for labels in (true_hw, predicted_hw)]
     true, predicted = (found.select(~found.touches_edge) for found in every)
@@ -98,14 +96,14 @@ def piece_shifts(true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Se
         middle = complex(np.median(off.real), np.median(off.imag))
         apart = np.concatenate([off.real - middle.real, off.imag - middle.imag])
         deviation = DEVIATION_OF_MEDIAN * float(np.median(np.abs(apart)))
-        # Few pairs may lie on each other by chance.
+        # A few pairs may coincide by chance.
         variance = MEDIAN_COST * max(deviation, 0.1) ** 2 / len(off)
         shifts.append(PieceShift(int(value), len(off), middle, variance))
     return shifts
 
 
 def class_shifts(pieces: Sequence[PieceShift]) -> list[ClassShift]:
-    """Return all pieces together, by class: a random effect a piece, its variance by DerSimonian and Laird (1986)."""
+    """Combine the pieces of each class by a random-effects model with DerSimonian and Laird's variance (1986)."""
     found = []
     for value in sorted({piece.value for piece in pieces}):
         own = [piece for piece in pieces if piece.value == value]
@@ -120,7 +118,7 @@ def class_shifts(pieces: Sequence[PieceShift]) -> list[ClassShift]:
 
 
 def _between(shifts: np.ndarray, variances: np.ndarray) -> float:
-    """Variance along each axis of what (n,) complex shifts differ by beyond their own variances (n,)."""
+    """Return the variance along each axis between (n,) complex shifts beyond their own variances (n,)."""
     weights = 1 / variances
     total = weights.sum()
     mean = (weights * shifts).sum() / total
@@ -130,7 +128,7 @@ def _between(shifts: np.ndarray, variances: np.ndarray) -> float:
 
 
 def _paired(true: Landmarks, predicted: Landmarks) -> np.ndarray:
-    """Return (n,) complex: how far right and down of the true ones those lie that are each other's nearest and as large."""
+    """Return (n,) complex offsets right and down from true to predicted landmarks that are mutual nearest neighbors."""
     if not len(true) or not len(predicted):
         return np.zeros(0, complex)
     apart = predicted.centers_xy @ (1, 1j) - (true.centers_xy @ (1, 1j))[:, None]

@@ -1,8 +1,6 @@
-"""How poor a prediction's landmarks are: missed, spurious, mislabeled, jittered.
+"""Landmark errors of a prediction: missed, spurious, mislabeled, boundary jitter (docs/explanation/method.md).
 
-See docs/explanation/method.md#noise-of-a-network.
-
-The numbers are those that simulated images are spoiled with, so that a network that was compared can be assessed.
+Simulated images are degraded with the same numbers, so that a compared network can be assessed.
 """
 
 from __future__ import annotations
@@ -16,25 +14,25 @@ from .class_shifts import LARGEST_RATIO, REACH
 from .landmarks import Landmarks, extract_landmarks
 
 MARGIN_PX = 3
-"""Around a landmark's bounds its edge may lie in the prediction."""
+"""Pixels around a landmark's bounds where its predicted boundary may be."""
 
 GRID_LENGTH = np.pi / 4
-"""Length of an edge, in the sides of pixels that it is made of, over all directions."""
+"""Length of a boundary relative to the pixel sides that it consists of, averaged over all directions."""
 
 DEVIATION_OF_MEAN = np.sqrt(np.pi / 2)
-"""Standard deviation of normally distributed values around 0, in the mean of their sizes."""
+"""Standard deviation of normally distributed values around 0 relative to their mean absolute value."""
 
 
 @dataclass(frozen=True)
 class LandmarkErrors:
-    """Of one class, or of all, in one piece of ground or in all.
+    """Landmark errors of one class, or of all, in one piece of ground or in all.
 
     Attributes:
-        annotated: Landmarks that lie whole in a piece.
-        missed: Of these, those that the prediction has nothing for.
-        misnamed: Of these, those that it shows as another class.
-        invented: Predicted landmarks, whole in a piece, where the annotation has none.
-        apart_px: How far the edges of the others lie apart on average, one value a landmark, pixels.
+        annotated: Landmarks that are whole in a piece.
+        missed: Annotated landmarks that the prediction lacks.
+        misnamed: Mislabeled landmarks: annotated ones that the prediction shows as another class.
+        invented: Spurious landmarks: predicted ones, whole in a piece, without an annotated one.
+        apart_px: Mean distance between the boundaries of each other landmark, pixels.
     """
 
     annotated: int = 0
@@ -44,7 +42,7 @@ class LandmarkErrors:
     apart_px: tuple[float, ...] = field(default=())
 
     def __add__(self, other: LandmarkErrors) -> LandmarkErrors:
-        """Both together."""
+        """Return the sum of both."""
         return LandmarkErrors(
             self.annotated + other.annotated,
             self.missed + other.missed,
@@ -54,28 +52,28 @@ class LandmarkErrors:
         )
 
     def ragged_px(self, shift_px: float = 0.0) -> float | None:
-        """Return standard deviation of how far edges are moved, beyond a shift of the class; None where none was found."""
+        """Return the boundary jitter: standard deviation beyond a shift of the class; None without measurements."""
         if not self.apart_px:
             return None
         deviation = DEVIATION_OF_MEAN * float(np.median(self.apart_px))
-        # Across an edge a shift in some direction moves it by half of its square.
+        # Across a boundary, a shift in a random direction contributes half of its square.
         return float(np.sqrt(max(deviation**2 - shift_px**2 / 2, 0.0)))
 
 
 def piece_errors(
     true_hw: np.ndarray, predicted_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float
 ) -> dict[int, LandmarkErrors]:
-    """Return of each class in one piece of ground. A landmark is the same when place and size agree, as in ``class_shifts``.
+    """Return the errors of each class in one piece of ground; ``class_shifts`` defines when landmarks are the same.
 
     Args:
-        true_hw: (H, W) uint8 labels, 0 where nothing is known.
-        predicted_hw: The same ground, predicted.
-        class_values: Classes of landmarks.
-        minimum_area_px: Of landmarks that count.
+        true_hw: (H, W) uint8 labels, 0 where unknown.
+        predicted_hw: Predicted labels of the same ground.
+        class_values: Landmark classes.
+        minimum_area_px: Smallest area of a landmark.
     """
     known = np.where(true_hw == 0, np.uint8(0), predicted_hw)
     true, predicted = (extract_landmarks(labels, class_values, minimum_area_px) for labels in (true_hw, known))
-    # One that is just too small in the other labels is not missing there.
+    # A landmark that is slightly too small in the other labels does not count as missed.
     faint_true, faint = (
         extract_landmarks(labels, class_values, minimum_area_px / LARGEST_RATIO) for labels in (true_hw, known)
     )
@@ -96,7 +94,7 @@ def piece_errors(
 
 
 def _partners(some: Landmarks, others: Landmarks, of_same_class: bool) -> np.ndarray:
-    """Return (n,) the other landmark at the place and of the size of each, the nearest; -1 for none."""
+    """Return (n,) index of the nearest other landmark with the same place and size; −1 without one."""
     if not len(some) or not len(others):
         return np.full(len(some), -1)
     apart = np.abs(some.centers_xy @ (1, 1j) - (others.centers_xy @ (1, 1j))[:, None]).T
@@ -109,7 +107,7 @@ def _partners(some: Landmarks, others: Landmarks, of_same_class: bool) -> np.nda
 
 
 def _apart_px(true_hw: np.ndarray, predicted_hw: np.ndarray, value: int, bounds: np.ndarray) -> float:
-    """Return how far apart a landmark's edges lie on average: the area between them over the length of the true one."""
+    """Return the mean distance between a landmark's boundaries: the area between them over the true length."""
     left, top, right, bottom = bounds.tolist()
     part = slice(max(top - MARGIN_PX, 0), bottom + MARGIN_PX), slice(max(left - MARGIN_PX, 0), right + MARGIN_PX)
     true, predicted = true_hw[part] == value, predicted_hw[part] == value

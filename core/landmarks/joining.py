@@ -1,4 +1,4 @@
-"""Joining what belongs together: THE joiner of pieces of regions, for tiles of a map and for burnt annotations."""
+"""Join pieces of regions, for tiles of a map and for rasterized polygons."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import numpy as np
 
 
 def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
-    """Join things that are linked, also over others.
+    """Return the connected components of a graph.
 
     Args:
-        count: How many things there are.
-        pairs: (E, 2) numbers of things that are linked.
+        count: Number of nodes.
+        pairs: (E, 2) linked nodes.
 
     Returns:
-        (count,) int64 component of each, numbered in order of their first.
+        (count,) int64 component of each node, numbered in order of their first nodes.
     """
     labels = np.arange(count)
     first, second = pairs.T
@@ -31,19 +31,19 @@ def connected_components(count: int, pairs: np.ndarray) -> np.ndarray:
 
 
 def touching_runs(rows: np.ndarray, starts: np.ndarray, stops: np.ndarray) -> np.ndarray:
-    """Run of pixels that touch (8-connected) in rows that follow each other.
+    """Return pairs of runs of pixels that touch (8-connected) in consecutive rows.
 
     Args:
         rows: (K,) int64 row of each run; runs are in reading order.
         starts: (K,) int64 first column of each.
-        stops: (K,) int64 column after its last.
+        stops: (K,) int64 last column of each + 1.
 
     Returns:
         (L, 2) int64 numbers of the runs, the upper one first.
     """
     width = int(stops.max(initial=0)) + 2
     starts, stops = rows * width + starts, rows * width + stops
-    # In the next row: from the first run that does not end left of this one to the last that begins not right of it.
+    # In the next row: from the first run that does not end left of this one to the last that starts not right of it.
     first = np.searchsorted(stops, starts + width, "left")
     last = np.searchsorted(starts, stops + width, "right")
     counts = np.maximum(last - first, 0)

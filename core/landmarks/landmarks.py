@@ -1,4 +1,4 @@
-"""Label map → landmarks: one function for maps, windows and query images (docs/explanation/method.md#landmarks)."""
+"""Extract landmarks from labels, in the same way for maps, windows and query images (docs/explanation/method.md)."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import cv2
 import numpy as np
 
 CENTER_OF_FIRST_PIXEL = 0.5
-"""OpenCV counts from the center of the first pixel, SemRef from its corner; added here and nowhere else."""
+"""OpenCV counts from the center of the first pixel, SemRef from its corner. This is the only conversion."""
 
 CENTER_STEPS = 2**34
-"""Centers are whole multiples of 1/CENTER_STEPS pixel from their region's first column and row, so that shifting them
-by whole pixels is exact on maps of up to 2¹⁹ pixels a side: a region has the same center, to the last bit, whatever
-piece of the map it was found in. The step is far below what counts as a tie (``TIE_DECIMALS``)."""
+"""Centers are whole multiples of 1/CENTER_STEPS pixel from the first column and row of their region. So shifting them
+by whole pixels is exact on maps of up to 2¹⁹ pixels a side, and a region has exactly the same center in every piece of
+the map. The step is far below what counts as a tie (``TIE_DECIMALS``)."""
 
 _NO_PARENT = -1
 _PARENT = 3
@@ -29,7 +29,7 @@ class Landmarks:
         classes: (N,) uint8 class values.
         areas_px: (N,) float64 contour areas in pixels (``cv2.contourArea``, holes filled).
         bounds: (N, 4) int64 first column, first row, last column + 1, last row + 1.
-        touches_edge: (N,) bool, whether the landmark reaches the border of the image, so may go on outside it.
+        touches_edge: (N,) bool, whether the landmark touches the border of the image and may continue outside.
     """
 
     centers_xy: np.ndarray
@@ -42,7 +42,7 @@ class Landmarks:
         return len(self.classes)
 
     def select(self, index: np.ndarray) -> Landmarks:
-        """Return the landmarks picked by a boolean mask or an index array, in that order."""
+        """Return the landmarks for a boolean mask or an index array, in that order."""
         return Landmarks(
             self.centers_xy[index],
             self.classes[index],
@@ -53,7 +53,7 @@ class Landmarks:
 
 
 def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimum_area_px: float) -> Landmarks:
-    """Find every connected region that is large enough, of some classes.
+    """Return every connected region of some classes that is large enough.
 
     Per class: mask → outer boundary of every 8-connected region (``RETR_CCOMP``, those without a parent) →
     ``cv2.contourArea`` → ``cv2.moments`` → center of gravity (paper §2.2.2 (2)). Regions without area (single pixels,
@@ -61,7 +61,7 @@ def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimu
 
     Args:
         labels_hw: (H, W) uint8.
-        class_values: Classes of landmarks.
+        class_values: Landmark classes.
         minimum_area_px: Smallest contour area, pixels.
     """
     area_px = whole_half_pixels(minimum_area_px)
@@ -70,8 +70,8 @@ def extract_landmarks(labels_hw: np.ndarray, class_values: Sequence[int], minimu
 
 
 def class_mask(labels_hw: np.ndarray, value: int) -> np.ndarray:
-    """Return (H, W) uint8 mask, 1 where the label is ``value``."""
-    # Not cv2.compare: it refuses an image of one pixel.
+    """Return the (H, W) uint8 mask with 1 where the label is ``value``."""
+    # cv2.compare fails for an image of one pixel.
     return (labels_hw == np.uint8(value)).view(np.uint8)
 
 
@@ -81,14 +81,14 @@ def minimum_area_px(minimum_area_m2: float, pixel_size_m: float) -> float:
 
 
 def whole_half_pixels(area_px: float) -> float:
-    """Return the smallest contour area (they are whole halves of a pixel) that reaches ``area_px``.
+    """Return the smallest contour area of at least ``area_px``; contour areas are multiples of half a pixel.
 
-    So a threshold of 100 m² that arithmetic made 100.00000000000001 pixels means the same for map and image.
+    So a threshold of 100 m² has the same effect on map and image, even if rounding makes it 100.00000000000001 pixels.
     """
     return float(np.ceil(2 * area_px - 1e-6)) / 2
 
 
-# While they are being collected, regions are rows of one float array; these are its columns.
+# While they are collected, regions are rows of one float array with these columns.
 CLASS, CENTER_X, CENTER_Y, AREA, LEFT, TOP, RIGHT, BOTTOM = range(8)
 NO_ROWS = np.empty((0, 8), np.float64)
 
@@ -109,8 +109,8 @@ def region_rows(mask: np.ndarray, value: int, minimum_area: float) -> np.ndarray
 
 
 def contour_row(contour: np.ndarray, value: int, minimum_area: float) -> tuple | None:
-    """One region's row from its outer contour, or None when it is too small."""
-    # A contour of one or two points has no area; most specks end here, cheaply.
+    """Return a region's row from its outer contour, or None if it is too small."""
+    # A contour of one or two points has no area; this quickly skips most specks.
     if len(contour) < 3:
         return None
     area = cv2.contourArea(contour)
@@ -118,7 +118,7 @@ def contour_row(contour: np.ndarray, value: int, minimum_area: float) -> tuple |
         return None
     moments = cv2.moments(contour)
     left, top, width, height = cv2.boundingRect(contour)
-    # Six times a moment of a polygon with whole coordinates is whole.
+    # Six times a moment of a polygon with integer coordinates is an integer.
     six_areas = round(6 * moments["m00"])
     return (
         value,
@@ -133,30 +133,30 @@ def contour_row(contour: np.ndarray, value: int, minimum_area: float) -> tuple |
 
 
 def center_coordinate(first: int, six_moments: int, six_areas: int) -> float:
-    """Return pixel coordinate of a center of gravity from six times the moment about ``first`` and six times the area."""
+    """Return a center's pixel coordinate from six times the moment about ``first`` and six times the area."""
     return first + round(six_moments / six_areas * CENTER_STEPS) / CENTER_STEPS + CENTER_OF_FIRST_PIXEL
 
 
 def rows_array(rows: list) -> np.ndarray:
-    """Row tuples → (N, 8) float64."""
+    """Return row tuples as (N, 8) float64."""
     return np.array(rows, np.float64).reshape(-1, NO_ROWS.shape[1])
 
 
 def shift_rows(rows: np.ndarray, column: int, row: int) -> np.ndarray:
-    """Return rows of a piece of a larger image, in the larger image's coordinates."""
+    """Convert rows of a piece to coordinates of the larger image, in place."""
     rows[:, (CENTER_X, LEFT, RIGHT)] += column
     rows[:, (CENTER_Y, TOP, BOTTOM)] += row
     return rows
 
 
 def shift_row(row: tuple, column: int, row_offset: int) -> tuple:
-    """``shift_rows`` for one row tuple."""
+    """Return one row tuple shifted as by ``shift_rows``."""
     value, x, y, area, left, top, right, bottom = row
     return value, x + column, y + row_offset, area, left + column, top + row_offset, right + column, bottom + row_offset
 
 
 def objects_from_rows(rows: np.ndarray, shape_hw: Iterable[int]) -> Landmarks:
-    """Region rows → Landmarks in THE order; ``shape_hw`` is the whole image's (height, width)."""
+    """Return landmarks from region rows, ordered; ``shape_hw`` is the (height, width) of the whole image."""
     height, width = shape_hw
     rows = rows[np.lexsort((rows[:, CENTER_X], rows[:, LEFT], rows[:, TOP], rows[:, CLASS]))]
     bounds = rows[:, LEFT : BOTTOM + 1].astype(np.int64)
@@ -166,7 +166,7 @@ def objects_from_rows(rows: np.ndarray, shape_hw: Iterable[int]) -> Landmarks:
 
 
 def rows_from_objects(objects: Landmarks) -> np.ndarray:
-    """Return the inverse of ``objects_from_rows``: (N, 8) float64."""
+    """Return (N, 8) float64 rows of landmarks: the inverse of ``objects_from_rows``."""
     return np.column_stack(
         [objects.classes, objects.centers_xy, objects.areas_px, objects.bounds.reshape(-1, 4)]
     ).astype(np.float64)

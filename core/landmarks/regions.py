@@ -1,4 +1,4 @@
-"""Regions of a map that reach into a few places, reading no more of the map than they go on to."""
+"""Regions of a map that reach into given places; only the tiles that the regions continue into are read."""
 
 from __future__ import annotations
 
@@ -11,22 +11,22 @@ from .landmarks import NO_ROWS
 from .tiles import Region, TileLandmarks, join_tiles, joined_regions, tile_landmarks
 
 TILE = 512
-"""Edge of the pieces in which regions are followed, in pixels. They begin half a tile before the map does, so that a
-hashed block with a line of pixels around it lies in four of them, not in nine."""
+"""Edge of the tiles in which regions are followed, in pixels. The first tile starts half a tile before the map, so that
+a hashed block with a line of pixels around it overlaps four tiles, not nine."""
 
 Bounds = tuple[int, int, int, int]
-"""(left, top, right, bottom), pixels; the last two lie beyond it."""
+"""(left, top, right, bottom), pixels; right and bottom are exclusive."""
 
 
 class ReachingRegions:
     """Finds the regions of one class with a pixel in some places: iterate ``steps()`` to the end.
 
-    Each place is a tile of its own, so that its pieces are what is wanted. Where they go on, the tiles beyond are read
-    without the places in them, until no wanted region goes on.
+    Each place is a tile of its own, so that the pieces in it are the wanted ones. Neighboring tiles, without the places
+    in them, are read until no wanted region continues.
 
     Attributes:
-        rows: (N, 8) rows of the landmarks that lie in a place whole.
-        regions: Those that go on outside of their place, of any size.
+        rows: (N, 8) rows of the landmarks that are completely inside a place.
+        regions: Regions of any size that continue outside of their place.
     """
 
     def __init__(
@@ -36,7 +36,7 @@ class ReachingRegions:
 
         Args:
             source: The label map.
-            places: Apart from each other, on the map.
+            places: Disjoint rectangles on the map.
             minimum_area: Of a landmark, pixels.
             tile_px: See TILE.
         """
@@ -48,7 +48,7 @@ class ReachingRegions:
         self.regions: set[Region] = set()
 
     def steps(self) -> Iterator[None]:
-        """Yield after each piece that was read."""
+        """Read the map; yield after each piece."""
         for place in self._places:
             self._read(place)
             yield
@@ -76,7 +76,7 @@ class ReachingRegions:
         )
 
     def _beyond(self, runs: np.ndarray, wanted: np.ndarray) -> set[tuple[int, int]]:
-        """Return (column, row) of the tiles that pixels beside the wanted runs lie in."""
+        """Return (column, row) of the tiles that contain pixels next to the wanted runs."""
         boxes = np.repeat(np.array(self._boxes).reshape(-1, 4), [len(tile.runs) for tile in self._tiles], axis=0)
         chosen = wanted[runs[:, 5]]
         found = set()
@@ -91,17 +91,17 @@ class ReachingRegions:
         return {cell for cell in found if 0 <= cell[0] <= last[0] and 0 <= cell[1] <= last[1]}
 
     def _tile_of(self, place: int) -> int:
-        """Return the column (or row) of tiles that a column (or row) of pixels lies in."""
+        """Return the column (or row) of tiles that contains a column (or row) of pixels."""
         return (place + self._size // 2) // self._size
 
     def _bounds(self, cell: tuple[int, int]) -> Bounds:
-        """Return of a tile, as far as it lies on the map."""
+        """Return the part of a tile inside the map."""
         (left, top), (height, width) = (number * self._size - self._size // 2 for number in cell), self._source.shape_hw
         return max(left, 0), max(top, 0), min(left + self._size, width), min(top + self._size, height)
 
 
 def _without(box: Bounds, places: Sequence[Bounds]) -> list[Bounds]:
-    """Rectangles that cover a box but for the places in it."""
+    """Return rectangles that cover a box without the places in it."""
     parts = [box]
     for place in places:
         parts = [rest for part in parts for rest in _rest(part, place)]

@@ -1,6 +1,6 @@
-"""Landmarks of one piece of a map, and what its seams must tell so that those that cross pieces are joined exactly.
+"""Landmarks of one tile of a map, with the data at its seams that joins regions across tiles exactly.
 
-The pieces (bands, tiles) may be looked through in any order and on many machines; ``crossing_regions`` joins them.
+Tiles (or bands) can be processed in any order and on many machines; ``crossing_regions`` joins their regions.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .joining import connected_components, touching_runs
 from .landmarks import NO_ROWS, class_mask, contour_row, outer_contours, rows_array, shift_row, shift_rows
 
 PATCH_PIXELS = 16_000_000
-"""An object that crosses bands is read again in one piece up to this many pixels; a larger one is traced."""
+"""A region that crosses tiles is read in one piece up to this many pixels; the border of a larger one is followed."""
 
 NO_PIECES = np.empty((0, 7), np.int64)
 NO_RUNS = np.empty((0, 6), np.int64)
@@ -30,7 +30,7 @@ class Region:
     """An 8-connected region of a map.
 
     Attributes:
-        bounds: (left, top, right, bottom), pixels; the last two lie beyond it.
+        bounds: (left, top, right, bottom), pixels; right and bottom are exclusive.
         first_pixel: (column, row) of its first pixel in raster order.
     """
 
@@ -39,7 +39,7 @@ class Region:
 
 
 def whole_region(pieces: Sequence[Region]) -> Region:
-    """Return the region that the pieces make together."""
+    """Return the union of pieces of a region."""
     lefts, tops, rights, bottoms = zip(*(piece.bounds for piece in pieces))
     first_pixel = min((piece.first_pixel for piece in pieces), key=lambda pixel: (pixel[1], pixel[0]))
     return Region((min(lefts), min(tops), max(rights), max(bottoms)), first_pixel)
@@ -47,14 +47,14 @@ def whole_region(pieces: Sequence[Region]) -> Region:
 
 @dataclass(frozen=True)
 class TileLandmarks:
-    """What one tile of a map shows, in the map's pixels.
+    """Landmarks and cut regions of one tile, in the map's pixels.
 
     Attributes:
-        rows: (N, 8) float64 rows of the landmarks that lie in the tile whole.
-        pieces: (P, 7) int64 regions that reach a side behind which the map goes on: class, left, top, right, bottom,
+        rows: (N, 8) float64 rows of the landmarks that are completely inside the tile.
+        pieces: (P, 7) int64 regions that touch a side where the map continues: class, left, top, right, bottom,
             column and row of the first pixel in raster order.
         runs: (R, 6) int64 runs of their pixels along these sides: class, whether the side is a column (1) or a row
-            (0), number of that column or row, first pixel along it, pixel after the last, number of the piece.
+            (0), number of that column or row, first pixel along it, last pixel + 1, number of the piece.
     """
 
     rows: np.ndarray
@@ -65,13 +65,13 @@ class TileLandmarks:
 def tile_landmarks(
     labels_hw: np.ndarray, first: tuple[int, int], map_hw: tuple[int, int], values: Sequence[int], minimum_area: float
 ) -> TileLandmarks:
-    """Look through one tile.
+    """Find the landmarks of one tile.
 
     Args:
         labels_hw: (h, w) uint8.
         first: (column, row) of its first pixel on the map.
         map_hw: (height, width) of the map.
-        values: Classes of landmarks.
+        values: Landmark classes.
         minimum_area: Of a landmark, pixels.
     """
     rows, pieces, runs = [NO_ROWS], [NO_PIECES], [NO_RUNS]
@@ -88,17 +88,17 @@ def tile_landmarks(
 
 
 def crossing_regions(tiles: Iterable[TileLandmarks]) -> list[tuple[int, Region]]:
-    """Class and region of each that goes from tile to tile, which then wants measuring.
+    """Return class and region of each that crosses tiles; ``measure_region`` measures it.
 
     Args:
-        tiles: All that make up the map, without the rows of landmarks if need be.
+        tiles: All tiles of the map; their rows are not needed.
     """
     pieces, _, components = join_tiles(tiles)
     return joined_regions(pieces, components)
 
 
 def join_tiles(tiles: Iterable[TileLandmarks]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return all pieces and runs of tiles, numbered through, and the (P,) int64 region that each piece belongs to."""
+    """Return all pieces and runs of tiles, numbered consecutively, and the (P,) int64 region of each piece."""
     pieces, runs, count = [NO_PIECES], [NO_RUNS], 0
     for tile in tiles:
         pieces.append(tile.pieces)
@@ -109,7 +109,7 @@ def join_tiles(tiles: Iterable[TileLandmarks]) -> tuple[np.ndarray, np.ndarray, 
 
 
 def joined_regions(pieces: np.ndarray, components: np.ndarray) -> list[tuple[int, Region]]:
-    """Class and region of each component of pieces, see ``join_tiles``."""
+    """Return class and region of each component of pieces, see ``join_tiles``."""
     joined: dict[int, list[int]] = {}
     for piece, component in enumerate(components.tolist()):
         joined.setdefault(component, []).append(piece)
@@ -131,11 +131,11 @@ def measure_region(
     Args:
         source: The label map.
         value: The region's class.
-        minimum_area_px: Smaller ones are no landmarks.
-        patch_pixels: A region is read in one piece up to so many pixels, else its border is followed.
+        minimum_area_px: Smaller regions are not landmarks.
+        patch_pixels: A region is read in one piece up to this many pixels; the border of a larger one is followed.
 
     Returns:
-        Its row (class, center x, y, area, left, top, right, bottom); None when it is too small.
+        Its row (class, center x, y, area, left, top, right, bottom); None if it is too small.
     """
     left, top, right, bottom = region.bounds
     # A polygon through pixel centers is never larger than its bounding box.
@@ -158,7 +158,7 @@ def _region(piece: list[int]) -> Region:
 
 
 def _links(runs: np.ndarray) -> np.ndarray:
-    """Return (L, 2) numbers of pieces of one class that touch across a seam, be it by a corner."""
+    """Return (L, 2) numbers of pieces of one class that touch across a seam, also at a corner."""
     links = [np.empty((0, 2), np.int64)]
     for value in np.unique(runs[:, 0]):
         for direction in (0, 1):
@@ -170,7 +170,7 @@ def _links(runs: np.ndarray) -> np.ndarray:
 
 
 def _open_sides(mask: np.ndarray, first: tuple[int, int], map_hw: tuple[int, int]) -> list[int]:
-    """Return the sides that have pixels of the class and behind which the map goes on."""
+    """Return the sides with pixels of the class where the map continues."""
     (height, width), (column, row) = mask.shape, first
     goes_on = row > 0, row + height < map_hw[0], column > 0, column + width < map_hw[1]
     return [side for side in range(4) if goes_on[side] and _line(mask, side).any()]
@@ -181,7 +181,7 @@ def _line(mask: np.ndarray, side: int) -> np.ndarray:
 
 
 def _divided(mask: np.ndarray, sides: list[int]) -> tuple[list, list]:
-    """Contours of the regions that lie in the tile whole, and of those that reach one of the sides."""
+    """Return contours of the regions inside the tile, and of those that touch one of the sides."""
     contours = outer_contours(mask)
     if not sides:
         return contours, []
@@ -196,7 +196,7 @@ def _divided(mask: np.ndarray, sides: list[int]) -> tuple[list, list]:
 
 
 def _pieces(contours: list, value: int, first: tuple[int, int]) -> np.ndarray:
-    """Return (P, 7), see ``TileLandmarks``."""
+    """Return (P, 7) pieces, see ``TileLandmarks``."""
     found = []
     for contour in contours:
         left, top, across, down = cv2.boundingRect(contour)
@@ -206,12 +206,12 @@ def _pieces(contours: list, value: int, first: tuple[int, int]) -> np.ndarray:
     return np.array(found, np.int64).reshape(-1, 7) + np.array([0, *first * 3])
 
 
-def _runs(  # noqa: PLR0913 - what a run tells
+def _runs(  # noqa: PLR0913 - the data of a run
     mask: np.ndarray, contours: list, side: int, value: int, first: tuple[int, int], base: int
 ) -> np.ndarray:
     """Return (R, 6) runs of set pixels along one side, see ``TileLandmarks``.
 
-    A contour turns at both ends of such a run, so ``CHAIN_APPROX_SIMPLE`` keeps them: they tell whose run it is.
+    A contour turns at both ends of such a run, so ``CHAIN_APPROX_SIMPLE`` keeps these points: they identify its region.
     """
     is_column = side in (_LEFT, _RIGHT)
     across, along = (0, 1) if is_column else (1, 0)
@@ -229,6 +229,6 @@ def _runs(  # noqa: PLR0913 - what a run tells
 
 
 def _points(contours: list) -> Iterator[np.ndarray]:
-    """Return (n, 2) column, row of the points of each contour."""
+    """Yield the (n, 2) points (column, row) of each contour."""
     for contour in contours:
         yield contour[:, 0]

@@ -12,7 +12,8 @@ from typing import Any
 
 from .. import limits
 from ..errors import ClassTableError, ModelError
-from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass, chosen_colors
+from ..labels.class_colors import chosen_colors
+from ..labels.class_table import BACKGROUND, MAXIMUM_VALUE, UNLABELED, ClassTable, LandCoverClass
 from ..values import read_json
 from .class_bias import KEY as CLASS_BIAS
 

@@ -1,8 +1,8 @@
-"""Topology vectors of all windows of a map, equal to describing every window by itself but much faster.
+"""Topology vectors of all windows of a map, equal to describing each window separately but much faster.
 
-A region that lies inside a window looks the same in every window around it, so it is measured once, for the whole
-map. Only what a window's border cuts is measured again: the regions on the border lines of a row of windows once for
-that row, those on a window's left and right border once for that window, each in the smallest patch that holds it.
+A region inside a window is the same in every window around it, so it is measured once for the whole map. Only regions
+that a window border cuts are measured again, each in the smallest patch that contains it: those on the upper and lower
+border once for a row of windows, those on the left and right border once for a window.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from .grid import WindowGrid
 from .topology_vector import MINIMUM_REFERENCES, TIE_DECIMALS, class_ranks, topology_vectors
 
 KNOWN_CUTS = 200_000
-"""Cuts remembered from strip to strip; then all are forgotten, which bounds memory."""
+"""Number of cuts cached from strip to strip; the cache is then cleared, to limit memory."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class DescribedWindows:
     vectors: np.ndarray
 
 
-def describe_windows(  # noqa: PLR0913 - labels, what is sought in them, and what describes a window
+def describe_windows(  # noqa: PLR0913 - labels, landmark settings, and vector settings
     labels_hw: np.ndarray,
     grid: WindowGrid,
     objects: Landmarks,
@@ -65,11 +65,11 @@ def describe_windows(  # noqa: PLR0913 - labels, what is sought in them, and wha
     """Describe the windows of a grid.
 
     Args:
-        labels_hw: (H, W) uint8, all that the grid covers.
-        objects: Every landmark that reaches into the labels with at least the same minimum area, as far as it goes.
-        reference_values: Class values of landmarks.
-        minimum_area_px: Smaller regions are no landmarks.
-        references_per_vector: X, landmarks that a vector holds at most.
+        labels_hw: (H, W) uint8, the whole area of the grid.
+        objects: Every landmark that overlaps the labels, with at least the same minimum area, uncut.
+        reference_values: Landmark classes.
+        minimum_area_px: Smaller regions are not landmarks.
+        references_per_vector: X, largest number of landmarks in a vector.
     """
     all_rows, columns = rows_from_objects(objects), grid.columns
     cuts: dict[tuple, list] = {}
@@ -89,7 +89,7 @@ class _Border:
     Attributes:
         frame: (left, top, right, bottom), pixels of the strip.
         side: LEFT, TOP, RIGHT or BOTTOM.
-        done: Sides on which regions were found already.
+        done: Sides that were processed before.
     """
 
     frame: tuple[int, int, int, int]
@@ -97,13 +97,13 @@ class _Border:
     done: Sequence[int] = ()
 
     def is_first_of(self, row: tuple) -> bool:
-        """Return whether a region (row) lies on this side and on none of those done."""
-        lies_on = row[self.side] == self.frame[self.side - LEFT]
-        return lies_on and all(row[other] != self.frame[other - LEFT] for other in self.done)
+        """Return whether a region (row) touches this side, but no side in ``done``."""
+        touches = row[self.side] == self.frame[self.side - LEFT]
+        return touches and all(row[other] != self.frame[other - LEFT] for other in self.done)
 
 
 class _Strip:
-    """One row of windows: its labels and the regions near it, in the strip's own pixel coordinates."""
+    """One row of windows: its labels and the regions near it, in pixel coordinates of the strip."""
 
     def __init__(
         self,
@@ -113,14 +113,14 @@ class _Strip:
         columns: np.ndarray,
         known_cuts: dict[tuple, list],
     ) -> None:
-        """Take what one row of windows shows.
+        """Store the data of one row of windows.
 
         Args:
             labels: (size, W) uint8.
-            near: (N, 8) region rows of the map that reach into the strip.
-            first_row: The first of the strip, counted as in ``known_cuts``.
-            columns: (M,) the windows' first columns in the strip.
-            known_cuts: Shared by the strips of one grid, kept up to date.
+            near: (N, 8) region rows of the map that overlap the strip.
+            first_row: First row of the strip, in the coordinates of ``known_cuts``.
+            columns: (M,) first columns of the windows in the strip.
+            known_cuts: Cache that the strips of one grid share.
         """
         self._known_cuts = known_cuts
         self.labels = labels
@@ -131,7 +131,7 @@ class _Strip:
     def describe(
         self, size: int, reference_values: Sequence[int], minimum_area: float, references_per_vector: int
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Count and vectors of the windows, see ``DescribedWindows``."""
+        """Return counts and vectors of the windows, see ``DescribedWindows``."""
         columns = self._columns
         counts = np.zeros(len(columns), np.int64)
         nearest: list[np.ndarray] = [NO_ROWS] * len(columns)
@@ -162,7 +162,7 @@ class _Strip:
             yield np.concatenate([inside, rows_array(cut)]) if cut else inside
 
     def _regions(self, minimum_area: float) -> np.ndarray:
-        """Region rows as the strip shows them, ordered by their left end."""
+        """Return region rows as cut by the strip, ordered by their left end."""
         height, width = self.labels.shape
         frame = (0, 0, width, height)
         reaches = _reaches(self._near, frame)
@@ -174,11 +174,11 @@ class _Strip:
         return rows[np.argsort(rows[:, LEFT], kind="stable")]
 
     def _cut(self, crossing: np.ndarray, border: _Border, minimum_area: float) -> list:
-        """Return rows (tuples) of what is left inside a frame of the regions ``crossing`` one of its sides.
+        """Return rows (tuples) of the parts inside a frame of the regions ``crossing`` one of its sides.
 
-        Every part of a region that a frame cuts has pixels on one of the frame's sides, and every pixel of a reference
-        class on this side belongs to one of the regions ``crossing`` it (or to one too small to count): so the
-        contours that touch the side are exactly the wanted ones. Those on a side already done were found there.
+        Every part of a cut region has pixels on a side of the frame, and every pixel of a landmark class on this side
+        belongs to one of the regions ``crossing`` it (or to a too small one). So the contours that touch the side are
+        exactly the wanted ones. Those on a side in ``done`` were found before.
         """
         found = []
         for value in np.unique(crossing[:, CLASS]).astype(int).tolist():
@@ -192,7 +192,7 @@ class _Strip:
     def _cut_in_many_strips(
         self, value: int, patch: tuple[int, int, int, int], border: _Border, minimum_area: float
     ) -> list:
-        """Return what a vertical line cuts well inside the strip, it cuts in the strips above and below just the same."""
+        """Cut at a vertical line well inside the strip: the result is valid for the strips above and below, too."""
         row = self._first_row
         left, top, right, bottom = patch
         frame = border.frame
@@ -223,7 +223,7 @@ _SIDES = (TOP, BOTTOM, LEFT, RIGHT)
 
 
 def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np.ndarray]:
-    """For each side of ``frame`` a mask of the regions that reach that side's line of pixels, or over it."""
+    """Return for each side of ``frame`` a mask of the regions that touch or cross that side's line of pixels."""
     return {
         LEFT: rows[:, LEFT] <= frame[0],
         TOP: rows[:, TOP] <= frame[1],
@@ -233,10 +233,10 @@ def _reaches(rows: np.ndarray, frame: tuple[int, int, int, int]) -> dict[int, np
 
 
 def _patches(crossing: np.ndarray, frame: tuple[int, int, int, int], side: int) -> Iterator[tuple[int, int, int, int]]:
-    """Return (left, top, right, bottom) of patches that hold regions of one class wholly inside ``frame``.
+    """Yield (left, top, right, bottom) of patches inside ``frame`` that contain whole regions of one class.
 
-    Regions whose extents along the side's line overlap share a patch, so that the patches' extents along the line
-    are apart and no region shows up in two of them.
+    Regions with overlapping extents along the side share a patch. So patches do not overlap along the side, and no
+    region is in two of them.
     """
     bounds = np.minimum(np.maximum(crossing[:, LEFT : BOTTOM + 1], (frame[0], frame[1]) * 2), (frame[2], frame[3]) * 2)
     vertical = side in (LEFT, RIGHT)
@@ -255,7 +255,7 @@ def _patches(crossing: np.ndarray, frame: tuple[int, int, int, int], side: int) 
 
 
 def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> dict[int, np.ndarray]:
-    """For each vertical line (pixel column) that regions lie on: line index → indices of those regions."""
+    """Return for each vertical line (pixel column) with regions: line index → indices of those regions."""
     first = np.searchsorted(lines, rows[:, LEFT], side="left")
     after = np.searchsorted(lines, rows[:, RIGHT], side="left")
     counts = after - first
@@ -268,7 +268,7 @@ def _rows_by_line(rows: np.ndarray, lines: np.ndarray) -> dict[int, np.ndarray]:
 
 
 def _nearest(rows: np.ndarray, center: np.ndarray, count: int) -> np.ndarray:
-    """Return (n, 3) offset x, offset y, class of the ``count`` regions nearest to ``center`` and those tied with the last."""
+    """Return (n, 3) offset x, y and class of the ``count`` regions nearest to ``center``, with ties of the last."""
     offsets = rows[:, (CENTER_X, CENTER_Y, CLASS)]
     offsets[:, :2] -= center
     if len(rows) <= count:

@@ -1,4 +1,4 @@
-"""How unlike a window is all windows elsewhere: the distance to the nearest vector of one that doesn't overlap it."""
+"""Distinctiveness of windows: the distance to the nearest vector of a window that does not overlap."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 BLOCK = 1024
-"""Windows compared at a time, as far as their distances fit into _BLOCK_BYTES; several threads may do so."""
+"""Windows compared at a time, if their distances fit into _BLOCK_BYTES; several threads may do so at once."""
 
 _BLOCK_BYTES = 12_000_000
 
@@ -16,20 +16,20 @@ _PAIRS_AT_ONCE = 100_000
 _Windows = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 _TOUCHING = 1 - 1e-6
-"""Windows side by side share no area, though rounding of large map coordinates may let them overlap by a hair."""
+"""Factor that keeps adjacent windows from overlapping because large map coordinates are rounded."""
 
 
 def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[slice, np.ndarray]]:
-    """Compares windows with others, block by block. Distances depend only on the two vectors, to the last bit.
+    """Compare windows with others, block by block. Distances depend on the two vectors only, exactly.
 
-    Two windows overlap when their squares share area.
+    Two windows overlap if their squares share area.
 
     Args:
-        windows: Their vectors (N, 3·X) float32, centers (N, 2) map x, y, and sizes (N,), edges in map units.
-        others: Those of the windows that they are compared with.
+        windows: Vectors (N, 3·X) float32, centers (N, 2) map x, y, and sizes (N,), edges in map units.
+        others: The same for the windows to compare with.
 
     Yields:
-        A slice of n windows, and their (n,) float64 distances; infinity where every other window overlaps.
+        A slice of n windows, and their (n,) float64 distances; infinity if every other window overlaps.
     """
     vectors, centers, sizes = windows
     other_vectors, other_centers, other_sizes = others
@@ -60,7 +60,7 @@ def nearest_distances(windows: _Windows, others: _Windows) -> Iterator[tuple[sli
         score[rows, near[columns]] = np.inf
         nearest = score.argmin(axis=1)
         found = score[np.arange(len(nearest)), nearest]
-        # Squares of differences cancel badly in the product form: all that may be the nearest are measured anew.
+        # The product form loses digits in differences of squares: all possible nearest ones are measured again.
         distances = _distances(vectors[block], other_vectors[nearest])
         distances[np.isinf(found)] = np.inf
         limit = np.where(np.isfinite(distances) & (distances > 0), found + blur, -np.inf).astype(score.dtype)
@@ -77,7 +77,7 @@ def _distances(vectors: np.ndarray, others: np.ndarray) -> np.ndarray:
 
 
 def _score_error(vectors: np.ndarray, squares: np.ndarray) -> float:
-    """By how much two scores may be in the wrong order: rounding of sums of products in single precision (Higham)."""
+    """Return the largest error of a score from rounding sums of products in single precision (Higham)."""
     own = np.einsum("ij,ij->i", vectors, vectors).max(initial=0.0)
     largest = max(float(own), float(squares.max()))
     return 8 * vectors.shape[1] * 2.0**-24 * largest

@@ -1,4 +1,4 @@
-"""THE window grid: where the windows of a reference database lie on its label map (paper §3.1)."""
+"""Grid of the windows of a reference database on its label map (paper §3.1)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import WindowError
 
 @dataclass(frozen=True)
 class WindowGrid:
-    """Windows of one size sliding over a map; only those that lie wholly on it count, as in the paper.
+    """Windows of one size sliding over a map; only those completely inside it count, as in the paper.
 
     Attributes:
         width: Of the map, pixels.
@@ -21,7 +21,7 @@ class WindowGrid:
         stride: From one window to the next, pixels.
 
     Raises:
-        WindowError: When no window lies on the map, or when the stride would leave gaps.
+        WindowError: No window fits on the map, or the stride would leave gaps.
     """
 
     width: int
@@ -32,14 +32,14 @@ class WindowGrid:
     def __post_init__(self) -> None:
         if self.size < 1 or self.stride < 1:
             raise WindowError(
-                "Window size ({size} px) and stride ({stride} px) must be at least one pixel; enlarge them.",
+                "Window size ({size} px) and stride ({stride} px) must be at least one pixel; increase them.",
                 size=self.size,
                 stride=self.stride,
             )
         if self.stride > self.size:
             raise WindowError(
-                "The stride ({stride} px) is larger than the window ({size} px), so ground between the windows would "
-                "be missed; make the stride at most the window size.",
+                "The stride ({stride} px) is larger than the window ({size} px), so windows would leave gaps; choose a "
+                "stride up to the window size.",
                 stride=self.stride,
                 size=self.size,
             )
@@ -67,7 +67,7 @@ class WindowGrid:
 
 
 def window_name(column: int, row: int) -> str:
-    """Return a window is named after its first pixel, as in the paper: ``5950_2100``."""
+    """Return the name of a window, made of its first pixel as in the paper: ``5950_2100``."""
     return f"{column}_{row}"
 
 
@@ -77,7 +77,7 @@ def whole_pixels(length: float, pixel_size: float) -> int:
 
 
 def centered_square(shape_hw: Sequence[int]) -> tuple[int, int, int]:
-    """Return the largest centered square of an image (docs/method.md#topology-vector).
+    """Return the largest centered square of an image (docs/explanation/method.md#topology-vector).
 
     Args:
         shape_hw: (height, width) of the image, pixels.

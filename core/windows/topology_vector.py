@@ -1,4 +1,4 @@
-"""THE topology vector: scale- and rotation-free description of an image by its landmarks (paper §2.2.1)."""
+"""Topology vector: description of an image by its landmarks, independent of scale and rotation (paper §2.2.1)."""
 
 from __future__ import annotations
 
@@ -7,17 +7,19 @@ from collections.abc import Sequence
 import numpy as np
 
 REFERENCES_PER_VECTOR = 10
-"""X of the paper (its Tables 1–3): landmarks that a vector holds at most."""
+"""X of the paper (its Tables 1–3): largest number of landmarks in a vector."""
 
 MINIMUM_REFERENCES = 3
-"""Fewer landmarks than this give no vector: two points fix no shape."""
+"""Smallest number of landmarks for a vector: two points do not determine a shape."""
 
 TIE_DECIMALS = 6
-"""Distances in pixels and angles in degrees that agree to so many decimals are tied; rounding errors are near 1e-11."""
+"""Distances in pixels and angles in degrees that are equal to this many decimals are tied; rounding errors are near
+1e-11."""
 
 
 DISTANCE_THRESHOLD = 2.0
-"""T: a larger distance is no match. Not printed in the paper; 1 − d/2 gives all confidences of its Tables 4 and 5."""
+"""T: a larger distance is not a match. The paper does not state it; 1 − d/2 gives all confidences of its Tables 4 and
+5."""
 
 
 def topology_vector(
@@ -33,8 +35,8 @@ def topology_vector(
         centers_xy: (N, 2) centers of gravity (column, row), pixels.
         classes: (N,) class values, each one of ``reference_values``.
         image_center_xy: (column, row) of the image's center, pixels.
-        reference_values: Class values of landmarks.
-        references_per_vector: X, landmarks that the vector holds at most.
+        reference_values: Landmark classes.
+        references_per_vector: X, largest number of landmarks in the vector.
 
     Returns:
         (3·X,) float32 in [0, 1]; None with fewer than MINIMUM_REFERENCES landmarks.
@@ -47,7 +49,7 @@ def topology_vector(
 
 
 def class_ranks(classes: np.ndarray, reference_values: Sequence[int]) -> np.ndarray:
-    """Return (N,) class values → (N,) float64 ranks: the place among the reference classes over their number."""
+    """Return (N,) float64 ranks of (N,) class values: the index among the landmark classes over their number."""
     values = np.asarray(sorted(reference_values))
     return (np.searchsorted(values, classes) + 1) / len(values)
 
@@ -55,16 +57,16 @@ def class_ranks(classes: np.ndarray, reference_values: Sequence[int]) -> np.ndar
 def topology_vectors(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> np.ndarray:
     """Return the vectors of M images at once.
 
-    Per image: keep the X nearest; order them by their angle from the +x axis in [0°, 360°); begin with the farthest;
-    then three rows, zero-padded at the end: distance ratios (eq. 2), angle differences to the next one, the last to
-    the first, over the largest (eqs. 3, 4), and ranks. Ties, to a millionth of a pixel or degree, go by
-    distance, then angle, then rank.
+    For each image: keep the X nearest landmarks; order them by their angle from the +x axis in [0°, 360°); start with
+    the farthest. Then make three rows, zero-padded at the end: distance ratios (eq. 2), angle differences to the next
+    one, from the last to the first, over the largest (eqs. 3, 4), and ranks. Ties, to a millionth of a pixel or degree,
+    are ordered by distance, then angle, then rank.
 
     Args:
         offsets_xy: (M, N, 2) float64 offsets (column, row) in pixels of the landmarks from each image's center, padded
             with infinity; every image has at least one.
-        ranks: (M, N) as of ``class_ranks``.
-        references_per_vector: X, landmarks that a vector holds at most.
+        ranks: (M, N) as from ``class_ranks``.
+        references_per_vector: X, largest number of landmarks in a vector.
 
     Returns:
         (M, 3·X) float32, row after row.
@@ -91,7 +93,7 @@ def vector_objects(
     reference_values: Sequence[int],
     references_per_vector: int = REFERENCES_PER_VECTOR,
 ) -> np.ndarray:
-    """Return (K,) indices of the objects that ``topology_vector`` describes, in the vector's order; arguments as there."""
+    """Return (K,) indices of the landmarks in the result of ``topology_vector``, in its order; same arguments."""
     if not len(classes):
         return np.empty(0, np.int64)
     offsets = np.asarray(centers_xy, np.float64)[None] - np.asarray(image_center_xy, np.float64)
@@ -99,14 +101,14 @@ def vector_objects(
 
 
 def _in_order(offsets_xy: np.ndarray, ranks: np.ndarray, references_per_vector: int) -> tuple[np.ndarray, ...]:
-    """Return indices (M, K) of the objects kept in the vector's order, with their distances, angles and ranks."""
+    """Return indices (M, K) of the landmarks in the vector's order, with their distances, angles and ranks."""
     kept = min(references_per_vector, offsets_xy.shape[1])
     distances = np.hypot(offsets_xy[..., 0], offsets_xy[..., 1])
     with np.errstate(invalid="ignore"):
         angles = np.degrees(np.arctan2(offsets_xy[..., 1], offsets_xy[..., 0]))
-    # Equal objects lie at tied distances; the last bits, which depend on where the map was cut, must not order them.
+    # Equal objects have tied distances; the last bits depend on where the map was cut and must not order them.
     distances = np.round(distances, TIE_DECIMALS)
-    # Rounded before the modulo: a tiny negative angle would come out of it as 360 itself, which is 0.
+    # Round before the modulo: a tiny negative angle would become 360 instead of 0.
     angles = np.round(angles, TIE_DECIMALS) % 360.0
     angles[distances == 0.0] = 0.0
     angles[np.isinf(distances)] = np.inf
@@ -128,11 +130,11 @@ def _over_largest(values: np.ndarray) -> np.ndarray:
 
 
 def vector_distances(query: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Euclidean distances (N,) float64 of ``query`` (3·X,) to every row of ``vectors`` (N, 3·X) (eq. 5)."""
+    """Return Euclidean distances (N,) float64 of ``query`` (3·X,) to every row of ``vectors`` (N, 3·X) (eq. 5)."""
     difference = vectors.astype(np.float64) - query.astype(np.float64)
     return np.sqrt(np.einsum("ij,ij->i", difference, difference))
 
 
 def vector_confidence(distance: float) -> float:
-    """1 − d/T, and 0 beyond T where the matching counts as failed."""
+    """Return 1 − d/T, and 0 beyond T where the match counts as failed."""
     return max(0.0, 1.0 - float(distance) / DISTANCE_THRESHOLD)

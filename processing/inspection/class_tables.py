@@ -55,7 +55,8 @@ def is_shipped(path: str) -> bool:
 
 def new_row(values: Iterable[str]) -> ClassRow:
     """A class more, with the first value that is free."""
-    from ...core.labels.class_table import MAXIMUM_VALUE, default_color
+    from ...core.labels.class_colors import default_color
+    from ...core.labels.class_table import MAXIMUM_VALUE
 
     taken = set(values)
     value = next((n for n in range(1, MAXIMUM_VALUE + 1) if str(n) not in taken), MAXIMUM_VALUE)

@@ -61,7 +61,7 @@ def database(labels):
 
 
 def test_a_minimum_area_beyond_any_map_leaves_no_reference_object(labels):
-    with pytest.raises(LabelMapError, match="^The map shows no landmark of building, water with at least inf"):
+    with pytest.raises(LabelMapError, match="^The map has no region of building, water with at least inf"):
         built(labels, BuildSettings(80.0, 36.0, float("inf")))
 
 
@@ -69,14 +69,14 @@ def test_a_minimum_area_beyond_any_map_leaves_no_reference_object(labels):
 def test_a_map_without_landmarks_is_refused(labels):
     with refuses(
         LabelMapError,
-        "The map shows no landmark of building, water with at least 20 m²; "
+        "The map has no region of building, water with at least 20 m²; "
         "choose other reference classes or a smaller minimum area.",
     ):
         built(labels)
 
 
 def test_a_table_without_reference_classes_is_refused_before_any_work(labels):
-    with pytest.raises(ClassTableError, match="^No class is a reference class; choose at least one of 2 building"):
+    with pytest.raises(ClassTableError, match="^No class is a reference class. Choose at least one of 2 building"):
         builder_of(labels, table=TABLE.with_references([]))
 
 
@@ -88,7 +88,7 @@ def test_a_minimum_area_of_nothing_is_refused(area):
 
 @pytest.mark.parametrize("count", [0, 2])
 def test_a_vector_too_short_for_three_references_is_refused(count):
-    with refuses(WindowError, f"A vector of {count} references is too short; use at least 3."):
+    with refuses(WindowError, f"A vector of {count} landmarks is too short; use at least 3."):
         BuildSettings(80.0, 36.0, 20.0, references_per_vector=count)
 
 

@@ -31,13 +31,13 @@ def test_what_a_build_makes_is_sound(database):
 @pytest.mark.parametrize(
     ("name", "value", "said"),
     [
-        ("centers", np.nan, "a window lies at nan, nan, off the map"),
-        ("levels", 3, "a window has a level that is not there"),
-        ("levels", 0, "a window has a level that is not there"),
+        ("centers", np.nan, "a window at nan, nan is outside the map"),
+        ("levels", 3, "a window has a level that does not exist"),
+        ("levels", 0, "a window has a level that does not exist"),
         ("counts", -1, "a window has an impossible number of landmarks"),
         ("sizes", 0, "a window has an impossible size"),
         ("sizes", 322 * 2.0, "a window has an impossible size"),
-        ("vectors", np.inf, "a vector has values that are no numbers"),
+        ("vectors", np.inf, "a vector has values that are not valid numbers"),
     ],
 )
 def test_a_window_that_no_build_makes_is_refused(database, name, value, said):
@@ -57,10 +57,10 @@ def test_a_distinctiveness_may_be_unknown_but_not_negative(database):
 @pytest.mark.parametrize(
     ("name", "value", "said"),
     [
-        ("positions", (600000.0 - 2.1, 5199900.0), "a landmark lies at 599998, 5.1999e\\+06, off the map"),
+        ("positions", (600000.0 - 2.1, 5199900.0), "a landmark at 599998, 5.1999e+06 is outside the map"),
         ("areas_m2", 0, "a landmark has an impossible area"),
         ("areas_m2", 1e15, "a landmark has an impossible area"),
-        ("classes", 3, "a landmark has a class that is no reference class"),
+        ("classes", 3, "a landmark has a class that is not a reference class"),
     ],
 )
 def test_a_landmark_that_no_build_makes_is_refused(database, name, value, said):

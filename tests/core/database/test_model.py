@@ -19,7 +19,7 @@ def test_first_pixels_come_back_from_the_places_of_windows():
 
 @pytest.mark.parametrize("moved", [(0.1, 0), (0, 0.3), (-0.7, 0)], ids=["right", "up", "off the map"])
 def test_a_window_beside_the_pixels_or_the_map_is_refused(moved):
-    with pytest.raises(ValueError, match="does not lie on the label map's pixels"):
+    with pytest.raises(ValueError, match="is not aligned with the label map's pixels"):
         first_pixels_of(CENTERS + moved, SIZES, FRAME)
 
 

@@ -266,17 +266,29 @@ def test_a_map_that_loses_its_last_reference_object_is_refused():
     labels = np.full((HEIGHT, WIDTH), 3, np.uint8)
     labels[50:60, 50:60] = 2
     before = built(labels)
-    with pytest.raises(LabelMapError, match="^The corrected map shows no landmark any more"):
+    with pytest.raises(LabelMapError, match="^The corrected map has no landmark left"):
         updated(before, np.full_like(labels, 3))
 
 
 @pytest.mark.parametrize(
     ("labels", "transform", "sentence"),
     [
-        (houses(0)[1:], FRAME.geotransform, "^The label map has 190 × 149 pixels from 600000.3, 5200000.1, the data"),
+        (
+            houses(0)[1:],
+            FRAME.geotransform,
+            "^The label map has 190 × 149 pixels from 600000.3, 5200000.1, but the data",
+        ),
         (houses(0), (600001.0, PIXEL, 0, 5200000.1, 0, -PIXEL), "^The label map has 190 × 150 pixels from 600001, "),
-        (houses(0), (600000.3, 1.0, 0, 5200000.1, 0, -1.0), "^The label map has pixels of 1 m, the database was built"),
-        (houses(0) + 4 * (houses(0) == 3), FRAME.geotransform, "^The label map has the value 7, which the database's"),
+        (
+            houses(0),
+            (600000.3, 1.0, 0, 5200000.1, 0, -1.0),
+            "^The label map has pixels of 1 m, but the database was built",
+        ),
+        (
+            houses(0) + 4 * (houses(0) == 3),
+            FRAME.geotransform,
+            "^The label map has the value 7, which is not a class of the database",
+        ),
     ],
     ids=["size", "corner", "pixel size", "classes"],
 )
@@ -289,9 +301,12 @@ def test_databases_without_hashes_or_bounds_or_windows_are_refused():
     database = built(houses(0))
     windows = Windows(*(getattr(database.windows, item.name)[1:] for item in fields(Windows)))
     for lacking, sentence in (
-        (replace(database, parameters=replace(database.parameters, block_hashes=())), "kept no block hashes"),
+        (
+            replace(database, parameters=replace(database.parameters, block_hashes=())),
+            "built the database without block hashes",
+        ),
         (replace(database, references=replace(database.references, bounds_px=None)), "bounds of landmarks"),
-        (replace(database, windows=windows), "windows of level 1 where its grid has"),
+        (replace(database, windows=windows), "windows of level 1, but its grid has"),
     ):
         with pytest.raises(DatabaseError, match=sentence):
             updated(lacking, houses(0))

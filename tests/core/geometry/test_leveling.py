@@ -118,7 +118,7 @@ def test_focal_lengths_agree_with_each_other():
 
 @pytest.mark.parametrize("attitude", [Attitude(0, 50), Attitude(-60, 0), Attitude(80, 80)])
 def test_a_view_near_the_horizon_is_refused(attitude):
-    with pytest.raises(ParameterError, match=r"away from straight down, more than 75°"):
+    with pytest.raises(ParameterError, match=r"at most 75° is possible"):
         leveling(attitude, FOCAL, SHAPE)
 
 
@@ -138,7 +138,7 @@ def test_no_focal_length_no_pixels_and_too_many_are_refused():
         leveling(Attitude(0, 1), 0.0, SHAPE)
     with pytest.raises(LabelMapError, match="no pixels"):
         leveling(Attitude(0, 1), 100.0, (0, 5))
-    with pytest.raises(LabelMapError, match="reduce it first"):
+    with pytest.raises(LabelMapError, match="reduce the image first"):
         leveling(Attitude(0, 1), 1e6, (10, 40_000))
 
 

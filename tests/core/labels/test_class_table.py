@@ -6,13 +6,13 @@ import pytest
 
 from semref.core import limits
 from semref.core.errors import ClassTableError
+from semref.core.labels.class_colors import default_color
 from semref.core.labels.class_table import (
     ClassTable,
     LandCoverClass,
     class_table_from_csv,
     class_table_from_names,
     class_table_from_values,
-    default_color,
     split_list,
 )
 from semref.core.sentences import english
@@ -87,7 +87,7 @@ def test_color_and_role_may_be_left_out():
 
 @pytest.mark.parametrize("text", ["", "\n\n", "\ufeff", "value,name,color,role\n"])
 def test_a_table_without_classes_is_refused(text):
-    with refuses("classes.csv has no classes; it needs a header value,name,color,role and a line a class."):
+    with refuses("classes.csv has no classes. It needs a header value,name,color,role and one line per class."):
         class_table_from_csv(text, "classes.csv")
 
 
@@ -96,32 +96,41 @@ def test_a_table_without_classes_is_refused(text):
     [("name,color", "value"), ("value,color", "name"), ("id,label", "value, name")],
 )
 def test_a_missing_column_is_named(header, missing):
-    with refuses(f"classes.csv lacks the column {missing}; its header is “{header}”."):
+    with refuses(f"classes.csv has no column {missing}; its header is “{header}”."):
         csv("1,2", header=header)
 
 
 @pytest.mark.parametrize(
     ("row", "sentence"),
     [
-        *((f"{value},water", f"“{value}” is not a whole number for value.") for value in ("", "x", "1.5", "1e2")),
+        *(
+            (f"{value},water", f"“{value}” is not a whole number; the column value needs 0 to 255.")
+            for value in ("", "x", "1.5", "1e2")
+        ),
         *(
             (f"{value},water", f"Class “water” has the value {value}; class values go from 0 to 255.")
             for value in (-20, -1, 256, 1000)
         ),
-        *((row, "The class with value 1 has no name; give it one.") for row in ("1,,#000000,background", "1")),
+        *((row, "The class with value 1 has no name; add one.") for row in ("1,,#000000,background", "1")),
         *(
             (f"1,water,{color}", f"Class “water” has the color “{color}”; write it as #rrggbb.")
             for color in ("red", "#12345", "#1234567", "123456", "#gggggg")
         ),
         ("1,water,,landmark", "Class “water” has the role “landmark”; it must be “reference” or “background”."),
-        ("0,other,,reference", "Class “other” has the value 0, which means unlabeled; it can't be a reference."),
-        ("1,water,,background,top", "“top” is not a number for draw_order."),
+        ("0,other,,reference", "Class “other” has the value 0, which means unlabeled; it can't be a reference class."),
+        ("1,water,,background,top", "“top” is not a number; draw_order needs a number or nothing."),
         *(
-            (f"1,water,,,,{cells}", "Class “water” has only one of hsv_min and hsv_max; give both or none.")
+            (
+                f"1,water,,,,{cells}",
+                "Class “water” has only one of hsv_min and hsv_max; fill in both, or leave both empty.",
+            )
             for cells in ("10 20 30,", ",10 20 30")
         ),
         *(
-            (f"1,water,,,,{hsv},1 2 3", f"“{hsv}” is not “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).")
+            (
+                f"1,water,,,,{hsv},1 2 3",
+                f"“{hsv}” is not three numbers “h s v” in OpenCV's ranges (h 0–180, s and v 0–255).",
+            )
             for hsv in ("181 0 0", "0 256 0", "0 0 256", "1 2", "1 2 3 4", "a b c", "-1 2 3", "1.5 2 3", "² 2 3")
         ),
     ],
@@ -140,9 +149,12 @@ def test_a_line_may_end_early_or_go_on_and_a_class_may_have_the_value_zero():
 @pytest.mark.parametrize(
     ("rows", "sentence"),
     [
-        (("1,a", "1,b", "2,c"), "The class table has the value 1 more than once."),
-        (("1,a", "2,a", "3,b"), "The class table has the name a more than once."),
-        (("1,a", "1,b", "2,c", "2,d"), "The class table has the value 1, 2 more than once."),
+        (("1,a", "1,b", "2,c"), "The class table has the value 1 more than once; values and names must be unique."),
+        (("1,a", "2,a", "3,b"), "The class table has the name a more than once; values and names must be unique."),
+        (
+            ("1,a", "1,b", "2,c", "2,d"),
+            "The class table has the value 1, 2 more than once; values and names must be unique.",
+        ),
     ],
 )
 def test_repeated_values_and_names_are_refused(rows, sentence):
@@ -190,15 +202,15 @@ def test_an_unknown_reference_class_is_refused_with_the_classes_there_are():
 
 def test_value_zero_can_not_be_chosen_as_a_reference():
     table = ClassTable((LandCoverClass(0, "other", "#000000"), LandCoverClass(1, "a", "#000000")))
-    with refuses("Class “other” has the value 0, which means unlabeled; it can't be a reference."):
+    with refuses("Class “other” has the value 0, which means unlabeled; it can't be a reference class."):
         table.with_references(["other"])
 
 
 def test_a_table_without_references_is_refused_where_one_is_needed():
     assert TABLE.require_references() is TABLE
     with refuses(
-        "No class is a reference class; choose at least one of 1 building, 3 bare, dry “land”, "
-        "7 water as one, or give it the role “reference” in the class table."
+        "No class is a reference class. Choose at least one of 1 building, 3 bare, dry “land”, "
+        "7 water, or give it the role “reference” in the class table."
     ):
         TABLE.with_references([]).require_references()
 
@@ -223,8 +235,8 @@ def test_classes_known_by_name_are_numbered_in_their_order(names):
 def test_a_label_map_has_at_most_255_classes():
     assert len(class_table_from_names(str(n) for n in range(255))) == 255
     with refuses(
-        "There are 256 classes, but a label map holds 255; "
-        "choose another class field, or merge classes with a class table."
+        "There are 256 classes, but a label map can store 255. "
+        "Choose another class field, or merge classes with a class table."
     ):
         class_table_from_names(str(n) for n in range(256))
 
@@ -256,11 +268,17 @@ def test_colors_are_read_as_red_green_blue():
 @pytest.mark.parametrize(
     ("values", "code"),
     [
-        ({"draw_order": float("nan")}, "The class {name} has a draw_order that is no number; give one such as 3."),
-        ({"draw_order": float("inf")}, "The class {name} has a draw_order that is no number; give one such as 3."),
+        (
+            {"draw_order": float("nan")},
+            "Class “{name}” has a draw_order that is not a finite number; use a number such as 3.",
+        ),
+        (
+            {"draw_order": float("inf")},
+            "Class “{name}” has a draw_order that is not a finite number; use a number such as 3.",
+        ),
         (
             {"name": "n" * (limits.NAME_CHARACTERS + 1)},
-            "The class {value} has a name of more than {most} characters; give it a shorter one.",
+            "The name of class {value} has more than {most} characters; use a shorter name.",
         ),
     ],
 )
@@ -277,7 +295,7 @@ def test_a_line_too_long_for_any_table_is_refused():
         class_table_from_csv(line, "classes.csv")
     assert (
         refused.value.sentence.template
-        == "{source} has a line of more than {most} characters, which no class table has; choose another file."
+        == "{source} is not a class table: a line has more than {most} characters. Choose another file."
     )
 
 

@@ -54,7 +54,7 @@ def test_where_ranges_overlap_the_first_class_by_value_wins():
 def test_decoding_by_hsv_without_any_range_is_refused():
     with pytest.raises(
         ClassTableError,
-        match="^No class has hsv_min and hsv_max; add them to the class table or decode by nearest color.$",
+        match="^No class has hsv_min and hsv_max; add both to the class table, or decode by nearest color.$",
     ):
         decode_by_hsv(image_of((0, 0, 0)), ClassTable((GREEN,)))
 

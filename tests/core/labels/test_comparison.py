@@ -54,7 +54,7 @@ def test_what_is_not_annotated_is_left_out():
 
 @pytest.mark.parametrize("annotated", [[[]], [[0, 0]]])
 def test_maps_without_a_common_labeled_pixel_are_refused(annotated):
-    with pytest.raises(LabelMapError, match="no pixel in common"):
+    with pytest.raises(LabelMapError, match="the reference map has no labels"):
         compare(annotated, annotated)
 
 

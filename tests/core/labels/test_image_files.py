@@ -153,7 +153,7 @@ def test_a_picture_under_the_name_of_another_kind_is_refused(image, tmp_path, na
     path = str(tmp_path / f"renamed{suffix}")
     os.rename(image(name), path)
     for read in (lambda path: read_label_image(path, TABLE), read_photo):
-        with pytest.raises((ImageError, LabelMapError), match="give it the suffix"):
+        with pytest.raises((ImageError, LabelMapError), match="Change the suffix"):
             read(path)
 
 

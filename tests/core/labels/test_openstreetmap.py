@@ -58,14 +58,14 @@ def test_own_rules_may_use_semicolons_and_any_value():
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "no table of rules"),
-        (HEADER, "no table of rules"),
-        ("key,value,class\na,b,c\n", "lacks the column priority"),
+        ("", "not a table of rules"),
+        (HEADER, "not a table of rules"),
+        ("key,value,class\na,b,c\n", "has no column priority"),
         (HEADER + "building,,house,1\n", "line 2: a rule needs a key and a value"),
         (HEADER + "building,*,house,high\n", "“high” is not a whole number"),
         (HEADER + f"building,*,{'h' * 500},1\n", "characters"),
         (HEADER + f"building,*,house,1{'0' * 9}\n", "is not a whole number"),
-        (HEADER + "x" * 20_000, "no table of rules"),
+        (HEADER + "x" * 20_000, "not a table of rules"),
     ],
 )
 def test_an_invalid_table_is_refused_with_its_line(text, said):

@@ -41,7 +41,7 @@ def test_validation_has_about_the_asked_fraction_of_the_labels(fraction):
 
 
 def test_an_image_smaller_than_a_tile_is_refused():
-    with pytest.raises(ParameterError, match="300 × 50 pixels, less than a tile of 64"):
+    with pytest.raises(ParameterError, match="300 × 50 pixels, less than one tile of 64"):
         plan_tiles((50, 300), 64, 64, np.zeros((1, 5), bool), 64)
 
 

@@ -31,8 +31,8 @@ def test_only_windows_completely_on_the_map_count(width, height, size, stride, c
 
 def test_a_stride_larger_than_the_window_is_refused():
     with refuses(
-        "The stride (31 px) is larger than the window (30 px), so ground between the windows would be missed; "
-        "make the stride at most the window size."
+        "The stride (31 px) is larger than the window (30 px), so windows would leave gaps; "
+        "choose a stride up to the window size."
     ):
         WindowGrid(100, 100, 30, 31)
 
